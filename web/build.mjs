@@ -1,6 +1,6 @@
 // Bundles the page, or unit tests for Node: node build.mjs [--tests] [FOLDER]. By default the page goes into the package.
 import { copyFile, mkdir, readdir, readFile, rm, writeFile } from 'node:fs/promises';
-import { basename } from 'node:path';
+import { relative } from 'node:path';
 import { build } from 'esbuild';
 
 const PACKAGE = '../python/nearfar/view/dist';
@@ -24,8 +24,13 @@ async function page(folder) {
   await mkdir(folder, { recursive: true });
   const { outputFiles } = await build({
     ...common,
-    // The page loads the scripts of rooms and of what users do in them where they are named; what they share is more.
-    entryPoints: { page: 'src/page.ts', rooms: 'src/room.ts', collect: 'src/collect/start.ts' },
+    // The page loads the scripts of rooms and of what users do in them where they are named, notebooks the widget.
+    entryPoints: {
+      page: 'src/page.ts',
+      rooms: 'src/room.ts',
+      collect: 'src/collect/start.ts',
+      'widget/widget': 'src/widget/widget.ts',
+    },
     outdir: folder,
     splitting: true,
     chunkNames: 'shared-[hash]',
@@ -40,23 +45,32 @@ async function page(folder) {
   const styles = ['src/page.css', 'src/rooms/rooms.css', 'src/collect/collect.css'];
   const flat = { outdir: folder, entryNames: '[name]', bundle: true, minify: true, logLevel: 'warning' };
   await build({ ...flat, entryPoints: styles });
-  await widget(`${folder}/widget`);
+  const widget = { loader: 'src/widget/loader.ts', widget: 'src/widget/widget.css' };
+  await build({ ...alone, outdir: `${folder}/widget`, entryPoints: widget });
   await orthoview(`${folder}/orthoview`);
 }
 
-/** Scripts that others share get names that stay the same; the document preloads those that the page asks for. */
+/** Scripts that others share get names that stay the same, the largest first. */
 async function writeNamed(outputFiles, folder) {
-  const named = outputFiles.map(({ path, text }) => ({ name: basename(path), text }));
+  const named = outputFiles.map(({ path, text }) => ({ name: relative(folder, path), text }));
   const shared = named.filter(({ name }) => name.startsWith('shared-')).sort((a, b) => b.text.length - a.text.length);
   const names = new Map(shared.map(({ name }, at) => [name, `shared${at === 0 ? '' : at + 1}.js`]));
   const renamed = (text) => [...names].reduce((all, [from, to]) => all.replaceAll(from, to), text);
-  for (const { name, text } of named) await writeFile(`${folder}/${names.get(name) ?? name}`, renamed(text));
-  const page = renamed(named.find(({ name }) => name === 'page.js').text);
-  const preloads = [...names.values()]
-    .filter((name) => page.includes(`from"./${name}"`))
-    .map((name) => `    <link rel="modulepreload" href="${name}" />\n`);
+  const texts = new Map(named.map(({ name, text }) => [names.get(name) ?? name, renamed(text)]));
+  await mkdir(`${folder}/widget`);
+  for (const [name, text] of texts) await writeFile(`${folder}/${name}`, text);
+  // The document preloads what the page imports; Python sends notebooks what the widget imports.
+  const preloads = imported('page.js', texts).map((name) => `    <link rel="modulepreload" href="${name}" />\n`);
   const document = await readFile('src/index.html', 'utf8');
   await writeFile(`${folder}/index.html`, document.replace(/ *<script /, (script) => preloads.join('') + script));
+  const scripts = [...imported('widget/widget.js', texts), 'widget/widget.js', 'worker.js'];
+  await writeFile(`${folder}/widget/scripts.json`, `${JSON.stringify(scripts)}\n`);
+}
+
+/** Names of the scripts that a script imports, each behind those that it imports itself. */
+function imported(script, texts) {
+  const names = [...texts.get(script).matchAll(/\b(?:from|import)"\.\.?\/([\w.-]+)"/g)].map(([, name]) => name);
+  return [...new Set(names.flatMap((name) => [...imported(name, texts), name]))];
 }
 
 /** The page that flies trees of orthoviews: it may lie in a store's folder. */
@@ -79,25 +93,6 @@ async function orthoview(folder) {
   const style = { entryPoints: { orthoview: `${from}/page.css` }, outdir: folder, bundle: true, minify: true };
   await build({ ...style, logLevel: 'warning' });
   await copyFile(`${from}/index.html`, `${folder}/index.html`);
-}
-
-/** The view for notebooks: one script, with that of the workers in it. */
-async function widget(folder) {
-  const options = { ...common, minify: true, keepNames: true };
-  const workers = await build({ ...options, entryPoints: ['src/decode/worker.ts'], write: false });
-  const text = {
-    name: 'worker-text',
-    setup({ onResolve, onLoad }) {
-      onResolve({ filter: /^worker-text$/ }, ({ path }) => ({ path, namespace: 'text' }));
-      onLoad({ filter: /.*/, namespace: 'text' }, () => ({ contents: workers.outputFiles[0].text, loader: 'text' }));
-    },
-  };
-  await build({
-    ...options,
-    entryPoints: ['src/widget/widget.ts', 'src/widget/widget.css'],
-    outdir: folder,
-    plugins: [text],
-  });
 }
 
 /** Each file of tests as a script, and one script of all: a process for each file takes longer than its tests. */

@@ -8,6 +8,7 @@ from ._camera.clip import Clip
 from ._camera.depth import depth_from_range, range_error, range_from_depth
 from ._camera.shot import Shot
 from ._scene.builder import SceneBuilder
+from ._scene.options import LoadOptions
 from ._scene.scene import Scene
 from ._source.open import open_source
 from ._source.protocol import SceneSource
@@ -63,6 +64,7 @@ __all__ = [
     "Hits",
     "Hmd",
     "LoadCurve",
+    "LoadOptions",
     "Nearest",
     "Orthographic",
     "Partition",

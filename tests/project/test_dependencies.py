@@ -18,7 +18,6 @@ CHECKOUT = Path(__file__).resolve().parents[2]
 
 SCRIPTS = {
     "worker.js": "decode/worker.ts",
-    "worker-text": "decode/worker.ts",
     "orthoview-cut.js": "orthoview/cut/worker.ts",
     "orthoview-read.js": "orthoview/decode/worker.ts",
     "orthoview-webgpu.js": "orthoview/draw/webgpu/start.ts",

@@ -14,6 +14,7 @@ CHECKOUT = Path(__file__).resolve().parents[2]
 PACKAGE = CHECKOUT / "python" / "nearfar"
 
 PRIVATE_TO_COMMANDS = {
+    "nearfar._camera.density",
     "nearfar._metrics.comparison",
     "nearfar._reduce.default_radii",
     "nearfar._reduce.findings",

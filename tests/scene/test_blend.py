@@ -12,10 +12,12 @@ import trimesh
 from PIL import Image
 
 import nearfar as nf
+from nearfar._scene.options import Blend
 from tests.support.cli_cases import command
 from tests.support.gltf_cases import decode
 from tests.support.ktx2_cases import glb
 
+BLENDS: tuple[Blend, ...] = ("opaque", "cutout")
 FOV = nf.Fov(-1.2, 0.9, -1.1, 1.0)
 VIEW = nf.Camera.look_at((0.5, 0.5, 1), (0.5, 0.5, 0), fov=nf.Fov.symmetric(50, 1), size=(32, 32))
 
@@ -45,7 +47,7 @@ def coverage(scene: nf.Scene) -> float:
 )
 def test_half_transparent_texels_are_cut_out(tmp_path: Path, alphas: list[int], part: float) -> None:
     (tmp_path / "a.glb").write_bytes(pane(alphas))
-    opaque, cut = (nf.Scene.load(tmp_path / "a.glb", blend=blend) for blend in ("opaque", "cutout"))
+    opaque, cut = (nf.Scene.load(tmp_path / "a.glb", blend=blend) for blend in BLENDS)
     assert coverage(opaque) > 0.5
     # The square has four columns of texels; filtering moves its edges by less than one.
     assert (
@@ -61,7 +63,7 @@ def test_half_transparent_texels_are_cut_out(tmp_path: Path, alphas: list[int], 
 @pytest.mark.parametrize(("mode", "changes"), [(None, {}), ("OPAQUE", {}), ("MASK", {"alphaCutoff": 0.2})])
 def test_other_materials_are_drawn_opaque(tmp_path: Path, mode: str | None, changes: dict[str, Any]) -> None:
     (tmp_path / "a.glb").write_bytes(pane([90] * 4, mode, **changes))
-    opaque, cut = (nf.Scene.load(tmp_path / "a.glb", blend=blend) for blend in ("opaque", "cutout"))
+    opaque, cut = (nf.Scene.load(tmp_path / "a.glb", blend=blend) for blend in BLENDS)
     assert coverage(opaque) == coverage(cut) > 0.5
     assert opaque.report.notes == cut.report.notes
     assert not any("alpha" in note or "blending" in note for note in cut.report.notes)
@@ -69,7 +71,7 @@ def test_other_materials_are_drawn_opaque(tmp_path: Path, mode: str | None, chan
 
 def test_written_files_describe_what_is_drawn(tmp_path: Path) -> None:
     (tmp_path / "a.glb").write_bytes(pane([255, 0, 255, 0]))
-    for blend, mode in (("opaque", "BLEND"), ("cutout", "MASK")):
+    for blend, mode in zip(BLENDS, ("BLEND", "MASK"), strict=True):
         nf.lod.export(nf.Scene.load(tmp_path / "a.glb", blend=blend), tmp_path / "written.glb", view=FOV)
         (material,) = decode(tmp_path / "written.glb")[0]["materials"]
         assert (material["alphaMode"], material.get("alphaCutoff", 0.5)) == (mode, 0.5)
@@ -90,7 +92,7 @@ def test_trimesh_objects_are_cut_out_too() -> None:
     material = trimesh.visual.material.PBRMaterial(baseColorFactor=color, alphaMode="BLEND", doubleSided=True)
     box.visual = trimesh.visual.TextureVisuals(uv=np.zeros((8, 2)), material=material)
     far = nf.Camera.look_at((0, 0, 3), (0, 0, 0), fov=nf.Fov.symmetric(50, 1), size=(16, 16))
-    for blend, is_seen in (("opaque", True), ("cutout", False)):
+    for blend, is_seen in zip(BLENDS, (True, False), strict=True):
         found = nf.render(nf.Scene.from_trimesh(box, blend=blend), far).range
         assert found is not None
         assert bool(np.isfinite(found).any()) == is_seen

@@ -21,7 +21,7 @@ from benchmarks.harness.tokyo import with_buildings
 from nearfar._scene.city import heights
 from nearfar._scene.city.footprints import Footprints
 from nearfar._scene.city.index import BoxIndex
-from nearfar._scene.city.read import CityOptions, open_footprints
+from nearfar._scene.city.read import open_footprints
 from nearfar._scene.content import assemble
 from tests.support import data as data_file, need
 from tests.support.city_cases import collection, feature, parquet, polygon_bytes, square, write_json
@@ -150,7 +150,7 @@ def test_manhattan_equals_its_glb(tmp_path: Path) -> None:
     rows = json.loads(path.read_bytes())
     to_utm = pyproj.Transformer.from_crs("EPSG:4326", "EPSG:32618", always_xy=True)
     features = [feature([np.stack(to_utm.transform(*np.array(r["polygon"]).T), 1).tolist()], **r) for r in rows]
-    prints = open_footprints(write_json(tmp_path / "a.geojson", collection(*features, epsg=32618)))
+    prints = open_footprints(write_json(tmp_path / "a.geojson", collection(*features, epsg=32618)), nf.LoadOptions())
     glb = trimesh.load_scene(data_file("city/manhattan_deckgl/manhattan_core.glb"))
     placed = [glb.graph[f"b{number}"] for number in range(999)]
     other = np.array([trimesh.transform_points(glb.geometry[name].bounds, matrix) for matrix, name in placed])
@@ -162,7 +162,7 @@ def test_manhattan_equals_its_glb(tmp_path: Path) -> None:
 
 
 def test_manhattan_in_degrees_differs_by_the_projection_only() -> None:
-    prints = open_footprints(data_file(MANHATTAN))
+    prints = open_footprints(data_file(MANHATTAN), nf.LoadOptions())
     glb = trimesh.load_scene(data_file("city/manhattan_deckgl/manhattan_core.glb"))
     placed = [glb.graph[f"b{number}"] for number in range(999)]
     other = np.array(
@@ -238,7 +238,7 @@ def test_rows_of_boxes_equal_a_linear_search(tmp_path: Path) -> None:
     random = np.random.default_rng(2)
     rows, tall = rows_of(random, 3000)
     path = parquet(tmp_path / "a.parquet", rows, height=tall)
-    prints = open_footprints(path)
+    prints = open_footprints(path, nf.LoadOptions())
     whole = nf.Scene.load(path)
     np.testing.assert_allclose(prints.bounds, whole.bounds, atol=2e-3)
     assert (prints.count, prints.names) == (3000, 3000)
@@ -250,7 +250,7 @@ def test_rows_of_boxes_equal_a_linear_search(tmp_path: Path) -> None:
             touch = ((prints.boxes[:, 0] <= box[1]) & (prints.boxes[:, 1] >= box[0])).all(axis=1)
             np.testing.assert_array_equal(found, np.flatnonzero(touch))
             assert len(found) < 400
-            cell = nf.Scene._from_assembled(assemble(prints.content(found), up="y", on_invalid="raise"))
+            cell = nf.Scene._from_assembled(assemble(prints.content(found), nf.LoadOptions()))
             assert cell.object_names == tuple(f"object_{row}" for row in found)
             seen |= faces_in(cell)
     assert seen == faces_in(whole)
@@ -266,7 +266,7 @@ def test_a_box_index_finds_boxes_that_touch_its_border() -> None:
 
 
 def test_no_rows_have_no_triangles(tmp_path: Path) -> None:
-    prints = open_footprints(parquet(tmp_path / "a.parquet", [polygon_bytes([square(X, Y, 1)])]))
+    prints = open_footprints(parquet(tmp_path / "a.parquet", [polygon_bytes([square(X, Y, 1)])]), nf.LoadOptions())
     content = prints.content(np.zeros(0, np.int64))
     assert len(content.shapes["footprints"].faces) == 0
     assert prints.content().names == 1
@@ -312,7 +312,7 @@ def tokyo(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Footprints]:
     source = data_file(TOKYO)
     target = tmp_path_factory.mktemp("tokyo") / "tokyo.parquet"
     tokyo_script().convert(str(source), str(target))
-    return target, open_footprints(target, CityOptions())
+    return target, open_footprints(target, nf.LoadOptions())
 
 
 @pytest.mark.stress

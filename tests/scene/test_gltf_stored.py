@@ -76,7 +76,7 @@ def test_real_files_are_read_equally(name: str, monkeypatch: pytest.MonkeyPatch)
     assert_alike(stored, slow)
     assert stored._notes == slow._notes
     assert stored.report.instances <= slow.report.instances
-    content = load._read(str(path), path, path.read_bytes(), Budget())
+    content = load._read(path, path.read_bytes(), nf.LoadOptions(), Budget())
     assert (content.shapes, content.stored is None) == ({}, False)
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import gzip
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -12,6 +13,7 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from nearfar._base import data as data_files
+from nearfar._scene.options import Up
 from tests.support import need
 
 
@@ -152,7 +154,7 @@ def test_many_nodes_are_many_objects(tmp_path: Path) -> None:
         ("-x", (-2, -1, -3)),
     ],
 )
-def test_the_upward_axis_becomes_y(tmp_path: Path, up: str, expected: tuple[float, ...]) -> None:
+def test_the_upward_axis_becomes_y(tmp_path: Path, up: Up, expected: tuple[float, ...]) -> None:
     mesh = trimesh.Trimesh([[1, 2, 3], [0, 0, 0], [0, 1, 1]], [[0, 1, 2]], process=False)
     mesh.export(tmp_path / "a.ply")
     for scene in (nf.Scene.load(tmp_path / "a.ply", up=up), nf.Scene.from_trimesh(mesh, up=up)):
@@ -238,3 +240,33 @@ def test_the_same_file_gives_the_same_bytes(tmp_path: Path, town: trimesh.Scene)
     first, second = (nf.Scene.load(tmp_path / "town.glb") for _ in range(2))
     assert first.triangles().tobytes() == second.triangles().tobytes()
     assert first.object_names == second.object_names
+
+
+def test_options_are_made_once_for_many_files(tmp_path: Path) -> None:
+    path = tmp_path / "box.stl"
+    trimesh.creation.box((1.0, 2.0, 3.0)).export(path)
+    options = nf.LoadOptions(up="z", scale=0.001)
+    np.testing.assert_array_equal(nf.Scene.load(path, options).bounds, nf.Scene.load(path, up="z", scale=0.001).bounds)
+    np.testing.assert_array_equal(nf.Scene.load(path, options, scale=1).bounds, nf.Scene.load(path, up="z").bounds)
+    np.testing.assert_array_equal(nf.open_source(path, options).bounds, nf.Scene.load(path, options).bounds)
+    with pytest.raises(TypeError, match=r"^options: expected LoadOptions, got dict"):
+        nf.Scene.load(path, {"up": "z"})  # type: ignore[arg-type]
+    with pytest.raises(TypeError, match=r"^upwards: expected a field of LoadOptions \(up, scale, "):
+        nf.Scene.load(path, upwards="z")  # type: ignore[call-arg]
+
+
+@pytest.mark.parametrize(
+    ("given", "message"),
+    [
+        ({"up": "w"}, "up: expected one of"),
+        ({"scale": 0}, "scale: expected a number above 0"),
+        ({"max_bytes": 0}, "max_bytes: expected"),
+        ({"blend": "sorted"}, "blend: expected one of"),
+        ({"error": 1, "triangles": 5}, "triangles: expected none beside an error"),
+        ({"origin": (1, 200, 3)}, "origin: expected longitude within"),
+        ({"lod": "many"}, "lod: expected"),
+    ],
+)
+def test_options_are_checked_when_they_are_made(given: dict[str, Any], message: str) -> None:
+    with pytest.raises(ValueError, match=f"^{message}"):
+        nf.LoadOptions(**given)

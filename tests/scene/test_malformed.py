@@ -18,6 +18,7 @@ from PIL import Image
 
 import nearfar as nf
 from nearfar._base import data as data_files
+from nearfar._scene.options import OnInvalid
 from tests.support import need
 
 LONGEST = 2.0
@@ -32,7 +33,7 @@ def nothing_leaks(capfd: pytest.CaptureFixture[str]) -> Iterator[None]:
     assert captured.out + captured.err == ""
 
 
-def outcome(path: Path, on_invalid: str = "raise") -> nf.Scene | nf.SceneError:
+def outcome(path: Path, on_invalid: OnInvalid = "raise") -> nf.Scene | nf.SceneError:
     """Load a file like a user; accepts only a working scene or a SceneError that names the file."""
     start = time.process_time()
     result: nf.Scene | nf.SceneError

@@ -33,7 +33,7 @@ def source_of(path: Path) -> Content:
     """The content of a file as arrays."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(load, "read_gltf", partial(document.read, stores=False))
-        return load._read(str(path), path, path.read_bytes(), Budget())
+        return load._read(path, path.read_bytes(), nf.LoadOptions(), Budget())
 
 
 def shape_of(path: Path) -> Shape:

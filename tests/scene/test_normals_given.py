@@ -71,7 +71,7 @@ def hard() -> trimesh.Trimesh:
 
 
 def shape_of(path: Path) -> Shape:
-    return next(iter(load._read(str(path), path, path.read_bytes(), Budget()).shapes.values()))
+    return next(iter(load._read(path, path.read_bytes(), nf.LoadOptions(), Budget()).shapes.values()))
 
 
 @pytest.mark.parametrize("suffix", ["glb", "obj", "ply"])

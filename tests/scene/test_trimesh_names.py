@@ -11,7 +11,7 @@ import pytest
     ("module", "names"),
     [
         ("trimesh.exchange.common", ["XML_PARSER_OPTIONS"]),
-        ("trimesh.exchange.gltf", ["handle_extensions", "_parse_materials"]),
+        ("trimesh.exchange.gltf", ["handle_extensions"]),
         ("trimesh.exchange.obj", ["parse_mtl"]),
         ("trimesh.geometry", ["weighted_vertex_normals"]),
         ("trimesh.visual.material", ["color_image"]),

@@ -150,7 +150,7 @@ def test_a_file_is_served_and_cached_by_content(tmp_path: Path, monkeypatch: Any
         assert last_line(server, "/at/0,1.5,0/parts")["event"] == "whole"
     assert LoadedScene.of_file(path, **SETTINGS).cache_folder() == folder
     assert LoadedScene.of_file(path, **{**SETTINGS, "samples": 2}).cache_folder() != folder
-    assert LoadedScene.of_file(path, up="z", **SETTINGS).cache_folder() != folder
+    assert LoadedScene.of_file(path, nf.LoadOptions(up="z"), **SETTINGS).cache_folder() != folder
     path.write_bytes(path.read_bytes() + b" ")
     assert LoadedScene.of_file(path, **SETTINGS).cache_folder() != folder
     assert LoadedScene.of_file(tmp_path / "none.glb", **SETTINGS).cache_folder() is None

@@ -11,6 +11,7 @@ import pytest
 from numpy.typing import NDArray
 
 import nearfar as nf
+from nearfar._scene.options import Blend
 from nearfar._source.tiles import TileFolder
 from tests.support.city_cases import everything, write_json
 from tests.support.gltf_cases import MATERIALS, gltf
@@ -59,7 +60,8 @@ def test_cities_are_read_up_to_a_level(tmp_path: Path) -> None:
 def test_materials_that_blend_are_cut_out(tmp_path: Path, kind: str) -> None:
     data = gltf([MATERIALS[0]])
     write(tmp_path, {"t.glb": data, "t.json": tileset(tile(0.0, "t.glb"))})
-    for blend, note in (("opaque", "opaque"), ("cutout", "where alpha is at least 1/2")):
+    notes: dict[Blend, str] = {"opaque": "opaque", "cutout": "where alpha is at least 1/2"}
+    for blend, note in notes.items():
         part = nf.open_source(tmp_path / f"t.{kind}", blend=blend).query([[-np.inf] * 3, [np.inf] * 3])
         assert f"1 material with blending drawn {note}" in part.report.notes
 
@@ -77,7 +79,9 @@ def test_other_folders_are_refused(tmp_path: Path) -> None:
         nf.open_source(tmp_path / "nowhere.glb")
 
 
-@pytest.mark.parametrize("given", [{"up": "z"}, {"scale": 2.0}, {"max_bytes": 9}, {"lod": 1}, {"blend": "cutout"}])
+@pytest.mark.parametrize(
+    "given", [{"up": "z"}, {"scale": 2.0}, {"max_bytes": 9}, {"lod": 1}, {"blend": "cutout"}, {"error": 2.0}]
+)
 def test_unsupported_arguments_of_tile_folders_are_refused(tmp_path: Path, given: dict[str, Any]) -> None:
     nf.write_tiles(soup(), tmp_path / "tiles", cell=8)
     with pytest.raises(ValueError, match=f"^{next(iter(given))}: expected none"):

@@ -65,8 +65,8 @@ TAKEN: dict[str, str] = {
     " morph.points nearest_points.points *.view_vectors.points range_error.distance stream.Growth.radii"
     " stream.assign.radii *.bytes_at.time visual_continuity.frames",
     "callable": "render_path.lod",
-    "free": "Hmd.name lod.Level.note lod.*.name SceneBuilder.*.name SceneBuilder.place_many.names relative"
-    " stream.client.*.room stream.client.*.name stream.client.*.token",
+    "free": "Hmd.name LoadOptions.height lod.Level.note lod.*.name SceneBuilder.*.name SceneBuilder.place_many.names"
+    " relative stream.client.*.room stream.client.*.name stream.client.*.token",
     "path": "relative",
     "names": "object_names Hmd.sources SceneBuilder.objects.names Shot.channels",
     "entries": "*.stats lod.LodModel.measured ReducedScene.counts lod.Selection.columns",
@@ -114,7 +114,7 @@ RANGES: dict[str, str] = {
     "[0, 1.5708)": "angle cube_lookup.radius",
     "(0, 3.2)": "orthoview.size_for.fov",
     "[0, 10]": "handshake",
-    "[0, 10)": "Scene.load.lod open_source.lod",
+    "[0, 10)": "LoadOptions.lod",
     "[0, 60]": "fade",
     "[0, 90]": "lift_deg",
     "(0, 90)": "kink_deg",

@@ -293,7 +293,7 @@ def test_a_busy_server_is_asked_again(chromium: Any, server: Server) -> None:
         shown.route("**/parts", answer)
         shown.goto(f"{server.url}?aa=0{link(pose(3.0, -2.0))}")
         wait_until(shown, lambda: shown.evaluate("() => Boolean(window.nearfar)"))
-        wait_until(shown, lambda: shown.evaluate(PLACE) == "server busy, again in 2 s")
+        wait_until(shown, lambda: shown.evaluate(PLACE) == "server busy, next try in 2 s")
         assert "server busy" in shown.evaluate("() => document.querySelector('.note').textContent")
         wait_until(shown, lambda: shown.evaluate(PLACE) == "refined")
         assert refusals == []

@@ -89,8 +89,8 @@ def test_pages_fetch_files_from_other_pages(pages: Any, url: str, folder: Path) 
     wait_until(others[0].page, lambda: words in card.text_content() and "0 B from others" not in card.text_content())
     # The channel of a closed page ends.
     first.page.close()
-    numbers = [page.told()["user"] for page in others]
-    wait_until(others[0].page, lambda: [page.told()["open"] for page in others] == [[n] for n in numbers[::-1]])
+    numbers = [page.facts()["user"] for page in others]
+    wait_until(others[0].page, lambda: [page.facts()["open"] for page in others] == [[n] for n in numbers[::-1]])
 
 
 def test_malformed_signals_end_their_own_connection_and_opting_out_has_none(pages: Any, url: str) -> None:
@@ -98,9 +98,9 @@ def test_malformed_signals_end_their_own_connection_and_opting_out_has_none(page
     for each in (rude, page, other):
         each.open(url, "signals", "&rings=0")
     alone.open(url, "signals", "&rings=0&peers=off")
-    wait_until(page.page, lambda: len((page.told() or {"open": []})["open"]) == 2)
-    rude.page.evaluate(GARBAGE, page.told()["user"])
-    wait_until(page.page, lambda: page.told()["open"] == [other.told()["user"]])
-    assert alone.wait(0)["refusal"] == "the address of the page says so"
+    wait_until(page.page, lambda: len((page.facts() or {"open": []})["open"]) == 2)
+    rude.page.evaluate(GARBAGE, page.facts()["user"])
+    wait_until(page.page, lambda: page.facts()["open"] == [other.facts()["user"]])
+    assert alone.wait(0)["refusal"] == "the address of the page switches it off"
     assert page.page.evaluate("() => window.connections") > 0
     assert alone.page.evaluate("() => window.connections") == 0

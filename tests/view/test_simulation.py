@@ -32,8 +32,7 @@ SPEED, FADE = 0.7, 0.5
 
 DRIVER = """
 import { readFileSync, writeFileSync } from 'node:fs';
-import { NOTHING_NEAR } from './growth.mjs';
-import { createStage } from './stage.mjs';
+import { createStage, NOTHING_NEAR } from './stage.mjs';
 const [, , input, output] = process.argv;
 const told = JSON.parse(readFileSync(input, 'utf8')).map(({ manner, settings, steps }) => {
   const stage = createStage(settings, manner);
@@ -79,8 +78,7 @@ def states(walk: dict[str, Any]) -> list[list[float]]:
 
 def test_states_equal_the_page(tmp_path: Path) -> None:
     need("web")
-    for name in ("growth", "stage"):
-        run("npx", "esbuild", f"src/show/{name}.ts", "--bundle", "--format=esm", f"--outfile={tmp_path / name}.mjs")
+    run("npx", "esbuild", "src/show/stage.ts", "--bundle", "--format=esm", f"--outfile={tmp_path / 'stage'}.mjs")
     (tmp_path / "driver.mjs").write_text(DRIVER)
     given = walks()
     (tmp_path / "in.json").write_text(json.dumps(given))

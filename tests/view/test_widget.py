@@ -7,6 +7,7 @@ import importlib.util
 import io
 import json
 import math
+import re
 from pathlib import Path
 from typing import Any
 
@@ -186,6 +187,19 @@ def test_environments_without_widgets_show_a_picture(view: Any) -> None:
     image = Image.open(io.BytesIO(base64.b64decode(picture) if isinstance(picture, str) else picture))
     assert image.width / image.height == SIZE[0] / SIZE[1]
     assert len(np.unique(np.asarray(image.convert("RGB")).reshape(-1, 3), axis=0)) > 20
+
+
+def test_the_script_brings_what_it_imports() -> None:
+    from nearfar.view import _widget
+
+    head, _, loader = _widget._script().partition("\n")
+    scripts = json.loads(head.removeprefix("const SCRIPTS = ").removesuffix(";"))
+    known: set[str] = set()
+    for name, text in scripts:
+        imported = set(re.findall(r'\b(?:from|import)"\.\.?/([\w.-]+)"', text))
+        assert imported <= known, f"{name} imports what comes later"
+        known.add(name)
+    assert set(re.findall(r'"([\w-]+\.js)"', loader)) == {"widget.js", "worker.js"} <= known
 
 
 def test_a_missing_anywidget_is_named(bundle: nf.stream.Bundle, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -1,16 +1,15 @@
 /** Opens the content named by the page's address: a bundle, or a scene whose regions a server makes on demand. */
+import { filesOfGeometry, firstRings } from './bundle/contents';
 import { BundleError } from './bundle/error';
-import { filesOfGeometry } from './bundle/contents';
 import type { Point } from './bundle/manifest';
 import { parseJson, readManifest } from './bundle/parse';
 import { createFiles, type Files, readDocument, type Received } from './bundle/source';
 import { NETWORK } from './bundle/transfer';
-import { upTo } from './bundle/up_to';
 import type { Pose } from './control/pose';
-import { type Making } from './demand/place';
+import type { ServerProgress } from './demand/place';
 import { isSite, readScene, readSite } from './demand/scene';
 import { createDemandWorld } from './demand/world';
-import type { Strategy } from './show/strategy';
+import type { Strategy } from './show/stage';
 import { type World, worldOf } from './show/world';
 
 export interface Opened {
@@ -28,7 +27,7 @@ export interface Opened {
   /** Centres of all regions; null if there is a place everywhere. */
   readonly centers: readonly Point[] | null;
   /** Progress of the server with a region; null for bundles. */
-  makingOf(region: number): Making | null;
+  progressOf(region: number): ServerProgress | null;
 }
 
 /** Opens the address; `waits` is called when the server may still be loading the scene. */
@@ -54,7 +53,7 @@ function openBundle(
   received: Received,
 ): Opened {
   const whole = readManifest(document);
-  const manifest = upTo(last, strategy.arrange(whole));
+  const manifest = firstRings(last, strategy.arrange(whole));
   const { dynamic, regions, triangles } = manifest;
   const [first] = regions;
   if (!first) throw new BundleError('manifest.json: expected a region, got none');
@@ -67,7 +66,7 @@ function openBundle(
     moving: dynamic ? filesOfGeometry(dynamic) : [],
     start: { position: first.center, yaw: 0, pitch: 0 },
     centers: regions.map(({ center }) => center),
-    makingOf: () => null,
+    progressOf: () => null,
   };
 }
 
@@ -95,6 +94,6 @@ async function openScene(
     moving: [],
     start: { ...scene.start, pitch: 0 },
     centers: null,
-    makingOf: world.makingOf,
+    progressOf: world.progressOf,
   };
 }

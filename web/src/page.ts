@@ -1,32 +1,28 @@
 /** Page that opens the bundle named by its address and draws it. */
+import { messageOf } from './base/errors';
 import { BundleError, damagedFile } from './bundle/error';
 import type { RegionEntry } from './bundle/manifest';
 import { createControls } from './control/controls';
+import { directionTo, placeFor } from './control/floor';
 import { distance } from './control/limit';
-import { readLink, writeLink } from './control/link';
-import { directionTo, placeFor } from './control/places';
-import type { Pose } from './control/pose';
+import { type Pose, readLink, writeLink } from './control/pose';
 import { openAddress } from './opened';
 import type { Room } from './room';
 import { createMeter } from './show/meter';
-import { strategyOf } from './show/strategy';
+import { LONGEST_FRAME, LOST } from './show/renderer';
+import { strategyOf } from './show/stage';
 import { createViewer, type Viewer } from './show/viewer';
-import { createDivider } from './ui/divider';
+import { find } from './ui/dom';
 import { clearMessage, FATAL, showFatal } from './ui/messages';
+import { createDivider, createThumbMark, createWait } from './ui/overlays';
 import { createPanel } from './ui/panel';
 import type { Commands } from './ui/status';
-import { createThumbMark } from './ui/thumb';
-import { createWait } from './ui/wait';
-import { offerHeadset } from './xr/offer';
-import type { Headset } from './xr/session';
+import { type Headset, offerHeadset } from './xr/session';
 
 /** Vertical field of view, degrees. */
 const ANGLE = 75;
-/** Greatest duration of a frame in seconds: after a pause of a hidden tab the page continues where it was. */
-const LONGEST_FRAME = 0.1;
 /** Seconds between two updates of the panel; timeout in seconds for loading the script of rooms. */
 const [PANEL_EVERY, ROOM_SCRIPT] = [0.25, 2] as const;
-const LOST = 'The browser has taken the graphics away. The picture comes back as soon as they do.';
 
 declare global {
   interface Window {
@@ -37,7 +33,7 @@ declare global {
 
 async function main(): Promise<void> {
   const query = new URLSearchParams(location.search);
-  const [canvas, root] = [element('canvas', HTMLCanvasElement), element('#ui', HTMLElement)];
+  const [canvas, root] = [find('canvas', HTMLCanvasElement), find('#ui', HTMLElement)];
   const meter = createMeter();
   const base = new URL(query.get('bundle') ?? '.', location.href);
   const strategy = strategyOf(query.get('strategy'));
@@ -86,7 +82,7 @@ async function main(): Promise<void> {
       const file = damagedFile(reason);
       if (file !== null) files.distrust(file);
       // Without ring 0 there is nothing to draw.
-      if (viewer.facts.arrived < 0) tell(reason);
+      if (viewer.facts.arrived < 0) showError(reason);
     },
     lost(isLost) {
       problems = isLost ? [LOST] : [];
@@ -108,7 +104,7 @@ async function main(): Promise<void> {
     start,
     onThumb: thumb.show,
     onGo(x, y) {
-      const direction = directionTo(pose, [x, y], Math.tan((ANGLE * Math.PI) / 360), viewer.camera.aspect);
+      const direction = directionTo(pose, [x, y], viewer.camera);
       go({ ...pose, position: placeFor(pose.position, direction, viewer.pointAt(x, y)) });
     },
   });
@@ -195,7 +191,7 @@ async function main(): Promise<void> {
       ring: Math.min(shown?.ring ?? 0, rings),
       rings,
       isSharp: entry !== null && (!entry.isCoarse || (shown?.ring ?? 0) > rings),
-      making: opened.makingOf(goal ?? region),
+      making: opened.progressOf(goal ?? region),
       radius: shown?.grown.radius ?? 0,
       ...meter.read(),
       received,
@@ -217,17 +213,11 @@ function ringsOf(entry: RegionEntry | null): number {
   return (entry?.rings.length ?? 1) - 1 - (entry?.isCoarse ? 1 : 0);
 }
 
-function element<T extends HTMLElement>(selector: string, kind: abstract new () => T): T {
-  const found = document.querySelector(selector);
-  if (!(found instanceof kind)) throw new Error(`the page has no ${selector}`);
-  return found;
-}
-
 /** Shows a page-wide message about a fatal error. */
-function tell(reason: unknown): void {
-  const detail = reason instanceof Error ? reason.message : String(reason);
+function showError(reason: unknown): void {
+  const detail = messageOf(reason);
   const { title, text } = FATAL[reason instanceof BundleError ? reason.kind : 'other'];
   showFatal(title, text, { detail, retry: () => location.reload() });
 }
 
-main().catch(tell);
+main().catch(showError);

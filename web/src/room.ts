@@ -3,22 +3,19 @@ import { filesOfRing } from './bundle/contents';
 import type { Files } from './bundle/source';
 import type { Pose } from './control/pose';
 import { type Peers, startPeers } from './peers/start';
-import { type Ask, askAbout } from './rooms/about';
-import type { Activity } from './rooms/activity';
 import { type Address, inviteOf, readAddress, relayOf, shownName } from './rooms/address';
-import { createArrivals } from './rooms/arrivals';
 import { type Avatars, createAvatars } from './rooms/avatars';
-import { followPage } from './rooms/away';
+import { type CardCommands, createArrivals, createRoomCard } from './rooms/card';
 import { CLOCK } from './rooms/clock';
 import { connect, type Connection } from './rooms/connection';
 import type { FromServer } from './rooms/frames';
-import { createHere, type HereCommands } from './rooms/here';
 import { createHold, type Hold } from './rooms/hold';
-import { createPointing } from './rooms/pointing';
+import { type Activity, createPointing } from './rooms/pointing';
 import { type Body, isWithin } from './rooms/pose';
 import { createPresence, type Presence, type Seen } from './rooms/presence';
 import { createSender } from './rooms/sending';
-import { createTicketStore } from './rooms/ticket';
+import { type Ask, askAbout } from './rooms/server';
+import { createTicketStore, followPage } from './rooms/ticket';
 import { createOpen } from './rooms/way';
 import type { Viewer } from './show/viewer';
 import { make } from './ui/dom';
@@ -78,7 +75,7 @@ export interface Room {
 export function enter(host: Host): Room | null {
   document.head.append(make('link', { rel: 'stylesheet', href: new URL('rooms.css', import.meta.url).href }));
   const address = readAddress(new URLSearchParams(location.search));
-  const commands: HereCommands = {
+  const commands: CardCommands = {
     mute: (number, isMuted) => room?.presence.mute(number, isMuted),
     retry: () => room?.connection.retry(),
     leave: () => room?.connection.leave(),
@@ -86,7 +83,7 @@ export function enter(host: Host): Room | null {
     announce: host.announce,
     exchange: (isOn) => room?.peers.switch?.set(isOn),
   };
-  const here = createHere(host.root, commands);
+  const here = createRoomCard(host.root, commands);
   if (typeof address === 'string') {
     here.refuse(address);
     return null;
@@ -105,8 +102,8 @@ export function enter(host: Host): Room | null {
   return room;
 }
 
-/** Joins a room; `told` is called a few times a second. */
-function join(host: Host, address: Address, hold: Hold, told: (room: Room) => void): Room {
+/** Joins a room; `onUpdate` is called a few times a second. */
+function join(host: Host, address: Address, hold: Hold, onUpdate: (room: Room) => void): Room {
   const { viewer, nearShare } = host;
   const presence = createPresence();
   const avatars = createAvatars(viewer.shared);
@@ -119,7 +116,7 @@ function join(host: Host, address: Address, hold: Hold, told: (room: Room) => vo
     page: location.href,
     open: createOpen(ask, isWithoutDatagrams),
     ticket: tickets.take(),
-    heard,
+    onFrame: hear,
     changed: ({ kind }) => {
       if (kind !== 'here') presence.clear();
       if (kind === 'waiting' || kind === 'ended') peers.clear();
@@ -140,7 +137,7 @@ function join(host: Host, address: Address, hold: Hold, told: (room: Room) => vo
   });
   const bodyOf = createPointing(viewer, nearShare, hold, host.hands, () => activity);
   let [seen, body]: [readonly Seen[], Body | null] = [[], null];
-  let toldAt = -Infinity;
+  let updatedAt = -Infinity;
   let activity: Activity | null = null;
   avatars.prepare(viewer.renderer, viewer.camera);
   viewer.setGuests(avatars);
@@ -149,14 +146,14 @@ function join(host: Host, address: Address, hold: Hold, told: (room: Room) => vo
     if (document.hidden) sender.rest();
   });
 
-  function heard(frame: FromServer, now: number): void {
+  function hear(frame: FromServer, now: number): void {
     presence.hear(frame, now);
     peers.hear(frame);
     if (frame.kind === 'welcome' || frame.kind === 'joined') sender.repeat();
     if (frame.kind === 'welcome') arrivals.begin(frame.others);
     else if (frame.kind === 'joined') arrivals.come(frame.user, shownName(frame.name, frame.user));
     else if (frame.kind === 'left') arrivals.left(frame.user);
-    activity?.heard(frame, now);
+    activity?.hear(frame, now);
   }
 
   const room: Room = {
@@ -181,9 +178,9 @@ function join(host: Host, address: Address, hold: Hold, told: (room: Room) => vo
       const own = state.kind === 'here' && body.pointer ? { number: state.user, body } : null;
       avatars.show(seen, own, pixelOf(viewer));
       arrivals.tell(now);
-      if (now - toldAt < CARD_EVERY) return;
-      toldAt = now;
-      told(room);
+      if (now - updatedAt < CARD_EVERY) return;
+      updatedAt = now;
+      onUpdate(room);
     },
     get activity() {
       return activity;

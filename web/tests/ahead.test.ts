@@ -1,8 +1,8 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import type { Texture } from 'three';
-import { createAhead } from '../src/show/ahead';
-import { createStore, type MeshArrays } from '../src/show/store';
+import { createStore, type MeshArrays } from '../src/show/buffers';
+import { createPrefetch } from '../src/show/job';
 import { createUploads, type Step } from '../src/show/uploads';
 
 const SIZES: Readonly<Record<string, number>> = { a: 10, b: 20, c: 30 };
@@ -20,7 +20,7 @@ function countingFetch(fails = false) {
 
 test('a prefetched file is not fetched again, and no longer counts as prefetched', async () => {
   const { asked, fetch } = countingFetch();
-  const ahead = createAhead(fetch, sizeOf);
+  const ahead = createPrefetch(fetch, sizeOf);
   ahead.want(['a', 'b', 'a'], signal);
   assert.deepEqual([asked, ahead.bytes], [['a', 'b'], 30]);
   assert.equal((await ahead.fetch('b', signal)).byteLength, 20);
@@ -31,13 +31,13 @@ test('a prefetched file is not fetched again, and no longer counts as prefetched
 
 test('prefetching stays within its limit of bytes', () => {
   const { asked, fetch } = countingFetch();
-  const ahead = createAhead(fetch, sizeOf, 45);
+  const ahead = createPrefetch(fetch, sizeOf, 45);
   ahead.want(['a', 'c', 'b'], signal);
   assert.deepEqual([asked, ahead.bytes], [['a', 'c'], 40]);
 });
 
 test('a failed prefetch is reported when the file is requested', async () => {
-  const ahead = createAhead(countingFetch(true).fetch, sizeOf);
+  const ahead = createPrefetch(countingFetch(true).fetch, sizeOf);
   ahead.want(['a'], signal);
   await assert.rejects(ahead.fetch('a', signal), /the server is gone/);
 });

@@ -2,9 +2,9 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import vectors from '../../tests/vectors/collect.json';
 import { LEVELS, type Message, read, type Rules, type Tally, write } from '../src/collect/messages';
-import { folded, isAimed, type Ray, seatsOf, sphereOf } from '../src/collect/spheres';
+import { reflectInto, isAimed, type Ray, seatsOf, sphereOf } from '../src/collect/spheres';
 import { Task } from '../src/collect/task';
-import type { Vector } from '../src/control/vector';
+import type { Vector } from '../src/control/pose';
 import { FrameError } from '../src/rooms/bytes';
 
 const bytesOf = (hex: string): Uint8Array => Uint8Array.from(Buffer.from(hex, 'hex'));
@@ -219,7 +219,7 @@ test('a pointer must meet the sphere ahead of it', () => {
 });
 
 test('spheres reverse at the faces of their box', () => {
-  assert.deepEqual([0.5, 2.5, -1.5, 7.5].map((at) => folded(at, -1, 2)), [0.5, 1.5, -0.5, 1.5]);
-  assert.equal(folded(7, 1, 1), 1);
+  assert.deepEqual([0.5, 2.5, -1.5, 7.5].map((at) => reflectInto(at, -1, 2)), [0.5, 1.5, -0.5, 1.5]);
+  assert.equal(reflectInto(7, 1, 1), 1);
   assert.equal(LEVELS.length, 3);
 });

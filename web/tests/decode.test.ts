@@ -5,7 +5,7 @@ import { test } from 'node:test';
 import { parseManifest } from '../src/bundle/parse';
 import type { Buffers } from '../src/decode/geometry';
 import { decodeGeometry } from '../src/decode/geometry';
-import { NOTHING_GROWS } from '../src/decode/split/rule';
+import { NO_GROWTH } from '../src/decode/split/rule';
 import type { FileData } from '../src/decode/messages';
 
 const folders = process.env['NEARFAR_BUNDLES']?.split(delimiter) ?? [];
@@ -47,7 +47,7 @@ for (const folder of folders) {
         parts: await Promise.all(buffers.map(fileOf)),
         known: entry.parts.filter((name) => name.endsWith('.webp')),
         center: region.center,
-        growth: NOTHING_GROWS,
+        growth: NO_GROWTH,
         isDynamic: entry === dynamic,
       };
       const { pieces, triangles } = await decodeGeometry(request, kept);

@@ -1,13 +1,12 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { BundleError } from '../src/bundle/error';
-import type { Described } from '../src/bundle/manifest';
+import type { FileEntry } from '../src/bundle/manifest';
 import type { Network } from '../src/bundle/transfer';
-import { ask } from '../src/demand/ask';
-import { createGrid } from '../src/demand/grid';
-import { linesOf } from '../src/demand/lines';
-import { type Making, readPlace } from '../src/demand/place';
+import { type ServerProgress, readPlace } from '../src/demand/place';
+import { request, linesOf } from '../src/demand/request';
 import { isSite, readScene, readSite } from '../src/demand/scene';
+import { createGrid } from '../src/demand/world';
 import { FACES, FILE, manifest } from './support/manifest';
 
 const OTHER = 'files/fedcba9876543210.webp';
@@ -37,14 +36,14 @@ function createChannel() {
 }
 
 function createListener() {
-  const makings: Making[] = [];
-  const files: Record<string, Described> = {};
+  const makings: ServerProgress[] = [];
+  const files: Record<string, FileEntry> = {};
   return {
     makings,
     files,
     listener: {
-      listed: (more: Readonly<Record<string, Described>>) => void Object.assign(files, more),
-      making: (making: Making) => void makings.push(making),
+      listed: (more: Readonly<Record<string, FileEntry>>) => void Object.assign(files, more),
+      making: (making: ServerProgress) => void makings.push(making),
     },
   };
 }
@@ -117,7 +116,7 @@ test('rings beyond the last requested one are left out', async () => {
 test('reasons, ends and damage reach those who wait', async () => {
   const cases: [lines: unknown[], kind: string, message: RegExp][] = [
     [[{ event: 'failed', reason: 'center: expected one with objects around it' }], 'place', /^center: expected one/],
-    [[], 'network', /broke off/],
+    [[], 'network', /connection ended/],
     [[{ event: 'other' }], 'damaged', /parts\.event: expected waiting or begin/],
     [['text'], 'damaged', /parts: expected an object/],
     [[{ event: 'end', stage: 1 }], 'damaged', /expected another event, got end/],
@@ -134,7 +133,7 @@ test('reasons, ends and damage reach those who wait', async () => {
   }
   const later: [lines: unknown[], message: RegExp][] = [
     [[{ event: 'failed', reason: 'the disk is gone' }], /the disk is gone$/],
-    [[], /broke off/],
+    [[], /connection ended/],
     [[ring(1, 0)], /got ring/],
     [[begin(1), ring(1, 1)], /got ring/],
     [[{ event: 'end' }], /got end/],
@@ -194,15 +193,15 @@ test('a busy server is asked again after the time it states, an unreachable one 
     new Response('', { status, headers: seconds === undefined ? {} : { 'retry-after': seconds } });
   const busy: number[] = [];
   const first = createNetwork(later(429, '3'), later(503), later(503, 'Tomorrow'), later(503, '9999'), new Error('lost'), new Response('yes'));
-  const answer = await ask(BASE, 'place', (seconds) => void busy.push(seconds), signal, first.network);
+  const answer = await request(BASE, 'place', (seconds) => void busy.push(seconds), signal, first.network);
   assert.equal(await answer.text(), 'yes');
   assert.deepEqual(busy, [3, 2, 2, 60]);
   assert.deepEqual(first.waits, [3, 2, 2, 60, 0.5]);
   const second = createNetwork();
-  await assert.rejects(ask(BASE, 'place', () => undefined, signal, second.network), /cannot be reached: nobody listens/);
+  await assert.rejects(request(BASE, 'place', () => undefined, signal, second.network), /cannot be reached: nobody listens/);
   assert.deepEqual(second.waits, [0.5, 1, 2, 4]);
   const third = createNetwork(new Response('400 Bad Request: expected three numbers\n', { status: 400 }));
-  await assert.rejects(ask(BASE, 'place', () => undefined, signal, third.network), (error: BundleError) => {
+  await assert.rejects(request(BASE, 'place', () => undefined, signal, third.network), (error: BundleError) => {
     return error.kind === 'place' && error.message === 'expected three numbers';
   });
 });

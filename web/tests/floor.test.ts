@@ -1,19 +1,19 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import type { Vector } from '../src/control/vector';
 import {
+  clampToBounds,
   EYE_APART,
   floorUnder,
-  headBounds,
   type Head,
+  headBounds,
   headOf,
-  clampToBounds,
-  inWorld,
+  worldPose,
   localOf,
   moveFloor,
   turnFloor,
   worldOf,
 } from '../src/control/floor';
+import type { Vector } from '../src/control/pose';
 
 const HEAD: Head = { position: [0.4, 1.5, -0.3], yaw: 0.7, pitch: -0.2 };
 const FLOOR = { position: [10, 3, -20], yaw: 1.1 } as const;
@@ -39,19 +39,19 @@ test('conversions of points between headset and world are inverse', () => {
 
 test('the head keeps position and direction of the page', () => {
   const floor = floorUnder([5, 0, 6], 2.5, HEAD);
-  const { position, yaw, pitch } = inWorld(floor, HEAD);
+  const { position, yaw, pitch } = worldPose(floor, HEAD);
   near([...position, yaw, pitch], [5, 1.5, 6, 2.5, -0.2]);
 });
 
 test('turns rotate about the head', () => {
-  const before = inWorld(FLOOR, HEAD);
-  const after = inWorld(turnFloor(FLOOR, HEAD, 0.5), HEAD);
+  const before = worldPose(FLOOR, HEAD);
+  const after = worldPose(turnFloor(FLOOR, HEAD, 0.5), HEAD);
   near(after.position, before.position);
   near([after.yaw - before.yaw], [0.5]);
 });
 
 test('moves place the head above a point, at its height', () => {
-  near(inWorld(moveFloor(FLOOR, HEAD, [-1, 99, 2]), HEAD).position, [-1, 4.5, 2]);
+  near(worldPose(moveFloor(FLOOR, HEAD, [-1, 99, 2]), HEAD).position, [-1, 4.5, 2]);
 });
 
 test('both eyes stay within the limits', () => {

@@ -150,7 +150,7 @@ test('buffers of earlier requests are kept, even if another part is damaged', as
   const part = fileOf(`files/${uri}`, Uint8Array.from(arrays.chunk()));
   const wrong = { ...fileOf('files/00000000000000cc.bin', Uint8Array.of(1, 2)), sha256: 'f'.repeat(64) };
   const kept: Buffers = new Map();
-  await assert.rejects(decodeGeometry(requestOf(data), kept), /the buffer 00000000000000bb\.bin is not there/);
+  await assert.rejects(decodeGeometry(requestOf(data), kept), /the buffer 00000000000000bb\.bin is missing/);
   const damaged = decodeGeometry(requestOf(data, { parts: [wrong, part] }), kept);
   await assert.rejects(damaged, /files\/0+cc\.bin: expected SHA-256/);
   assert.equal((await decodeGeometry(requestOf(data), kept)).triangles.own, 2);
@@ -168,7 +168,7 @@ test('cut-outs, and textures that the page already has', async () => {
   };
   const { pieces } = await decode(document, arrays, { known: [`files/${uri}`] });
   assert.deepEqual(pieces[0]?.material, { ...PLAIN, image: `files/${uri}`, cutoff: 0.25 });
-  await assert.rejects(decode(document, arrays), /^Error: files\/00000000000000dd\.webp is not there$/);
+  await assert.rejects(decode(document, arrays), /^Error: files\/00000000000000dd\.webp is missing$/);
   const outside = replaceAt(document, ['images', 0, 'uri'], '../../secret.webp') as Json;
   await assert.rejects(decode(outside, arrays), /pictures that are files of the bundle/);
 });
@@ -205,8 +205,8 @@ test('damage raises an error that names the file', async () => {
   const changes: [path: readonly (string | number)[], value: unknown, message: RegExp][] = [
     [['nodes'], 3, /list of nodes/],
     [['nodes', 1], null, /list of nodes/],
-    [['nodes', 1, 'mesh'], 7, /mesh 7 is not there/],
-    [['nodes', 1, 'mesh'], '__proto__', /mesh __proto__ is not there/],
+    [['nodes', 1, 'mesh'], 7, /mesh 7 is missing/],
+    [['nodes', 1, 'mesh'], '__proto__', /mesh __proto__ is missing/],
     [['nodes', 1, 'matrix'], [1, 2], /16 numbers/],
     [['nodes', 1, 'matrix'], Array(16).fill('x'), /finite/],
     [['nodes', 1], instances, /of one length/],
@@ -216,7 +216,7 @@ test('damage raises an error that names the file', async () => {
     [[...mesh, 'indices'], undefined, /accessor's number is missing/],
     [[...mesh, 'attributes', 'POSITION'], bad, /finite/],
     [[...mesh, 'attributes', 'POSITION'], 4, /3 columns/],
-    [['accessors', 0, 'count'], 3, /corners below 3/],
+    [['accessors', 0, 'count'], 3, /indices below 3/],
     [['accessors', 0, 'count'], 5, /beyond its array/],
     [['accessors', 0, 'count'], 1e15, /accessor 0/],
     [['accessors', 0, 'count'], -1, /accessor 0/],

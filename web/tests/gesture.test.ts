@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { isPointing } from '../src/xr/gesture';
+import { isPointing } from '../src/xr/hands';
 import type { Joints } from '../src/xr/inputs';
 
 /** Joints of a hand whose index, middle, ring and little finger bend by so many radians at each joint. */

@@ -1,7 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { grow, NOTHING_NEAR } from '../src/show/growth';
-import { createStage } from '../src/show/stage';
+import { createStage, grow, NOTHING_NEAR } from '../src/show/stage';
 
 const settings = { radii: [10, 22, 63], speed: 0.7, reach: 1, nearShare: 0.7, fade: 0.5 };
 const rate = (0.7 * Math.PI) / 180;

@@ -1,11 +1,10 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { confine, distance, settle } from '../src/control/limit';
-import type { Pose } from '../src/control/pose';
-import type { Vector } from '../src/control/vector';
+import { confine, distance, leadBack } from '../src/control/limit';
+import type { Pose, Vector } from '../src/control/pose';
 import { createJourney, type Leg, type Regions } from '../src/show/journey';
-import { knownPlaces } from '../src/show/places';
 import { createStage, type Shown, type Stage } from '../src/show/stage';
+import { knownPlaces } from '../src/show/world';
 
 const NEAR_SHARE = 0.7;
 const RADII = [10, 22];
@@ -81,7 +80,7 @@ function world(centers: readonly number[], arrivals: readonly number[] = [0.2, 0
     load(seconds);
     const { bounds } = journey;
     const wanted: Vector = [position[0] + velocity[0] * seconds, position[1], position[2] + velocity[2] * seconds];
-    position = settle(confine(position, wanted, bounds), bounds, seconds);
+    position = leadBack(confine(position, wanted, bounds), bounds, seconds);
     const before = moves.length;
     const leg = journey.advance(seconds, { position, yaw: 0, pitch: 0 });
     if (moves.length > before) position = moves.at(-1)?.position ?? position;

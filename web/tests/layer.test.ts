@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import type { WebGLRenderer } from 'three';
-import type { Cube } from '../src/show/cubes';
+import type { Cube } from '../src/show/textures';
 import { createMapLayer } from '../src/xr/layer';
 
 /** A renderer in a headset with layers; `copies` counts copies into layers. */

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { allowedShare, type Bounds, confine, distance, settle, clampToLimit } from '../src/control/limit';
-import type { Vector } from '../src/control/vector';
+import { allowedShare, type Bounds, clampToLimit, confine, distance, leadBack } from '../src/control/limit';
+import type { Vector } from '../src/control/pose';
 
 const LIMIT = { center: [5, 0, -3], metres: 10 } as const;
 const BOUNDS: Bounds = { open: [LIMIT], shown: [LIMIT] };
@@ -44,13 +44,13 @@ test('a user beyond the limit can only move back, and without a jump', () => {
   close(distance(confine(at(12), at(13), BOUNDS), LIMIT), 12);
   let place = at(12);
   for (let step = 0; step < 100; step++) {
-    const next = settle(place, BOUNDS, 0.02);
+    const next = leadBack(place, BOUNDS, 0.02);
     assert.ok(distance(place, LIMIT) - distance(next, LIMIT) < 0.13);
     place = next;
   }
-  close(distance(place, LIMIT), distance(settle(at(12), BOUNDS, 2), LIMIT));
+  close(distance(place, LIMIT), distance(leadBack(at(12), BOUNDS, 2), LIMIT));
   close(distance(place, LIMIT), 10, 0.01);
-  assert.deepEqual(settle(at(9), BOUNDS, 1), at(9));
+  assert.deepEqual(leadBack(at(9), BOUNDS, 1), at(9));
 });
 
 test('the returned share of a step agrees with its end point', () => {
@@ -87,7 +87,7 @@ test('no step leaves the displayed region, even if others can be displayed', () 
 });
 
 test('a user outside all regions is led to the nearest one', () => {
-  const place = settle([30, 1.7, 0], { open: [LEFT, RIGHT], shown: [] }, 60);
+  const place = leadBack([30, 1.7, 0], { open: [LEFT, RIGHT], shown: [] }, 60);
   close(place[0], 22, 1e-6);
 });
 

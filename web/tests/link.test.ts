@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { readLink, writeLink } from '../src/control/link';
+import { readLink, writeLink } from '../src/control/pose';
 
 test('a link restores its pose', () => {
   for (let number = 0; number < 200; number++) {

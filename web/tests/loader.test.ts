@@ -1,10 +1,10 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { readManifest } from '../src/bundle/parse';
+import { createStore } from '../src/show/buffers';
 import type { Decoder } from '../src/show/decoder';
-import type { Course, Loading } from '../src/show/job';
+import type { RegionLoading, Loading } from '../src/show/job';
 import { loadRegion } from '../src/show/loader';
-import { createStore } from '../src/show/store';
 import { manifest } from './support/manifest';
 
 const [FIRST, SECOND, THIRD, SHARED] = [
@@ -61,7 +61,7 @@ function createRegion() {
     turn: async (ring: number) => rings[ring],
     mayReplace: async () => undefined,
     signal: stop.signal,
-  } as unknown as Course;
+  } as unknown as RegionLoading;
   made.end = loadRegion(loading, course);
   const settled = (): Promise<void> => new Promise((done) => setTimeout(done, 1));
   const act = async (on: Map<string, () => void>, ...names: readonly string[]): Promise<void> => {

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { deflateSync } from 'node:zlib';
-import { sizeOf } from '../src/decode/images';
+import { sizeOf } from '../src/decode/files';
 import { createMaps, type Maps } from '../src/decode/maps';
 import type { FileData, FirstMapRequest, NextMapRequest } from '../src/decode/messages';
 import { fileOf } from './support/glb';
@@ -43,10 +43,11 @@ class Canvas {
 }
 const browser = {
   OffscreenCanvas: Canvas,
-  createImageBitmap: async (blob: Blob) => ({
-    value: new Uint8Array(await blob.arrayBuffer())[30],
-    close: () => undefined,
-  }),
+  async createImageBitmap(blob: Blob) {
+    const bytes = new Uint8Array(await blob.arrayBuffer());
+    const [width, height] = sizeOf('', bytes);
+    return { value: bytes[30], width, height, close: () => undefined };
+  },
 };
 before(() => Object.assign(globalThis, browser));
 after(() => Object.keys(browser).forEach((name) => Reflect.deleteProperty(globalThis, name)));

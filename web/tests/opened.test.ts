@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import type { BundleError } from '../src/bundle/error';
 import { openAddress, type Opened } from '../src/opened';
-import { strategyOf } from '../src/show/strategy';
+import { strategyOf } from '../src/show/stage';
 import { FATAL } from '../src/ui/messages';
 import { manifest } from './support/manifest';
 
@@ -44,12 +44,12 @@ test('a bundle begins at its first centre, with the rings that the address reque
 
 test('errors have a title by kind', async () => {
   const site = { 'manifest.json': SITE, [SITE.scene]: SCENE };
-  assert.match(await titleOfFailure('strategy=vis1', site, /^strategy: expected clovr or clovrd/), /The address asks/);
+  assert.match(await titleOfFailure('strategy=vis1', site, /^strategy: expected clovr or clovrd/), /invalid parameter/);
   assert.match(await titleOfFailure('', site, /disk\.glb: the disk is gone/), /cannot load the scene/);
   const newer = { 'manifest.json': { ...manifest(), version: 2 } };
   assert.match(await titleOfFailure('', newer, /newer nearfar/), /newer nearfar/);
   assert.match(await titleOfFailure('', {}, /answers 404/), /cannot be reached/);
   const bundle = { 'manifest.json': manifest() };
-  assert.match(await titleOfFailure('rings=two', bundle, /number of a ring/), /The address asks/);
-  assert.match(await titleOfFailure('strategy=vis1', bundle, /by_footprint=True/), /The address asks/);
+  assert.match(await titleOfFailure('rings=two', bundle, /number of a ring/), /invalid parameter/);
+  assert.match(await titleOfFailure('strategy=vis1', bundle, /by_footprint=True/), /invalid parameter/);
 });

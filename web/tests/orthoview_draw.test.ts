@@ -2,15 +2,14 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { cameraOf } from '../src/orthoview/cut/camera';
-import { liftOf } from '../src/orthoview/cut/lift';
+import { liftOf } from '../src/orthoview/cut/cut';
 import type { Part } from '../src/orthoview/decode/pack';
-import { Arena, type Place } from '../src/orthoview/draw/webgpu/arena';
-import { deviceOf as openDevice } from '../src/orthoview/draw/webgpu/device';
-import { Numbers } from '../src/orthoview/draw/webgpu/numbers';
-import { SLOT } from '../src/orthoview/draw/webgpu/room';
+import { type Model, modelOf, type Projector, projectorOf, seenOf, sightOf } from '../src/orthoview/draw/sight';
+import { Arena, type Place, SLOT } from '../src/orthoview/draw/webgpu/buffers';
+import { Numbers } from '../src/orthoview/draw/webgpu/kernels';
 import { bandsOf } from '../src/orthoview/draw/webgpu/samples';
 import { batchesOf, PART, workOf } from '../src/orthoview/draw/webgpu/work';
-import { type Model, modelOf, type Projector, projectorOf, seenOf, sightOf } from '../src/orthoview/splats/sight';
+import { deviceOf as openDevice } from '../src/orthoview/show/start';
 import { parseLayout, type Triple } from '../src/orthoview/store/layout';
 import { randomOf } from './support/random';
 

@@ -2,15 +2,13 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { REST } from '../src/control/drive';
-import { flown } from '../src/orthoview/controls/fly';
-import { startOf } from '../src/orthoview/controls/start';
 import { Cells } from '../src/orthoview/cut/cells';
 import type { Cut } from '../src/orthoview/cut/cut';
-import { crc32c, statedSize, unpacked } from '../src/orthoview/decode/codecs';
-import { xxh64 } from '../src/orthoview/decode/xxh64';
+import { crc32c, statedSize, decompressZstd, xxh64 } from '../src/orthoview/decode/codecs';
+import { advanceFlight, startOf } from '../src/orthoview/fly';
 import { Queue } from '../src/orthoview/show/queue';
-import { Resident } from '../src/orthoview/show/resident';
 import { choose, type Near } from '../src/orthoview/show/stand_in';
+import { Resident } from '../src/orthoview/show/stock';
 import type { Failure } from '../src/orthoview/store/error';
 import { type Layout, parseLayout, shapesOf, type Triple } from '../src/orthoview/store/layout';
 
@@ -278,14 +276,14 @@ test('altered Zstandard frames are refused', () => {
   // One segment with a checksum, and one last uncompressed block.
   const head = [0x28, 0xb5, 0x2f, 0xfd, 0x24, content.length, (content.length << 3) | 1, 0, 0];
   const frame = Uint8Array.from([...head, ...content, ...sum]);
-  assert.deepEqual(unpacked(frame), content);
+  assert.deepEqual(decompressZstd(frame), content);
   for (let at = head.length; at < frame.length; at++) {
     const altered = frame.slice();
     altered[at] = (altered[at] as number) ^ 1;
-    assert.throws(() => unpacked(altered), /checksum/);
+    assert.throws(() => decompressZstd(altered), /checksum/);
   }
   const huge = Uint8Array.from([0x28, 0xb5, 0x2f, 0xfd, 0xe4, 0, 0, 0, 0, 1, 0, 0, 0, ...frame]);
-  assert.throws(() => unpacked(huge), /states 4294967296 bytes/);
+  assert.throws(() => decompressZstd(huge), /states 4294967296 bytes/);
 });
 
 test('inconsistent layouts are refused', () => {
@@ -303,11 +301,11 @@ test('inconsistent layouts are refused', () => {
 
 test('flight is faster at greater height, and follows the view', () => {
   const start = { position: [0, 12, 0] as Triple, yaw: 0, pitch: 0 };
-  const low = flown(start, { ...REST, ahead: 1 }, 0, 0, 2, 0.5);
+  const low = advanceFlight(start, { ...REST, ahead: 1 }, 0, 0, 2, 0.5);
   assert.deepEqual(low.position, [0, 12, -3]);
-  const high = flown({ ...start, position: [0, 102, 0] }, { ...REST, right: 1 }, 1, 1, 2, 0.1);
+  const high = advanceFlight({ ...start, position: [0, 102, 0] }, { ...REST, right: 1 }, 1, 1, 2, 0.1);
   assert.ok(Math.hypot(high.position[0] - 12, high.position[1] - 114, high.position[2]) < 1e-9);
-  const dive = flown({ ...start, pitch: -Math.PI / 6 }, { ...REST, ahead: 1, isHasty: true }, 0, 0, 2, 0.5);
+  const dive = advanceFlight({ ...start, pitch: -Math.PI / 6 }, { ...REST, ahead: 1, isRunning: true }, 0, 0, 2, 0.5);
   assert.ok(Math.abs(dive.position[1] - 6) < 1e-9);
 });
 

@@ -13,7 +13,7 @@ import {
   channelsOf,
   GEOMETRY,
   geometryOf,
-  overlay,
+  generationFolder,
   shardOf,
   type Triple,
 } from '../src/orthoview/store/layout';
@@ -117,7 +117,7 @@ function wantedOf({ records, cells, shards, leafFiles }: Opened, [level, place, 
       ? geometryOf(layout, place).map((name) => leafFiles.get(name))
       : channelsOf(layout).map((channel) => {
           const array = arrayOf(layout, level, direction, channel);
-          return shards.get(overlay(generation) + shardOf(layout, level, place, array));
+          return shards.get(generationFolder(generation) + shardOf(layout, level, place, array));
         });
   return { level, place, direction, generation, shards: named.filter((shard) => shard !== undefined) };
 }

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import type { Band, Piece } from '../src/decode/messages';
-import { contentsOf, parcelled, samplesOf } from '../src/decode/parcels';
+import { contentsOf, packIntoParts, samplesOf } from '../src/decode/pieces';
 
 /** A piece with a number of vertices. */
 function piece(vertices: number, changes: Partial<Piece> = {}): Piece {
@@ -25,7 +25,7 @@ function band(width: number, height: number): Band {
 
 test('all pieces come once and in order, few at a time', () => {
   const pieces = Array.from({ length: 100 }, (_, n) => piece(1, { name: `${n}` }));
-  const parts = parcelled([], pieces);
+  const parts = packIntoParts([], pieces);
   assert.deepEqual(parts.flatMap((part) => part.pieces), pieces);
   assert.ok(parts.every((part) => part.pieces.length <= 32));
   assert.ok(parts.length <= 4);
@@ -33,13 +33,13 @@ test('all pieces come once and in order, few at a time', () => {
 
 test('parts have a limited size, unless one piece alone is larger', () => {
   const sizes = [100_000, 100_000, 100_000, 600_000, 10, 10];
-  const parts = parcelled([], sizes.map((vertices) => piece(vertices)));
+  const parts = packIntoParts([], sizes.map((vertices) => piece(vertices)));
   assert.deepEqual(parts.map((part) => part.pieces.length), [2, 1, 1, 2]);
 });
 
 test('bands come before the pieces that show them', () => {
   const bands = Array.from({ length: 40 }, () => band(256, 256));
-  const parts = parcelled(bands, [piece(1), piece(1)]);
+  const parts = packIntoParts(bands, [piece(1), piece(1)]);
   assert.deepEqual(parts.flatMap((part) => part.bands), bands);
   const order = parts.flatMap((part) => [...part.bands.map(() => 'band'), ...part.pieces.map(() => 'piece')]);
   assert.deepEqual(order, [...bands.map(() => 'band'), 'piece', 'piece']);
@@ -51,13 +51,13 @@ test('arrays that pieces share are transferred once', () => {
   const { placements } = first;
   // Another part of the mesh in the same placements, and the mesh itself elsewhere.
   const pieces = [first, piece(5, { placements }), { ...first, placements: new Float32Array(24) }];
-  const found = parcelled([], pieces).flatMap((part) => part.pieces);
+  const found = packIntoParts([], pieces).flatMap((part) => part.pieces);
   assert.deepEqual(found.map((own) => own.positions.length), [12, 15, 0]);
   assert.deepEqual(found.map((own) => own.placements?.length), [12, 12, 24]);
   assert.notEqual(found[1]?.placements, placements);
   assert.deepEqual(found[1]?.placements, placements);
   assert.deepEqual([found[2]?.normals?.length, found[2]?.uvs], [0, null]);
-  const contents = parcelled([], pieces).flatMap(contentsOf);
+  const contents = packIntoParts([], pieces).flatMap(contentsOf);
   assert.equal(new Set(contents).size, contents.length);
 });
 

@@ -1,7 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { refusalHere, refusalThere, UNWANTED } from '../src/peers/allowed';
-import { createChoice } from '../src/peers/choice';
+import { createChoice, refusalHere, refusalThere, UNWANTED } from '../src/peers/choice';
 
 function storage(): Storage {
   const kept = new Map<string, string>();
@@ -40,6 +39,6 @@ test('a page shares files if its address, its browser and the server allow it', 
   assert.match(refusalHere(new URLSearchParams('peers=off'), choice) ?? '', /address/);
   assert.match(refusalHere(new URLSearchParams(), choice) ?? '', /WebRTC/);
   assert.equal(refusalThere({ peers: true, datagrams: null }), null);
-  assert.match(refusalThere({ peers: false, datagrams: null }) ?? '', /server does not want/);
-  assert.match(refusalThere(null) ?? '', /does not tell/);
+  assert.match(refusalThere({ peers: false, datagrams: null }) ?? '', /server does not allow/);
+  assert.match(refusalThere(null) ?? '', /does not say/);
 });

@@ -1,9 +1,8 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import type { Call, CallEvents } from '../src/peers/call';
+import { type Call, type CallEvents, type Signal, writeSignal } from '../src/peers/call';
 import { createMesh, type Mesh } from '../src/peers/mesh';
-import { type Signal, writeSignal } from '../src/peers/signals';
-import { createWires, settled, steppedClock, type Stepped } from './support/peers';
+import { settled, type Stepped, steppedClock, createWires } from './support/peers';
 
 const SDP = 'm=application 9 UDP/DTLS/SCTP webrtc-datachannel\r\n';
 

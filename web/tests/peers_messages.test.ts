@@ -1,12 +1,11 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { createBucket } from '../src/peers/bucket';
-import { type Message, MAX_FILES_PER_MESSAGE, PART, readMessage, writeMessage } from '../src/peers/messages';
-import { createOutbox } from '../src/peers/outbox';
-import { readSignal, type Signal, writeSignal } from '../src/peers/signals';
-import { createStore } from '../src/peers/store';
-import { isBefore } from '../src/peers/weights';
+import { createOutbox, readSignal, type Signal, writeSignal } from '../src/peers/call';
+import { MAX_FILES_PER_MESSAGE, type Message, PART, readMessage, writeMessage } from '../src/peers/messages';
+import { isBefore } from '../src/peers/share';
+import { LruCache } from '../src/base/cache';
 import { FrameError } from '../src/rooms/bytes';
+import { createBucket } from '../src/rooms/clock';
 import { makeContent, steppedClock } from './support/peers';
 import { randomOf } from './support/random';
 
@@ -96,18 +95,19 @@ test('each user requests its share of the files, and all compute the same shares
   for (const user of users) assert.ok(Math.abs((counts.get(user) ?? 0) - 250) < 80, `${counts.get(user)}`);
 });
 
-test('a store keeps the last requested files, up to its size', () => {
-  const store = createStore(100);
-  const data = (size: number): ArrayBuffer => new ArrayBuffer(size);
-  assert.deepEqual(store.add('a', data(40)), []);
-  assert.deepEqual(store.add('b', data(40)), []);
-  assert.ok(store.find('a'));
-  assert.deepEqual(store.add('c', data(40)), ['b']);
-  assert.deepEqual(store.add('c', data(60)), []);
-  assert.deepEqual([...store.keys].sort(), ['a', 'c']);
-  assert.deepEqual(store.add('d', data(101)), []);
-  assert.equal(store.has('d'), false);
-  assert.equal(store.find('b'), null);
+test('a cache keeps what was used last, up to its size, and the newest value in any case', () => {
+  const cache = new LruCache<string>(100);
+  assert.deepEqual(cache.add('a', 'A', 40), []);
+  assert.deepEqual(cache.add('b', 'B', 40), []);
+  assert.equal(cache.get('a'), 'A');
+  assert.deepEqual(cache.add('c', 'C', 40), ['b']);
+  assert.deepEqual(cache.add('c', 'C', 60), []);
+  assert.deepEqual([...cache.keys].sort(), ['a', 'c']);
+  assert.equal(cache.get('b'), undefined);
+  assert.deepEqual(cache.add('d', 'D', 101), ['a', 'c']);
+  cache.delete('d');
+  assert.equal(cache.has('d'), false);
+  assert.deepEqual(cache.add('e', 'E', 100), []);
 });
 
 test('a token bucket allows a rate, and a burst at first', () => {

@@ -1,7 +1,16 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { isBefore } from '../src/peers/weights';
-import { createPage, join, makeContent, type Page, settled, steppedClock, type Stepped, type World } from './support/peers';
+import { isBefore } from '../src/peers/share';
+import {
+  createPage,
+  join,
+  makeContent,
+  type Page,
+  settled,
+  type Stepped,
+  steppedClock,
+  type World,
+} from './support/peers';
 
 const NAMES = [...Array(40).keys()].map((number) => `files/${number}`);
 const WORLD: World = Object.fromEntries(NAMES.map((name, number) => [name, makeContent(20_000 + 300 * number, number)]));

@@ -1,19 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { type Message, PART, readMessage, writeMessage } from '../src/peers/messages';
-import {
-  createPage,
-  createWires,
-  join,
-  makeContent,
-  type Page,
-  plug,
-  settled,
-  steppedClock,
-  type Stepped,
-  type Wire,
-  type World,
-} from './support/peers';
+import { createPage, hold, join, makeContent, type Page, plug, settled, type Stepped, steppedClock, type Wire, createWires, type World } from './support/peers';
 
 const WORLD: World = { a: makeContent(3 * PART + 5, 1), b: makeContent(PART, 2), c: makeContent(7, 3) };
 const KEYS = Object.values(WORLD).map(({ listed }) => listed.sha256);
@@ -85,7 +73,7 @@ test('a wrong file is not used: its sender is dropped, and the server sends the 
   (parts.at(-1) as { data: Uint8Array }).data = new Uint8Array(5).fill(9);
   await say(...parts);
   same(await coming, 'a');
-  assert.match(page.dropped.get(2) ?? '', /another one than was asked for/);
+  assert.match(page.dropped.get(2) ?? '', /wrong content/);
   assert.deepEqual(page.asked, ['a']);
   assert.ok(line.other?.isClosed);
   assert.equal(page.share.counts.others.bytes, 0);
@@ -93,13 +81,13 @@ test('a wrong file is not used: its sender is dropped, and the server sends the 
 
 test('unrequested bytes and parts of a wrong length drop their sender', async () => {
   const wrong: readonly [RegExp, (request: number) => Message[]][] = [
-    [/answers nothing/, () => [{ kind: 'part', request: 77, data: new Uint8Array(5) }]],
-    [/answers nothing/, () => [{ kind: 'none', request: 77 }]],
+    [/answers no open request/, () => [{ kind: 'part', request: 77, data: new Uint8Array(5) }]],
+    [/answers no open request/, () => [{ kind: 'none', request: 77 }]],
     [/wrong length/, (request) => [{ kind: 'part', request, data: new Uint8Array() }]],
     [/wrong length/, (request) => [{ kind: 'part', request, data: new Uint8Array(PART - 1) }]],
     [/wrong length/, (request) => [...partsOf('b', request), ...partsOf('a', request, 3)]],
-    [/answers nothing/, (request) => [...partsOf('a', request), { kind: 'part', request, data: new Uint8Array(1) }]],
-    [/more of a file/, (request) => [{ kind: 'wait', request, bytes: 3 * PART + 6 }]],
+    [/answers no open request/, (request) => [...partsOf('a', request), { kind: 'part', request, data: new Uint8Array(1) }]],
+    [/more bytes are reported/, (request) => [{ kind: 'wait', request, bytes: 3 * PART + 6 }]],
   ];
   for (const [reason, messages] of wrong) {
     const { page, heard, say } = bench();
@@ -121,7 +109,7 @@ test('malformed messages, texts and floods drop their sender', async () => {
   }
   const { page, line } = bench();
   for (let each = 0; each < 2100; each++) line.other?.comes(writeMessage({ kind: 'cancel', request: 1 }).buffer);
-  assert.match(page.dropped.get(2) ?? '', /more than it may/);
+  assert.match(page.dropped.get(2) ?? '', /too many messages/);
 });
 
 test('a sender that stalls within a file loses the request, and is asked again once it has ended it', async () => {
@@ -153,7 +141,7 @@ test('a user who repeatedly leaves requests unanswered is asked no more', async 
   for (const [turn, name] of names.entries()) {
     await say({ kind: 'tell', holding: 'here', keys: KEYS });
     // Nothing of the earlier attempt is kept.
-    if (turn === 3) page.store.add('x', new ArrayBuffer(64 * 2 ** 20));
+    if (turn === 3) hold(page, 'x', new ArrayBuffer(64 * 2 ** 20));
     const coming = page.get(name);
     await settled();
     const request = wants(heard).at(-1) ?? 0;
@@ -237,8 +225,8 @@ test('a cancelled request is cancelled at the sender, and nothing is kept', asyn
 test('files are sent no faster than the browser accepts them, one after the other', async () => {
   const { page, say, line } = bench();
   const big: World = { big: makeContent(40 * PART, 4) };
-  page.store.add(big['big']?.listed.sha256 ?? '', big['big']?.data ?? new ArrayBuffer(0));
-  page.store.add(C, WORLD['c']?.data ?? new ArrayBuffer(0));
+  hold(page, big['big']?.listed.sha256 ?? '', big['big']?.data ?? new ArrayBuffer(0));
+  hold(page, C, WORLD['c']?.data ?? new ArrayBuffer(0));
   const own = line.other as Wire;
   own.isHeld = true;
   await say({ kind: 'want', request: 1, key: big['big']?.listed.sha256 ?? '' }, { kind: 'want', request: 2, key: C });
@@ -259,19 +247,19 @@ test('only listed files are sent, for a limited number of requests', async () =>
   await say({ kind: 'want', request: 2, key: A });
   assert.deepEqual([heard.at(-1), page.asked], [{ kind: 'none', request: 2 }, []]);
   await say({ kind: 'want', request: 2, key: A });
-  assert.match(page.dropped.get(2) ?? '', /number that was used/);
+  assert.match(page.dropped.get(2) ?? '', /reuses a number/);
 });
 
 test('too many concurrent requests drop the sender, and too many a second are refused', async () => {
   const crowd = bench();
   crowd.page.serve = () => new Promise(() => undefined);
   await crowd.say(...[...Array(65).keys()].map((at) => ({ kind: 'want', request: at + 1, key: A }) as const));
-  assert.match(crowd.page.dropped.get(2) ?? '', /too much is asked for/);
+  assert.match(crowd.page.dropped.get(2) ?? '', /too many requests/);
   assert.deepEqual(crowd.page.asked, ['a']);
   const hurry = bench();
   for (let request = 1; request <= 500; request++) {
     const { data, listed } = makeContent(request, 4);
-    hurry.page.store.add(listed.sha256, data);
+    hold(hurry.page, listed.sha256, data);
     hurry.line.send(writeMessage({ kind: 'want', request, key: listed.sha256 }));
     if (request % 20 === 0) await settled();
   }
@@ -291,7 +279,7 @@ test('a page fetches for others only files that it shows itself, once', async ()
 
 test('a page loads a file at most twice, from the store and from the server', async () => {
   const { page, heard, say } = bench();
-  page.store.add(C, contentOf('c').slice().buffer);
+  hold(page, C, contentOf('c').slice().buffer);
   for (let request = 1; request <= 4; request++) await say({ kind: 'want', request, key: C });
   assert.deepEqual([ends(heard, 'part'), ends(heard, 'none')], [2, 2]);
   await say(...[5, 6, 7].map((request) => ({ kind: 'want', request, key: B }) as const));
@@ -301,7 +289,7 @@ test('a page loads a file at most twice, from the store and from the server', as
 test('all pages together get at most the limit of bytes that a page sends', async () => {
   const clock = steppedClock();
   const page = createPage(1, WORLD, clock);
-  page.store.add(A, contentOf('a').slice().buffer);
+  hold(page, A, contentOf('a').slice().buffer);
   page.budget.take(64 * 2 ** 20 - (WORLD['a']?.listed.bytes ?? 0));
   const others = [2, 3].map((number) => createPage(number, WORLD, clock));
   for (const other of others) {

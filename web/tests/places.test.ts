@@ -1,8 +1,8 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { directionTo, placeFor } from '../src/control/places';
-import { createTaps } from '../src/control/taps';
-import type { Vector } from '../src/control/vector';
+import { directionTo, placeFor } from '../src/control/floor';
+import { createTaps } from '../src/control/pointers';
+import type { Vector } from '../src/control/pose';
 
 const EYE: Vector = [1, 1.7, 2];
 const near = (a: Vector, b: Vector): void =>
@@ -10,11 +10,11 @@ const near = (a: Vector, b: Vector): void =>
 
 test('a direction is computed from a place in the picture', () => {
   const pose = { position: EYE, yaw: 0, pitch: 0 };
-  near(directionTo(pose, [0.5, 0.5], 1, 1.5), [0, 0, -1]);
-  near(directionTo(pose, [1, 0.5], 1, 1), [Math.SQRT1_2, 0, -Math.SQRT1_2]);
-  near(directionTo(pose, [0.5, 0], 1, 1.5), [0, Math.SQRT1_2, -Math.SQRT1_2]);
-  near(directionTo({ ...pose, yaw: Math.PI / 2 }, [0, 0.5], 1, 1), [-Math.SQRT1_2, 0, Math.SQRT1_2]);
-  near(directionTo({ ...pose, pitch: 0.3 }, [0.5, 0.5], 1, 1), [0, Math.sin(0.3), -Math.cos(0.3)]);
+  near(directionTo(pose, [0.5, 0.5], { fov: 90, aspect: 1.5 }), [0, 0, -1]);
+  near(directionTo(pose, [1, 0.5], { fov: 90, aspect: 1 }), [Math.SQRT1_2, 0, -Math.SQRT1_2]);
+  near(directionTo(pose, [0.5, 0], { fov: 90, aspect: 1.5 }), [0, Math.SQRT1_2, -Math.SQRT1_2]);
+  near(directionTo({ ...pose, yaw: Math.PI / 2 }, [0, 0.5], { fov: 90, aspect: 1 }), [-Math.SQRT1_2, 0, Math.SQRT1_2]);
+  near(directionTo({ ...pose, pitch: 0.3 }, [0.5, 0.5], { fov: 90, aspect: 1 }), [0, Math.sin(0.3), -Math.cos(0.3)]);
 });
 
 test('users stand on the ground, and in front of other things', () => {

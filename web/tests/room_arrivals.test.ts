@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { createArrivals } from '../src/rooms/arrivals';
-import { createSeldom } from '../src/rooms/seldom';
+import { createArrivals } from '../src/rooms/card';
+import { createThrottled } from '../src/rooms/pointing';
 
 test('a single arrival is named, and several together are one sentence', () => {
   const said: string[] = [];
@@ -13,12 +13,12 @@ test('a single arrival is named, and several together are one sentence', () => {
   assert.deepEqual(said, []);
   arrivals.come(3, 'Ada #3');
   for (let now = 10; now < 12; now += 0.1) arrivals.tell(now);
-  assert.deepEqual(said, ['Ada #3 is here']);
+  assert.deepEqual(said, ['Ada #3 has joined']);
   for (let number = 10; number < 60; number++) arrivals.come(number, `User #${number}`);
   // Some of them have left before anybody was told.
   for (let number = 10; number < 15; number++) arrivals.left(number);
   for (let now = 12; now < 30; now += 0.1) arrivals.tell(now);
-  assert.deepEqual(said.slice(1), ['45 more are here']);
+  assert.deepEqual(said.slice(1), ['45 more have joined']);
 });
 
 test('many who enter together are one sentence, without a separate one for the first', () => {
@@ -29,7 +29,7 @@ test('many who enter together are one sentence, without a separate one for the f
     arrivals.tell(number / 100);
   }
   for (let now = 0.5; now < 10; now += 0.1) arrivals.tell(now);
-  assert.deepEqual(said, ['50 more are here']);
+  assert.deepEqual(said, ['50 more have joined']);
 });
 
 test('users present at a reconnection, and users who left meanwhile, are not announced', () => {
@@ -45,7 +45,7 @@ test('users present at a reconnection, and users who left meanwhile, are not ann
 });
 
 test('a costly check runs less often than it is requested', () => {
-  const seldom = createSeldom<number | null>(0.1);
+  const seldom = createThrottled<number | null>(0.1);
   let looks = 0;
   const ask = (now: number): number | null => seldom.at(now, () => (looks++ === 0 ? null : looks));
   assert.equal(ask(1), null);

@@ -3,8 +3,8 @@ import { test } from 'node:test';
 import { inviteOf, readAddress, relayOf, shownName } from '../src/rooms/address';
 import { connect, type Connection, type State } from '../src/rooms/connection';
 import type { FromServer } from '../src/rooms/frames';
-import type { Listener, Socket } from '../src/rooms/socket';
-import { encodeBody, encodeFrame, REST } from './support/room_frames';
+import type { Listener, Socket } from '../src/rooms/server';
+import { encodeBody, REST, encodeFrame } from './support/room_frames';
 
 /** A socket that a test opens and closes. */
 class Fake implements Socket {
@@ -40,7 +40,7 @@ class Fake implements Socket {
   }
 
   data(data: unknown): void {
-    this.listener.came(data);
+    this.listener.received(data);
   }
 
   breaks(code = 1006): void {
@@ -66,7 +66,7 @@ function bench(): Bench {
   const connection = connect({
     address: { room: 'a b', name: 'Ada', group: 3, token: '7.x.y' },
     page: 'https://host:8/folder/index.html?room=1#p=1,2,3',
-    heard: (frame) => heard.push(frame),
+    onFrame: (frame) => heard.push(frame),
     changed: (state) => states.push(state),
     open: (url, listener) => {
       sockets.push(new Fake(url, listener));
@@ -165,7 +165,7 @@ test('a server that admits and throws out is not asked faster and faster', () =>
   socket().comes(WELCOME);
   socket().breaks(4006);
   const state = states.at(-1);
-  assert.ok(state?.kind === 'waiting' && state.seconds === 2 && /more than the server takes/.test(state.words));
+  assert.ok(state?.kind === 'waiting' && state.seconds === 2 && /more than the server accepts/.test(state.words));
 });
 
 test('reasons are given in words, and final ones stop reconnection until the user asks', () => {
@@ -174,7 +174,7 @@ test('reasons are given in words, and final ones stop reconnection until the use
     4: ['ended', /does not let you into/],
     9: ['ended', /entered the room elsewhere/],
     5: ['waiting', /full/],
-    10: ['waiting', /ends/],
+    10: ['waiting', /shutting down/],
     200: ['waiting', /ended the connection/],
   };
   for (const [reason, [kind, expected]] of Object.entries(words)) {
@@ -202,7 +202,7 @@ test('a server that does not answer is distinguished from one that breaks off', 
   assert.match(JSON.stringify(absent.states.at(-1)), /cannot be reached/);
   const broken = enterRoom();
   broken.socket().breaks();
-  assert.match(JSON.stringify(broken.states.at(-1)), /broke off/);
+  assert.match(JSON.stringify(broken.states.at(-1)), /was lost/);
 });
 
 test('malformed frames end the connection, and later frames are ignored', () => {

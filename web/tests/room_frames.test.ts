@@ -106,7 +106,7 @@ test('impossible poses are refused with a reason', () => {
   const [nan, far] = [[0, 0, 0xc0, 0x7f], [0x01, 0x24, 0x74, 0x49]] as const;
   const cases: readonly (readonly [RegExp, Uint8Array])[] = [
     [/flags/, spoilt(REST, 12, 0x40)],
-    [/no hand/, spoilt(REST, 12, 0x30)],
+    [/missing hand/, spoilt(REST, 12, 0x30)],
     [/position/, spoilt(REST, 13, ...nan)],
     [/position/, spoilt(REST, 17, ...far)],
     [/quaternion/, spoilt(REST, 25, 0, 0, 0, 0, 0, 0, 0, 0)],
@@ -120,8 +120,8 @@ test('impossible poses are refused with a reason', () => {
 test('frames that servers do not send are refused', () => {
   const joined = (...name: readonly number[]): Uint8Array =>
     encodeBody(134, Uint8Array.from([1, 0, 0, 0, name.length, ...name]));
-  assert.throws(() => readMessage(writeFrame({ kind: 'bye' })), /no kind/);
-  assert.throws(() => readMessage(joined(0xff)), /no text/);
+  assert.throws(() => readMessage(writeFrame({ kind: 'bye' })), /unknown kind/);
+  assert.throws(() => readMessage(joined(0xff)), /not UTF-8/);
   assert.throws(() => readMessage(joined(65, 0x1b)), /control/);
   assert.throws(() => readMessage(joined(...Array<number>(65).fill(65))), /too long/);
   assert.throws(() => readMessage(encodeBody(132, Uint8Array.from([1, 0, 2]))), /the group or the room/);

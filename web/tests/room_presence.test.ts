@@ -1,11 +1,9 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { between } from '../src/rooms/between';
-import type { Body, Pose } from '../src/rooms/pose';
+import { ahead } from '../src/control/pose';
+import { between, type Body, type Pose, rotate, rotationAlong, rotationOf, slerp } from '../src/rooms/pose';
 import { createPresence } from '../src/rooms/presence';
-import { rotated, rotationAlong, rotationOf, slerp } from '../src/rooms/rotation';
 import { createTrack } from '../src/rooms/track';
-import { ahead } from '../src/control/vector';
 import { REST } from './support/room_frames';
 
 const HERTZ = 72;
@@ -23,7 +21,7 @@ function distance(a: Body, b: Body): number {
 
 /** Radians between the directions in which two bodies look. */
 function angle(a: Body, b: Body): number {
-  const [u, v] = [a, b].map(({ head }) => rotated(head.rotation, [0, 0, -1]));
+  const [u, v] = [a, b].map(({ head }) => rotate(head.rotation, [0, 0, -1]));
   return Math.acos(Math.min(u && v ? u[0] * v[0] + u[1] * v[1] + u[2] * v[2] : 0, 1));
 }
 
@@ -163,9 +161,9 @@ test('extreme clocks give finite positions', () => {
 
 test('rotations look along their directions, and take the shorter way at one speed', () => {
   for (const [yaw, pitch] of [[0, 0], [0.7, -0.4], [3, 1.2], [-2, 0.1]] as const) {
-    const along = rotated(rotationOf(yaw, pitch), [0, 0, -1]);
+    const along = rotate(rotationOf(yaw, pitch), [0, 0, -1]);
     ahead({ yaw, pitch }).forEach((value, axis) => assert.ok(Math.abs(value - (along[axis] ?? 9)) < 1e-12));
-    const again = rotated(rotationAlong([5 * along[0], 5 * along[1], 5 * along[2]]), [0, 0, -1]);
+    const again = rotate(rotationAlong([5 * along[0], 5 * along[1], 5 * along[2]]), [0, 0, -1]);
     along.forEach((value, axis) => assert.ok(Math.abs(value - (again[axis] ?? 9)) < 1e-12));
   }
   const [from, to] = [rotationOf(0.2, 0), rotationOf(1.2, 0)];

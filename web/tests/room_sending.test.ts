@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { texelOf } from '../src/rooms/ranges';
+import { texelOf } from '../src/rooms/pointing';
 import type { Body } from '../src/rooms/pose';
 import { createSender } from '../src/rooms/sending';
 import { type Morph, pointShownAt, shownAt } from '../src/rooms/unmorph';

@@ -1,8 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { followPage } from '../src/rooms/away';
 import type { Connection } from '../src/rooms/connection';
-import { createTicketStore } from '../src/rooms/ticket';
+import { createTicketStore, followPage } from '../src/rooms/ticket';
 
 /** The part of a tab's storage that is used. */
 function fakeStorage(): Storage & { readonly held: Map<string, string> } {

@@ -1,8 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { askAbout, type Datagrams, readAbout } from '../src/rooms/about';
 import { addressOf, gatherer, openDatagrams, readAll, splitter } from '../src/rooms/datagrams';
-import type { Listener, Socket } from '../src/rooms/socket';
+import { askAbout, type Datagrams, type Listener, readAbout, type Socket } from '../src/rooms/server';
 import { createOpen } from '../src/rooms/way';
 
 const TO: Datagrams = { port: 8443, hashes: [] };
@@ -26,7 +25,7 @@ function bench(ask: () => Promise<Datagrams | null>, isTaken: () => boolean, has
     send: (data, isPassing) => told.push(`${name} ${data.length} ${isPassing}`),
     close: (isAtOnce) => told.push(`${name} closes${isAtOnce ? ' at once' : ''}`),
   });
-  const listener: Listener = { opened: () => told.push('opened'), came: () => {}, closed: (code) => told.push(`closed ${code}`) };
+  const listener: Listener = { opened: () => told.push('opened'), received: () => {}, closed: (code) => told.push(`closed ${code}`) };
   const ways = {
     datagrams: () => {
       opened.push('asks');
@@ -140,7 +139,7 @@ test('the end of an unused session is not reported', async () => {
   }
   Object.assign(globalThis, { WebTransport: Useless });
   const told: string[] = [];
-  const listener: Listener = { opened: () => {}, came: () => {}, closed: (code) => told.push(`closed ${code}`) };
+  const listener: Listener = { opened: () => {}, received: () => {}, closed: (code) => told.push(`closed ${code}`) };
   await assert.rejects(openDatagrams(RELAY, TO, listener));
   await new Promise((resolve) => setTimeout(resolve));
   assert.deepEqual(told, []);
@@ -167,7 +166,7 @@ test('a session ends with its stream, which the server closes, or after some sec
       }
     }
     Object.assign(globalThis, { WebTransport: Fake });
-    const listener: Listener = { opened: () => {}, came: () => {}, closed: (code) => done.push(`told ${code}`) };
+    const listener: Listener = { opened: () => {}, received: () => {}, closed: (code) => done.push(`told ${code}`) };
     const settle = (): Promise<void> => new Promise((resolve) => setImmediate(resolve));
     const socket = await openDatagrams(RELAY, TO, listener);
     await settle();

@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { createSlots } from '../src/bundle/slots';
+import { createSlots } from '../src/bundle/requests';
 
 test('the slot of a cancelled job goes to the next one', async () => {
   const slots = createSlots(1);

@@ -1,7 +1,8 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { BundleError } from '../src/bundle/error';
-import { openSource, type Source } from '../src/bundle/source';
+import { parseManifest } from '../src/bundle/parse';
+import { createFiles, readDocument, type Received, type Source } from '../src/bundle/source';
 import type { Network } from '../src/bundle/transfer';
 import { asManifest, manifest } from './support/manifest';
 
@@ -81,11 +82,16 @@ function slow(size: number, go: Promise<void>): Reply {
 }
 const NEVER = new Promise<void>(() => undefined);
 
+async function openSource(received: Received, network: Network): Promise<Source> {
+  const manifest = parseManifest(await readDocument(BASE, received, signal(), network));
+  return { manifest, ...createFiles(BASE, (file) => manifest.files[file], received, network) };
+}
+
 async function openWorld(replies: Record<string, Reply[]>, sizes: readonly number[] = [4, 4, 4]) {
   const files = Object.fromEntries(sizes.map((size, number) => [name(number), size]));
   const world = createWorld({ ...replies, 'manifest.json': [() => new Response(asManifest(manifest(files)))] });
   const counted = { bytes: 0 };
-  const source = await openSource(BASE, (more) => (counted.bytes += more), new AbortController().signal, world.network);
+  const source = await openSource((more) => (counted.bytes += more), world.network);
   counted.bytes = 0;
   return { world, source, counted };
 }
@@ -158,7 +164,7 @@ test('after five attempts the error names the file', async () => {
   const { world, source } = await openWorld({ [name(0)]: [broken] });
   const failed = assert.rejects(read(source, 0), (error: Error) => {
     assert.ok(error instanceof BundleError);
-    assert.equal(error.message, `${name(0)} does not come: network error`);
+    assert.equal(error.message, `${name(0)} cannot be loaded: network error`);
     return true;
   });
   for (const pause of [0.5, 1, 2, 4]) assert.equal(await world.tick(), pause);
@@ -224,7 +230,7 @@ test('a request without readers is aborted, and its slot is free', async () => {
 test('a missing or malformed manifest is reported', async () => {
   const open = (reply: Reply): Promise<Source> => {
     const { network } = createWorld({ 'manifest.json': [reply] });
-    return openSource(BASE, () => undefined, signal(), network);
+    return openSource(() => undefined, network);
   };
   await assert.rejects(open(() => new Response('<html>')), /^BundleError: manifest\.json: expected JSON/);
   await assert.rejects(open(() => new Response(null, { status: 403 })), /manifest\.json: the server answers 403/);

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { REST } from '../src/control/drive';
-import { createSteering, SNAP } from '../src/xr/steer';
+import { createSteering, SNAP } from '../src/xr/inputs';
 
 const still = { x: 0, y: 0, isPressed: false };
 
@@ -9,7 +9,7 @@ test('the left stick walks and runs', () => {
   const steering = createSteering();
   assert.deepEqual(steering.read(still, still), { drive: REST, turn: 0 });
   const { drive } = steering.read({ x: 1, y: 0, isPressed: true }, still);
-  assert.deepEqual(drive, { ...REST, right: 1, isHasty: true });
+  assert.deepEqual(drive, { ...REST, right: 1, isRunning: true });
   assert.equal(steering.read({ ...still, y: -1 }, still).drive.ahead, 1);
   // A worn stick does not return to 0.
   assert.deepEqual(steering.read({ ...still, x: 0.1, y: -0.1 }, still).drive, REST);

@@ -2,10 +2,8 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { filesOfRing } from '../src/bundle/contents';
 import { parseManifest } from '../src/bundle/parse';
-import { NOTHING_NEAR } from '../src/show/growth';
-import { createStage } from '../src/show/stage';
-import { strategyOf } from '../src/show/strategy';
-import { asManifest, FACES, FILE, manifest, replaceAt } from './support/manifest';
+import { createStage, NOTHING_NEAR, strategyOf } from '../src/show/stage';
+import { replaceAt, asManifest, FACES, FILE, manifest } from './support/manifest';
 
 const GLB = 'files/0123456789abcdef.glb';
 const PORTION = { objects: 2, triangles: 7, geometry: GLB, parts: [] };

@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { whyNoHeadset } from '../src/xr/support';
+import { whyNoHeadset } from '../src/xr/session';
 
 function system(answer: () => Promise<boolean>): XRSystem {
   return { isSessionSupported: answer } as unknown as XRSystem;
@@ -14,6 +14,6 @@ test('a sentence explains why no headset can be entered', async () => {
   assert.match((await whyNoHeadset(undefined, false)) ?? '', /https/);
   assert.match((await whyNoHeadset(undefined, true)) ?? '', /This browser/);
   assert.match((await whyNoHeadset(missing, true)) ?? '', /connected/);
-  assert.match((await whyNoHeadset(forbidden, true)) ?? '', /from here/);
+  assert.match((await whyNoHeadset(forbidden, true)) ?? '', /may not use/);
   assert.equal(await whyNoHeadset(system(async () => true), true), null);
 });

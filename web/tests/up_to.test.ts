@@ -1,22 +1,22 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { firstRings } from '../src/bundle/contents';
 import { parseManifest } from '../src/bundle/parse';
-import { upTo } from '../src/bundle/up_to';
 import { asManifest, manifest } from './support/manifest';
 
 test('a bundle ends with the requested ring', () => {
   const read = parseManifest(asManifest(manifest()));
   const count = read.regions[0]?.rings.length ?? 0;
   assert.ok(count > 1);
-  assert.equal(upTo(null, read), read);
+  assert.equal(firstRings(null, read), read);
   for (const [asked, rings] of [['0', 1], ['1', 2], ['9999', count]] as const) {
-    assert.equal(upTo(asked, read).regions[0]?.rings.length, rings);
+    assert.equal(firstRings(asked, read).regions[0]?.rings.length, rings);
   }
 });
 
 test('an invalid ring number is refused', () => {
   const read = parseManifest(asManifest(manifest()));
   for (const asked of ['', '-1', '1.5', 'two', '99999']) {
-    assert.throws(() => upTo(asked, read), /rings: expected the number of a ring, got/);
+    assert.throws(() => firstRings(asked, read), /rings: expected the number of a ring, got/);
   }
 });

@@ -1,7 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { createFlight, MAX_IN_FLIGHT } from '../src/show/flight';
-import { createUploads, type Step } from '../src/show/uploads';
+import { createFlight, createUploads, MAX_IN_FLIGHT, type Step } from '../src/show/uploads';
 
 const signal = new AbortController().signal;
 

@@ -3,8 +3,7 @@ import { test } from 'node:test';
 import { REST } from '../src/control/drive';
 import type { Bounds } from '../src/control/limit';
 import { createOrbit } from '../src/control/orbit';
-import type { Pose } from '../src/control/pose';
-import { ahead } from '../src/control/vector';
+import { ahead, type Pose } from '../src/control/pose';
 import { createWalk } from '../src/control/walk';
 
 const START: Pose = { position: [0, 1.7, 0], yaw: 0, pitch: 0 };
@@ -32,7 +31,7 @@ function apart(a: Pose, b: Pose): number {
 test('speeds are metres per second', () => {
   assert.ok(apart(poseAfterWalk({ ahead: 1 }, 10, 60, jumps), { ...START, position: [0, 1.7, -16] }) < 1e-9);
   assert.ok(apart(poseAfterWalk({ right: 1 }, 10, 60, jumps), { ...START, position: [16, 1.7, 0] }) < 1e-9);
-  assert.ok(apart(poseAfterWalk({ ahead: 1, isHasty: true }, 10, 60, jumps), { ...START, position: [0, 1.7, -48] }) < 1e-9);
+  assert.ok(apart(poseAfterWalk({ ahead: 1, isRunning: true }, 10, 60, jumps), { ...START, position: [0, 1.7, -48] }) < 1e-9);
   assert.ok(Math.abs(poseAfterWalk({ turn: 1 }, 10, 60).yaw - 14) < 1e-9);
 });
 
@@ -44,24 +43,24 @@ test('a user walks where the view looks, at the same height', () => {
 });
 
 test('walking does not depend on the frame rate', () => {
-  for (const drive of [{ ahead: 1 }, { right: -0.4, ahead: 0.2, isHasty: true }]) {
+  for (const drive of [{ ahead: 1 }, { right: -0.4, ahead: 0.2, isRunning: true }]) {
     const exact = poseAfterWalk(drive, 2, 1);
     for (const rate of [4, 30, 72, 144]) assert.ok(apart(poseAfterWalk(drive, 2, rate), exact) < 1e-9);
   }
-  const curve = poseAfterWalk({ ahead: 1, turn: 1, isHasty: true }, 2, 1);
+  const curve = poseAfterWalk({ ahead: 1, turn: 1, isRunning: true }, 2, 1);
   for (const rate of [4, 30, 72, 144, 1000]) {
-    const found = poseAfterWalk({ ahead: 1, turn: 1, isHasty: true }, 2, rate);
+    const found = poseAfterWalk({ ahead: 1, turn: 1, isRunning: true }, 2, rate);
     assert.ok(apart(found, curve) < 0.001, `${rate}: ${apart(found, curve)}`);
     assert.ok(Math.abs(found.yaw - curve.yaw) < 1e-9);
   }
-  const edge = poseAfterWalk({ ahead: 1, isHasty: true }, 4, 1, glides, BOUNDS);
+  const edge = poseAfterWalk({ ahead: 1, isRunning: true }, 4, 1, glides, BOUNDS);
   for (const rate of [4, 30, 144]) {
-    assert.ok(apart(poseAfterWalk({ ahead: 1, isHasty: true }, 4, rate, glides, BOUNDS), edge) < 1e-6);
+    assert.ok(apart(poseAfterWalk({ ahead: 1, isRunning: true }, 4, rate, glides, BOUNDS), edge) < 1e-6);
   }
 });
 
 test('nobody leaves the limit, not even sideways', () => {
-  for (const drive of [{ ahead: 1, isHasty: true }, { ahead: 1, right: 1, turn: 0.3, isHasty: true }]) {
+  for (const drive of [{ ahead: 1, isRunning: true }, { ahead: 1, right: 1, turn: 0.3, isRunning: true }]) {
     const { position } = poseAfterWalk(drive, 60, 30, glides, BOUNDS);
     assert.ok(Math.hypot(position[0], position[2]) <= 5 + 1e-9);
   }
@@ -134,7 +133,7 @@ test('an orbit stays within the limit for all inputs', () => {
     () => orbit.rotate(1.3, -0.2),
     () => orbit.pan(0.8, -0.3),
     () => orbit.update(0.3, { ...REST, right: 1, ahead: -1 }),
-    () => orbit.update(0.3, { ...REST, right: -1, ahead: 1, isHasty: true }),
+    () => orbit.update(0.3, { ...REST, right: -1, ahead: 1, isRunning: true }),
   ];
   for (let number = 0; number < 500; number++) {
     acts[(number * 7 + (number >> 2)) % acts.length]?.();

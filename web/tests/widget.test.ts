@@ -1,8 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { openKernel } from '../src/widget/kernel';
-import { createMirror, EVERY } from '../src/widget/mirror';
-import type { Model } from '../src/widget/model';
+import { createMirror, EVERY, type Model } from '../src/widget/model';
 import { asManifest, FILE, manifest } from './support/manifest';
 
 type Callback = (...args: never[]) => void;

@@ -11,7 +11,9 @@ from nearfar._base import check
 Settings = TypeVar("Settings")
 
 
-def gather(kind: type[Settings], settings: Settings | None, keywords: Mapping[str, Any]) -> Settings:
+def gather(
+    kind: type[Settings], settings: Settings | None, keywords: Mapping[str, Any], argument: str = "settings"
+) -> Settings:
     """Return settings with the fields that a caller passed as keywords replaced.
 
     Parameters
@@ -22,6 +24,8 @@ def gather(kind: type[Settings], settings: Settings | None, keywords: Mapping[st
         The settings; None for the defaults.
     keywords
         New values of fields, by name.
+    argument
+        Name of the argument that held the settings, for messages.
 
     Raises
     ------
@@ -33,4 +37,4 @@ def gather(kind: type[Settings], settings: Settings | None, keywords: Mapping[st
         raise TypeError(f"{unknown[0]}: expected a field of {kind.__name__} ({', '.join(names)})")
     if settings is None:
         return kind(**keywords)
-    return replace(check.instance("settings", settings, kind, kind.__name__), **keywords)  # type: ignore[type-var]
+    return replace(check.instance(argument, settings, kind, kind.__name__), **keywords)  # type: ignore[type-var]

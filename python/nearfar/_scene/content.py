@@ -16,6 +16,7 @@ from nearfar._scene.assembly import Assembled, Assembly
 from nearfar._scene.budget import Budget
 from nearfar._scene.looks import Look, inventory, notes as notes_on
 from nearfar._scene.materials import PLAIN, UNCOLORED, BaseColor
+from nearfar._scene.options import LoadOptions
 from nearfar._scene.report import count
 from nearfar._scene.stored import Stored
 from nearfar._scene.units import metres_in
@@ -26,12 +27,6 @@ _TURNS = {
     "z": np.array([[1.0, 0, 0, 0], [0, 0, 1, 0], [0, -1, 0, 0], [0, 0, 0, 1]]),
 }
 """Rotations that turn the named axis to y."""
-
-UP = ("x", "y", "z", "-x", "-y", "-z")
-"""Names of the axes that may point up."""
-
-BLEND = ("opaque", "cutout")
-"""Ways to draw materials that blend."""
 
 _HALF = 0.5
 """Alpha cutoff for blending materials that are drawn as cutout."""
@@ -100,24 +95,18 @@ class Content:
 
 def assemble(
     content: Content,
+    options: LoadOptions,
     *,
-    up: str,
-    on_invalid: str,
-    scale: float | None = None,
     budget: Budget | None = None,
     moves: bool = False,
-    blend: str = "opaque",
     origin: NDArray[np.float64] | None = None,
 ) -> Assembled:
     """Assemble a scene's parts in one pass over the source's meshes; SceneError if they are unusable.
 
     A `budget` counts the copies of meshes placed several times. With `moves` all objects are dynamic. The origin (3,)
-    is chosen by the extent unless given.
+    of float32 coordinates is chosen by the extent unless given.
     """
-    check.choice("up", up, UP)
-    check.choice("on_invalid", on_invalid, ("raise", "drop"))
-    check.choice("blend", blend, BLEND)
-    _to_metres(content, scale)
+    _to_metres(content, options.scale)
     nodes, flaws = _usable_nodes(content.nodes)
     used = set(nodes.shapes)
     shapes = {name: shape for name, shape in content.shapes.items() if name in used}
@@ -127,7 +116,7 @@ def assemble(
         dropped += lost
         if flaw:
             flaws.append(f"{flaw} in mesh {check.shortened(name)}")
-    if flaws and on_invalid == "raise":
+    if flaws and not options.drops:
         more = f" and {len(flaws) - _MAX_NAMED} more" if len(flaws) > _MAX_NAMED else ""
         raise SceneError(
             f"{content.label}: {', '.join(flaws[:_MAX_NAMED])}{more}; on_invalid='drop' leaves the faces out"
@@ -137,13 +126,14 @@ def assemble(
     if not has_faces and not any(len(shape.faces) for shape in shapes.values()):
         raise SceneError(f"{content.label}: no triangles" + "".join(f"; {note}" for note in content.notes))
     stored = content.stored
-    if blend == "cutout":
+    if options.blend == "cutout":
         stored = _cut_out(shapes.values(), stored)
     builder = Assembly()
     many = _many_objects(content, moves)
     builder.objects(many)
     handles = {} if stored is None else _store(builder, stored, placed)
     handles |= {name: _add(builder, shape) for name, shape in shapes.items() if len(shape.faces)}
+    up = options.up
     # For a negative axis, another half turn about x.
     turn = np.diag([1.0, -1.0, -1.0, 1.0]) @ _TURNS[up[1:]] if up.startswith("-") else _TURNS[up]
     nodes = _select_nodes(nodes, np.array([shape in handles for shape in nodes.shapes], bool))
@@ -178,7 +168,7 @@ def _many_objects(content: Content, moves: bool) -> Sequence[str] | int:
 
 def _to_metres(content: Content, scale: float | None) -> None:
     """Scale vertices and translations, so that rotations stay rotations and objects' poses have no scale."""
-    metres = metres_in(content.label, content.units) if scale is None else check.positive("scale", scale)
+    metres = metres_in(content.label, content.units) if scale is None else scale
     if metres == 1.0:
         return
     if scale is None:

@@ -6,70 +6,43 @@ import errno
 import os
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
-from numpy.typing import ArrayLike
-
-from nearfar._base import background, check, remote
+from nearfar._base import background, remote
 from nearfar._base.errors import UnusableError
 from nearfar._scene import load_trimesh, load_wavefront, quiet, threemf
 from nearfar._scene.assembly import Assembled
 from nearfar._scene.budget import Budget, read_file, resolver as budget_resolver
 from nearfar._scene.city import read as cities
-from nearfar._scene.city.read import CityOptions
-from nearfar._scene.content import BLEND, UP, Content, assemble
+from nearfar._scene.content import Content, assemble
 from nearfar._scene.gltf.document import read as read_gltf
 from nearfar._scene.materials import Materials
+from nearfar._scene.options import LoadOptions
 from nearfar._scene.reasons import explained
 from nearfar._scene.tileset import read as tiles
-from nearfar._scene.tileset.read import Detail
 from nearfar._scene.tileset.tileset import KINDS
 
 
-def load(
-    path: str | os.PathLike[str],
-    *,
-    up: str = "y",
-    on_invalid: str = "raise",
-    scale: float | None = None,
-    max_bytes: int | None = None,
-    blend: str = "opaque",
-    error: float | None = None,
-    triangles: int | None = None,
-    lod: str | float | None = None,
-    height: str | None = None,
-    origin: ArrayLike | None = None,
-    moves: bool = False,
-) -> Assembled:
-    """Load a file; `nearfar.Scene.load` documents the arguments. With `moves` all objects are dynamic."""
-    check.choice("up", up, UP)
-    check.choice("on_invalid", on_invalid, ("raise", "drop"))
-    check.choice("blend", blend, BLEND)
-    if scale is not None:
-        check.positive("scale", scale)
-    detail = Detail.from_arguments(error, triangles, origin)
+def load(path: str | os.PathLike[str], options: LoadOptions, *, moves: bool = False) -> Assembled:
+    """Load a file; with `moves` all objects are dynamic. Errors are those of `nearfar.Scene.load`."""
     place = str(path) if remote.is_url(path) else remote.local(path)
     if isinstance(place, Path) and place.is_dir():
         raise IsADirectoryError(errno.EISDIR, _folder(place), os.fspath(place))
-    detail.check_kind(place)
-    city = CityOptions.check_options(lod, height, detail.origin)
-    city.check_kind(place)
-    most = None if max_bytes is None else check.integer("max_bytes", max_bytes, 1, 1 << 62)
-    how: dict[str, Any] = {"up": up, "on_invalid": on_invalid, "scale": scale, "moves": moves, "blend": blend}
-    return background.run(lambda: _load(place, Budget(most), detail, city, **how), alone=True)
+    tiles.check_options(place, options)
+    cities.check_options(place, options)
+    return background.run(lambda: _load(place, options, moves), alone=True)
 
 
-def _load(path: str | Path, budget: Budget, detail: Detail, city: CityOptions, **how: Any) -> Assembled:
-    label = os.fspath(path)
+def _load(path: str | Path, options: LoadOptions, moves: bool) -> Assembled:
+    label, budget = os.fspath(path), Budget(options.max_bytes)
     if isinstance(path, str):
         with quiet.silence(), explained(label.partition("?")[0], passed=OSError):
-            return assemble(tiles.read(path, detail, budget), budget=budget, **how)
+            return assemble(tiles.read(path, options, budget), options, budget=budget, moves=moves)
     with explained(label, passed=OSError):
         data = read_file(path, budget)  # a missing file and missing permissions raise OSError
     with quiet.silence() as messages, explained(label):
-        content = _read(label, path, data, budget, detail, city, drop=how["on_invalid"] == "drop")
+        content = _read(path, data, options, budget)
         content.notes += [message for message in dict.fromkeys(messages) if message not in content.notes]
-        return assemble(content, budget=budget, **how)
+        return assemble(content, options, budget=budget, moves=moves)
 
 
 def _folder(path: Path) -> str:
@@ -79,33 +52,22 @@ def _folder(path: Path) -> str:
     return "expected a file, got a folder" + (f", which holds {', '.join(files[:3])}" if files else "")
 
 
-def _read(
-    label: str,
-    path: Path,
-    data: bytes,
-    budget: Budget,
-    detail: Detail | None = None,
-    city: CityOptions | None = None,
-    *,
-    drop: bool = False,
-) -> Content:
+def _read(path: Path, data: bytes, options: LoadOptions, budget: Budget) -> Content:
     import trimesh
 
-    kind = path.suffix.lower().lstrip(".")
-    name = path.stem
+    label, kind, name = os.fspath(path), path.suffix.lower().lstrip("."), path.stem
     if kind == "gz":
         kind, name = Path(name).suffix.lower().lstrip("."), Path(name).stem
         data = budget.unpacked(data)
     if kind in _ARCHIVES:
         raise UnusableError("it is an archive, which may hold several models: unpack it and load one of them")
-    detail = detail or Detail()
     # Every tileset has these two entries; a text search is faster than parsing.
     may_be_tileset = kind == "json" and b'"root"' in data and b'"asset"' in data
     if kind in KINDS or (may_be_tileset and tiles.is_tileset(data)):
-        return tiles.read(path, detail, budget)
+        return tiles.read(path, options, budget)
     if kind == "json" or kind in cities.KINDS:
-        detail.check_unused()
-        return cities.read(label, kind, data, city or CityOptions(), budget, drop=drop)
+        tiles.check_unused(options)
+        return cities.read(label, kind, data, options, budget)
     if kind in _READERS and kind not in trimesh.available_formats():
         raise UnusableError(f"nearfar does not read .{kind}: {_READERS[kind]}")
     if kind not in trimesh.available_formats() or kind in _NOT_SCENES:

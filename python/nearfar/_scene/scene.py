@@ -5,18 +5,20 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable, Mapping, Sequence
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, Self
+from typing import TYPE_CHECKING, Any, Self, Unpack
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nearfar import _core
 from nearfar._base import card, check
+from nearfar._base.settings import gather
 from nearfar._scene import preview
 from nearfar._scene.assembly import Assembled
 from nearfar._scene.levels import Leveled, LevelTable, check_levels, kept_of, levels_of, with_levels
 from nearfar._scene.names import Names, names_of
 from nearfar._scene.one_mesh import one_mesh
+from nearfar._scene.options import Blend, LoadKeywords, LoadOptions, OnInvalid, Up
 from nearfar._scene.parts import InParts
 from nearfar._scene.pictures import InPictures
 from nearfar._scene.poses import checked_pose, frame_of, placements_in, pose_of
@@ -65,17 +67,8 @@ class Scene(InParts, InPictures):
     def load(
         cls,
         path: str | os.PathLike[str],
-        *,
-        up: str = "y",
-        on_invalid: str = "raise",
-        scale: float | None = None,
-        max_bytes: int | None = None,
-        blend: str = "opaque",
-        error: float | None = None,
-        triangles: int | None = None,
-        lod: str | float | None = None,
-        height: str | None = None,
-        origin: ArrayLike | None = None,
+        options: LoadOptions | None = None,
+        **keywords: Unpack[LoadKeywords],
     ) -> Scene:
         """Load a file: GLB, glTF with its buffers and images, OBJ with MTL, PLY, STL, OFF or another format of trimesh.
 
@@ -87,48 +80,34 @@ class Scene(InParts, InPictures):
         ----------
         path
             The file.
-        up
-            Axis of the file that points up: "x", "y", "z", "-x", "-y" or "-z"; it is turned to y.
-        on_invalid, blend
-            For faces with vertices that are not finite or do not exist: "raise" or "drop". For materials with blending:
-            "opaque", or "cutout", which omits fragments with alpha below ½. `report` counts both.
-        scale
-            Metres per unit of the file. Default: as stated by the file, else 1; `report` notes odd extents.
-        max_bytes
-            Bytes that it may unpack to; by default a hundred times the bytes read, within 256 MiB and 16 GiB.
-        error, triangles
-            For a tileset, greatest geometric error in metres, or greatest number of triangles; default: all detail.
-        lod, height
-            Greatest level of detail of CityJSON (default: the highest); property with footprints' heights in metres.
-        origin
-            Longitude and latitude in degrees and height in metres of (0, 0, 0), for tilesets on the Earth and
-            footprints
-            in degrees; x points east, y up and z south there. Default: the middle of the data, stated by `report`.
+        options
+            Axis, unit, limits and detail, as `LoadOptions`.
+        keywords
+            Fields of `options`, which they replace: `up`, `scale`, `on_invalid`, `max_bytes`, `blend`; for tilesets
+            `error`, `triangles`, `origin`; for cities `lod`, `height`, `origin`.
 
         Raises
         ------
         SceneError
             A file that is unusable or unpacks to too much; the message names it and the reason.
         ValueError, TypeError
-            Arguments out of range, both `error` and `triangles`, or an argument for files of another kind.
+            Options out of range, or an option for files of another kind.
         OSError
             A file that cannot be opened.
         """
         from nearfar._scene import load
 
-        how: dict[str, Any] = {"up": up, "on_invalid": on_invalid, "scale": scale, "max_bytes": max_bytes}
-        how |= {"blend": blend, "error": error, "triangles": triangles, "lod": lod, "height": height, "origin": origin}
-        return cls._from_assembled(load.load(path, **how))
+        return cls._from_assembled(load.load(path, gather(LoadOptions, options, keywords, "options")))
 
     @classmethod
     def from_trimesh(
         cls,
         loaded: trimesh.Trimesh | trimesh.Scene,
         *,
-        up: str = "y",
-        on_invalid: str = "raise",
+        up: Up = "y",
+        on_invalid: OnInvalid = "raise",
         scale: float | None = None,
-        blend: str = "opaque",
+        blend: Blend = "opaque",
     ) -> Scene:
         """Convert one of trimesh's meshes or scenes.
 
@@ -138,7 +117,7 @@ class Scene(InParts, InPictures):
             Mesh or scene. Its nodes become objects; a single mesh is called ``object``. Vertex normals from its source
             are used, but not those that trimesh computes from the faces, so that a box keeps sharp edges.
         up, on_invalid, blend
-            See `load`.
+            As in `LoadOptions`.
         scale
             Metres per unit. By default that of `loaded.units`, which all meshes must share, or the metre for None.
 
@@ -151,8 +130,8 @@ class Scene(InParts, InPictures):
         """
         from nearfar._scene import content as contents, load_trimesh
 
-        content = load_trimesh.read("trimesh object", loaded)
-        return cls._from_assembled(contents.assemble(content, up=up, on_invalid=on_invalid, scale=scale, blend=blend))
+        options = LoadOptions(up=up, on_invalid=on_invalid, scale=scale, blend=blend)
+        return cls._from_assembled(contents.assemble(load_trimesh.read("trimesh object", loaded), options))
 
     @classmethod
     def from_arrays(

@@ -9,11 +9,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nearfar._base import background, check
-from nearfar._scene.budget import Budget
 from nearfar._scene.city.footprints import Footprints
-from nearfar._scene.city.read import CityOptions, open_footprints
+from nearfar._scene.city.read import open_footprints
+from nearfar._scene.options import LoadOptions
 from nearfar._scene.scene import Scene
-from nearfar._scene.tileset.frames import checked_origin
 from nearfar._source.frame import scene_of
 
 SUFFIXES = ("geojson", "parquet", "geoparquet")
@@ -27,14 +26,9 @@ class FootprintFile:
         self._footprints = footprints
 
     @classmethod
-    def open(
-        cls, path: Path, *, origin: ArrayLike | None, height: str | None, max_bytes: int | None, on_invalid: str
-    ) -> FootprintFile:
-        """Read the outlines of a file; `nearfar.open_source` documents the arguments."""
-        options = CityOptions.check_options(None, height, checked_origin(origin))
-        most = None if max_bytes is None else check.integer("max_bytes", max_bytes, 1, 1 << 62)
-        drop = on_invalid == "drop"
-        return cls(background.run(lambda: open_footprints(path, options, Budget(most), drop=drop)))
+    def open(cls, path: Path, options: LoadOptions) -> FootprintFile:
+        """Read the outlines of a file."""
+        return cls(background.run(lambda: open_footprints(path, options)))
 
     @property
     def bounds(self) -> NDArray[np.float64]:
@@ -56,7 +50,7 @@ class FootprintFile:
 
     def _query(self, box: NDArray[np.float64]) -> Scene:
         rows = self._footprints.rows_touching(box)
-        return scene_of(self._footprints.content(rows), box, self.bounds)
+        return scene_of(self._footprints.content(rows), box, self.bounds, LoadOptions())
 
     def __repr__(self) -> str:
         return f"<nearfar source: {self._footprints.count:,} footprints in {self._footprints.label}>"

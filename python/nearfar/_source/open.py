@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import Any, SupportsIndex
-
-from numpy.typing import ArrayLike
+from typing import SupportsIndex, Unpack
 
 from nearfar._base import check
 from nearfar._base.errors import SceneError, UnusableError
-from nearfar._scene.content import BLEND
+from nearfar._base.settings import gather
+from nearfar._scene.options import LoadKeywords, LoadOptions
 from nearfar._scene.scene import Scene
 from nearfar._scene.tileset.read import is_tileset
 from nearfar._scene.tileset.tileset import KINDS, Tileset, suffix
@@ -29,16 +28,10 @@ _CACHE = 1 << 30
 
 def open_source(
     path: str | os.PathLike[str],
+    options: LoadOptions | None = None,
     *,
-    up: str = "y",
-    on_invalid: str = "raise",
-    scale: float | None = None,
-    max_bytes: int | None = None,
-    blend: str = "opaque",
-    origin: ArrayLike | None = None,
-    lod: str | float | None = None,
-    height: str | None = None,
     cache_bytes: SupportsIndex = _CACHE,
+    **keywords: Unpack[LoadKeywords],
 ) -> SceneSource:
     """Open a world, whose `query` returns scenes box by box.
 
@@ -49,18 +42,15 @@ def open_source(
         footprints (.geojson, .parquet, .geoparquet), whose outlines stay in memory and whose triangles are made for
         each query; or a file that `Scene.load` reads: it is read completely, and the scene answers with its search
         trees.
-    up, on_invalid, scale, max_bytes, blend
-        As in `Scene.load`. Folders of tiles, tilesets and footprints are upright and in metres already; folders of
-        tiles keep the materials with which they were written, and footprints have none.
-    origin
-        Longitude and latitude in degrees and height in metres of (0, 0, 0), for a tileset on the Earth and for
-        footprints in degrees; by default the middle of the data.
-    lod
-        Maximum level of detail of CityJSON, as in `Scene.load`.
-    height
-        The property of footprints that states their height, as in `Scene.load`.
+    options
+        Axis, unit, limits and place, as `LoadOptions`. Folders of tiles, tilesets and footprints are upright and in
+        metres already; folders of tiles keep the materials with which they were written, and footprints have none.
+        `error` and `triangles` do not apply: each query states its detail.
     cache_bytes
         Memory for tiles cached for later queries.
+    keywords
+        Fields of `options`, which they replace: `up`, `scale`, `on_invalid`, `max_bytes`, `blend`, `origin`, `lod`,
+        `height`.
 
     Returns
     -------
@@ -78,39 +68,31 @@ def open_source(
     OSError
         A file that cannot be opened.
     """
-    check.choice("on_invalid", on_invalid, ("raise", "drop"))
-    check.choice("blend", blend, BLEND)
+    chosen = gather(LoadOptions, options, keywords, "options")
     most = check.integer("cache_bytes", cache_bytes, 0, 2**62)
-    upright: dict[str, tuple[object, object]] = {
-        "up": (up, "y"),
-        "scale": (scale, None),
-        "max_bytes": (max_bytes, None),
-        "lod": (lod, None),
-    }
+    upright = ("up", "scale", "lod", "error", "triangles")
     tileset = _tileset(path)
     if tileset is not None:
-        _refuse("a tileset", upright | {"height": (height, None)})
-        return TilesetSource(Tileset.open(tileset, origin=origin, cache_bytes=most), on_invalid, blend)
+        _refuse("a tileset", chosen, *upright, "max_bytes", "height")
+        return TilesetSource(Tileset.open(tileset, origin=chosen.origin, cache_bytes=most), chosen)
     target = check.path("path", path)
     folder = target.parent if target.name == DOCUMENT else target
     if not folder.is_dir() and suffix(target) in FOOTPRINTS:
-        del upright["max_bytes"]
-        _refuse("footprints", upright | {"blend": (blend, "opaque")})
-        return FootprintFile.open(target, origin=origin, height=height, max_bytes=max_bytes, on_invalid=on_invalid)
+        _refuse("footprints", chosen, *upright, "blend")
+        return FootprintFile.open(target, chosen)
     if not folder.is_dir():
-        how: dict[str, Any] = {"scale": scale, "max_bytes": max_bytes, "origin": origin, "lod": lod, "height": height}
-        return Scene.load(target, up=up, on_invalid=on_invalid, blend=blend, **how)
+        return Scene.load(target, chosen)
     if not (folder / DOCUMENT).is_file():
         raise SceneError(f"{os.fspath(path)}: expected a file, or a folder of tiles with {DOCUMENT} or {TILESET}")
-    given = {"origin": (origin, None), "height": (height, None), "blend": (blend, "opaque")}
-    _refuse("a folder of tiles", upright | given)
+    _refuse("a folder of tiles", chosen, *upright, "max_bytes", "origin", "height", "blend")
     return TileFolder(folder, most)
 
 
-def _refuse(kind: str, given: dict[str, tuple[object, object]]) -> None:
-    """Raise ValueError for arguments that are not at their defaults."""
-    for name, (value, default) in given.items():
-        if value is not default and value != default:
+def _refuse(kind: str, options: LoadOptions, *names: str) -> None:
+    """Raise ValueError for options that are not at their defaults."""
+    for name in names:
+        value = getattr(options, name)
+        if value != getattr(LoadOptions, name):
             raise ValueError(f"{name}: expected none with {kind}, got {check.shortened(value)}")
 
 

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nearfar._base import check
+from nearfar._scene.options import LoadOptions
 from nearfar._scene.scene import Scene
 from nearfar._scene.tileset.tileset import Tileset
 from nearfar._source.frame import scene_of
@@ -16,8 +17,8 @@ from nearfar._source.frame import scene_of
 class TilesetSource:
     """World of a tileset, whose contents are cached as long as there is room."""
 
-    def __init__(self, tileset: Tileset, on_invalid: str, blend: str) -> None:
-        self._tileset, self._on_invalid, self._blend = tileset, on_invalid, blend
+    def __init__(self, tileset: Tileset, options: LoadOptions) -> None:
+        self._tileset, self._options = tileset, options
 
     @property
     def bounds(self) -> NDArray[np.float64]:
@@ -31,7 +32,7 @@ class TilesetSource:
         """
         box, error = check.box("aabb", aabb), check.at_least_zero("detail", detail)
         content = self._tileset.read(error=error, box=box)
-        return scene_of(content, box, self.bounds, on_invalid=self._on_invalid, blend=self._blend)
+        return scene_of(content, box, self.bounds, self._options)
 
     def __repr__(self) -> str:
         return f"<nearfar source: tileset {self._tileset.label}>"

@@ -27,6 +27,7 @@ from nearfar.cli import (
     _stereo,
     _view,
 )
+from nearfar.cli._groups import Command, expand
 
 INTERRUPTED = 130
 """Exit status after Ctrl-C: 128 plus the signal's number, as in shells."""
@@ -38,21 +39,34 @@ app = typer.Typer(
     add_completion=False,
     pretty_exceptions_enable=False,
 )
-app.command("demo")(_reduce.demo)
-app.command("info")(_info.info)
-app.command("cut")(_cut.cut)
-app.command("partition")(_partition.partition)
-app.command("bake")(_bake.bake)
-app.command("reduce")(_reduce.reduce)
-app.command("render")(_render.render)
-app.command("compare")(_compare.compare)
-app.command("lod")(_lod.lod)
-app.command("stereo")(_stereo.stereo)
-app.command("export")(_export.export)
-app.add_typer(_orthoview.app, name="orthoview")
-app.command("serve")(_serve.serve)
-app.command("invite")(_rooms.invite)
-app.command("view")(_view.view)
+orthoview = typer.Typer(
+    help="Worlds of any size as an octree of orthographic depth images.", no_args_is_help=True, add_completion=False
+)
+
+
+def _add_commands(target: typer.Typer, *commands: Command) -> None:
+    for command in commands:
+        target.command(command.__name__)(expand(command))
+
+
+_DEMO = "Reduce the procedural city or another scene: `nearfar reduce` with defaults for scene and folder."
+app.command("demo", help=_DEMO)(expand(_reduce.reduce, **_reduce.DEMO))
+_add_commands(
+    app,
+    _info.info,
+    _cut.cut,
+    _partition.partition,
+    _bake.bake,
+    _reduce.reduce,
+    _render.render,
+    _compare.compare,
+    _lod.lod,
+    _stereo.stereo,
+    _export.export,
+)
+app.add_typer(orthoview, name="orthoview")
+_add_commands(orthoview, _orthoview.build, _orthoview.info, _orthoview.update, _orthoview.verify, _orthoview.export)
+_add_commands(app, _serve.serve, _rooms.invite, _view.view)
 
 
 def _print_version(requested: bool) -> None:

@@ -10,22 +10,20 @@ import typer
 
 import nearfar as nf
 from nearfar._base import formats
-from nearfar._reduce import default_radii
 from nearfar.cli import _options as options
 from nearfar.cli._options import option
 from nearfar.cli._output import bytes_text, check_target, count, metres, note_rows, show
+from nearfar.cli._scenes import SceneOptions, open_scene
 from nearfar.cli._viewpoint import choose
 
 VERSION = 1
 
 
 def bake(
+    *,
     scene: options.Input,
     output: Annotated[Path, option("-o --output", "FILE", "Map file to write, .exr.")],
-    center: options.Center = None,
-    r1: options.Inner = None,
-    r2: options.Outer = None,
-    face_size: options.FaceSize = None,
+    zones: options.MapOptions,
     samples: options.Samples = 1,
     with_range: options.WithRange = False,
     with_ids: Annotated[bool, typer.Option("--object-id", help="Bake object numbers too.")] = False,
@@ -34,31 +32,17 @@ def bake(
         option("--equirectangular", "FILE", "Also write the map as one equirectangular picture, .exr or .png."),
     ] = None,
     backend: options.Backend = None,
-    up: options.Up = "y",
-    scale: options.Scale = None,
-    max_bytes: options.MaxBytes = None,
-    blend: options.Blend = "opaque",
-    tile_error: options.TileError = None,
-    tile_triangles: options.TileTriangles = None,
-    tile_origin: options.TileOrigin = None,
-    city_lod: options.CityLod = None,
-    city_height: options.CityHeight = None,
-    on_invalid: options.Invalid = "raise",
+    file: SceneOptions,
     as_json: options.Json = False,
 ) -> None:
     """Bake the static part of a scene beyond r2 into a cube map seen from the centre."""
-    options.check_radii(r1, r2)
     options.check_backend(backend)
-    middle = options.read_point("--center", center)
     check_target(output, ".exr")
     if equirectangular is not None:
         check_target(equirectangular, ".exr", ".png")
-    parts = options.parts_of(tile_error, tile_triangles, tile_origin, city_lod, city_height)
-    loaded = options.open_scene(
-        scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes, blend=blend, parts=parts
-    )
-    place = choose(loaded, scene, middle)
-    radii = default_radii.choose(loaded, place, r1, r2)
+    loaded = open_scene(scene, file.loading)
+    place = choose(loaded, scene, zones.point)
+    radii = zones.choose_radii(loaded, place)
     channels = ("color", *(("range",) if with_range else ()), *(("object_id",) if with_ids else ()))
     started = time.perf_counter()
     reduced = nf.reduce(
@@ -66,7 +50,7 @@ def bake(
         center=place.eye,
         r1=radii.r1,
         r2=radii.r2,
-        face_size=options.faces(face_size),
+        face_size=zones.texels,
         samples=samples,
         channels=channels,
         morph="none",

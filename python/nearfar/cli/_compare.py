@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+from dataclasses import asdict, dataclass
+from functools import cached_property
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -11,132 +13,106 @@ import typer
 import nearfar as nf
 from nearfar._base import check as checks, files, formats
 from nearfar._reduce import default_radii, findings
-from nearfar.cli import _comparison_page, _options as options, _page, _report_page, _source, _thresholds, _viewpoint
+from nearfar.cli import _comparison_page, _options as options, _page, _pictures, _source, _thresholds, _viewpoint
 from nearfar.cli._methods import METHODS, render_all
 from nearfar.cli._options import option
 from nearfar.cli._output import Clock, metres, note_rows, radii_rows, show, triangles_text
 from nearfar.cli._partition import curve_points
 from nearfar.cli._render import camera
+from nearfar.cli._scenes import SceneOptions, is_reduced, open_scene
 
 VERSION = 1
 
 
-def compare(
-    scene: options.SceneOrFolder,
-    output: options.Folder,
-    center: options.Center = None,
-    user: Annotated[
-        str | None, option("--user", "X,Y,Z", "User's eye U in metres. By default beside the centre.")
-    ] = None,
+@dataclass(frozen=True, kw_only=True)
+class ViewOptions(options.PictureOptions):
+    """A user's view, and the size of its pictures."""
+
+    user: Annotated[str | None, option("--user", "X,Y,Z", "User's eye U in metres. By default beside the centre.")] = (
+        None
+    )
     distance: Annotated[
         float | None,
-        option("--distance", "METRES", "Distance of U from O without --user. By default 6 for 30 and 50 m, else less."),
-    ] = None,
+        option(
+            "--distance",
+            "METRES",
+            "Distance of U from O if --user is not given. By default 6 for radii of 30 and 50 m, else less.",
+        ),
+    ] = None
+    target: Annotated[
+        str | None,
+        option("--target", "X,Y,Z", "Point to look at, metres. By default a view that the boundary at r2 crosses."),
+    ] = None
+    fov: Annotated[float, option("--fov", "DEGREES", "Horizontal field of view.")] = 90.0
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        options.check_angle(self.fov)
+        if self.distance is not None:
+            checks.positive("--distance", self.distance)
+
+    @cached_property
+    def stand(self) -> dict[str, Any]:
+        """Keywords of `_viewpoint.stand`."""
+        eye, target = options.read_point("--user", self.user), options.read_point("--target", self.target)
+        return {"fov": self.fov, "user": eye, "target": target, "distance": self.distance}
+
+
+def compare(
+    *,
+    scene: options.SceneOrFolder,
+    output: options.Folder,
     truth: Annotated[
         str | None,
-        option("--truth", "SCENE", "For a folder as -i: its whole scene. By default the one that its report names."),
+        option(
+            "--truth", "SCENE", "Full scene of the folder that -i names. By default the scene that its report names."
+        ),
     ] = None,
-    target: options.Target = None,
-    fov: options.Degrees = 90.0,
-    r1: options.Inner = None,
-    r2: options.Outer = None,
-    face_size: options.FaceSize = None,
-    size: options.Size = "960x600",
-    samples: options.Samples = 4,
+    zones: options.MapOptions,
+    view: ViewOptions,
     exact: Annotated[
         bool, typer.Option("--exact", help="Bend a ray for every pixel; trace the far part instead of using the map.")
     ] = False,
-    min_psnr: Annotated[
-        float | None, option("--min-psnr", "DB", "Least PSNR in decibels; exit status 3 below it.")
-    ] = None,
-    min_ssim: Annotated[float | None, option("--min-ssim", "VALUE", "Least SSIM; exit status 3 below it.")] = None,
-    max_tear: Annotated[
-        float | None, option("--max-tear", "PIXELS", "Greatest mean tear along the boundary; exit status 3 above it.")
-    ] = None,
-    max_discontinuity: Annotated[
-        float | None, option("--max-discontinuity", "VALUE", "Greatest mean discontinuity; exit status 3 above it.")
-    ] = None,
-    max_boundary: Annotated[
-        float | None,
-        option(
-            "--max-boundary-discontinuity",
-            "VALUE",
-            "Greatest mean discontinuity along the boundary; exit status 3 above it.",
-        ),
-    ] = None,
+    limits: _thresholds.LimitOptions,
     backend: options.Backend = None,
-    up: options.Up = "y",
-    scale: options.Scale = None,
-    max_bytes: options.MaxBytes = None,
-    blend: options.Blend = "opaque",
-    tile_error: options.TileError = None,
-    tile_triangles: options.TileTriangles = None,
-    tile_origin: options.TileOrigin = None,
-    city_lod: options.CityLod = None,
-    city_height: options.CityHeight = None,
-    on_invalid: options.Invalid = "raise",
+    file: SceneOptions,
     as_json: options.Json = False,
 ) -> None:
     """Compare the conventional and the continuous method with the truth, seen from one eye.
 
     Thresholds apply to the continuous method; the exit status is 3 if one is not met or could not be measured.
     """
-    options.check_radii(r1, r2)
-    options.check_angle(fov)
     options.check_backend(backend)
-    thresholds = _thresholds.thresholds(
-        min_psnr=min_psnr,
-        min_ssim=min_ssim,
-        max_tear=max_tear,
-        max_discontinuity=max_discontinuity,
-        max_boundary_discontinuity=max_boundary,
-    )
-    pixels, middle = options.read_size("--size", size), options.read_point("--center", center)
-    eye, aim = options.read_point("--user", user), options.read_point("--target", target)
-    away, clock = None if distance is None else checks.positive("--distance", distance), Clock()
-    saved, source = None, scene
-    if options.is_reduced(scene):
-        reason = "which has its own"
-        _source.refuse(reason, center=center, r1=r1, r2=r2, face_size=face_size)
+    clock, saved, source = Clock(), None, scene
+    if is_reduced(scene):
+        _source.refuse("which has its own", **asdict(zones))
         _source.refuse("which has no far geometry to trace", exact=exact or None)
     elif truth is not None:
         raise ValueError(f"--truth: expected none with a scene as -i, got {checks.shortened(truth)}")
-    parts = options.parts_of(tile_error, tile_triangles, tile_origin, city_lod, city_height)
     output.parent.mkdir(parents=True, exist_ok=True)
     with files.atomic_folder(output, marker="compare.json") as folder:
         with clock.step("scene"):
-            if options.is_reduced(scene):
+            if is_reduced(scene):
                 saved = nf.ReducedScene.load(scene)
-                source, loaded = _source.open_truth(
-                    scene,
-                    truth,
-                    up=up,
-                    on_invalid=on_invalid,
-                    scale=scale,
-                    max_bytes=max_bytes,
-                    blend=blend,
-                    parts=parts,
-                )
+                source, loaded = _source.open_truth(scene, truth, file.loading)
             else:
-                loaded = options.open_scene(
-                    scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes, blend=blend, parts=parts
-                )
+                loaded = open_scene(scene, file.loading)
         with clock.step("place"):
-            place = _viewpoint.choose(loaded, source, middle if saved is None else saved.center)
-            chosen = saved or default_radii.choose(loaded, place, r1, r2)
+            place = _viewpoint.choose(loaded, source, zones.point if saved is None else saved.center)
+            chosen = saved or zones.choose_radii(loaded, place)
             inner, outer = chosen.r1, chosen.r2
-            stand = _viewpoint.stand(loaded, place, inner, outer, fov=fov, user=eye, target=aim, distance=away)
-            view = camera(stand.user, stand.target, fov, pixels)
+            stand = _viewpoint.stand(loaded, place, inner, outer, **view.stand)
+            shot = camera(stand.user, stand.target, view.fov, view.pixels)
         with clock.step("load curve"):
             curve = nf.load_curve(loaded, center=place.eye)
         # The discontinuity of far pixels needs their scene points, which are computed from the map's range.
-        texels = options.faces(face_size) if saved is None or saved.env is None else saved.env.face_size
+        texels = zones.texels if saved is None or saved.env is None else saved.env.face_size
         place_and_map = {"center": place.eye, "r1": inner, "r2": outer, "channels": ("color", "range")}
         rendered = render_all(
             loaded,
-            view,
+            shot,
             clock,
-            pictures={"samples": samples, "channels": ("color", "position")},
+            pictures={"samples": view.samples, "channels": ("color", "position")},
             reduction=place_and_map | {"face_size": texels, "backend": backend},
             drawing={"method": "exact", "env": False} if exact else None,
             saved=saved,
@@ -149,15 +125,13 @@ def compare(
             torn = {name: nf.boundary_tear(rendered.dense[name], center=place.eye, radius=outer) for name in METHODS}
             values = {name: _document(measured[name], torn[name]) for name in METHODS}
         with clock.step("pictures"):
-            _report_page.save_pictures(folder, {name: frame.to_image() for name, frame in frames.items()})
-            plotted = _report_page.save_curve(folder, curve, outer)
+            _pictures.save_pictures(folder, {name: frame.to_image() for name, frame in frames.items()})
+            plotted = _pictures.save_curve(folder, curve, outer)
             if plotted:
-                _comparison_page.save_heat_maps(
-                    folder, {name: comparison.torn for name, comparison in measured.items()}
-                )
+                _pictures.save_heat_maps(folder, {name: comparison.torn for name, comparison in measured.items()})
         margin = nf.fold_margin(stand.user, center=place.eye, r1=inner, r2=outer)
         crosses = any(comparison.boundary_pixels for comparison in measured.values())
-        checked = [threshold.check(values["continuous"]) for threshold in thresholds]
+        checked = [threshold.check(values["continuous"]) for threshold in limits.thresholds]
         document = formats.header("compare", VERSION, origin=[float(v) for v in loaded.origin], color_space="sRGB") | {
             "source": scene,
             "truth": source,
@@ -173,8 +147,8 @@ def compare(
             "r2": outer,
             "radii_reason": chosen.reason if isinstance(chosen, default_radii.Choice) else "",
             "face_size": texels,
-            "samples": samples,
-            "size": list(pixels),
+            "samples": view.samples,
+            "size": list(view.pixels),
             "method": "exact" if exact else "vertex",
             "pictures": values,
             "thresholds": checked,

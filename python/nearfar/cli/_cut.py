@@ -10,9 +10,9 @@ import typer
 
 import nearfar as nf
 from nearfar._base import check
-from nearfar.cli import _options as options
-from nearfar.cli._options import option
+from nearfar.cli._options import option, read_numbers
 from nearfar.cli._output import check_target, count
+from nearfar.cli._scenes import FileOptions, open_scene, open_world
 
 INDEX = "tiles.json"
 """Name of the index file of a folder of tiles."""
@@ -21,6 +21,7 @@ Box = tuple[tuple[float, float, float], tuple[float, float, float]]
 
 
 def cut(
+    *,
     world: Annotated[
         str,
         option("-i --input", "WORLD", "Scene file, procedural scene, or a folder of tiles that `nearfar cut` wrote."),
@@ -32,15 +33,10 @@ def cut(
     ] = None,
     cell: Annotated[
         float | None,
-        option("--cell", "METRES", "Write tiles of this width; an interrupted call goes on when repeated."),
+        option("--cell", "METRES", "Write tiles of this width; the same call resumes an interrupted one."),
     ] = None,
-    detail: Annotated[
-        float, option("--detail", "METRES", "Greatest geometric error; 0 takes everything that there is.")
-    ] = 0.0,
-    up: options.Up = "y",
-    scale: options.Scale = None,
-    max_bytes: options.MaxBytes = None,
-    on_invalid: options.Invalid = "raise",
+    detail: Annotated[float, option("--detail", "METRES", "Greatest geometric error; 0 for full detail.")] = 0.0,
+    file: FileOptions,
 ) -> None:
     """Cut a part out of a world that may be larger than memory: triangles that touch a box, whole."""
     aabb = read_box(box)
@@ -49,7 +45,7 @@ def cut(
         check.positive("--cell", cell)
     else:
         check_target(output, ".glb")
-    source = open_world(world, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes)
+    source = open_source(world, file.loading)
     if cell is not None:
         nf.write_tiles(source, output, cell=cell, aabb=aabb, detail=detail)
         typer.echo(f"{output}: {nf.open_source(output)!r}")
@@ -65,23 +61,17 @@ def read_box(text: str | None) -> Box:
     """Parse "x0,z0,x1,z1" in metres as a box of unlimited height; None means everything."""
     if text is None:
         return (-math.inf, -math.inf, -math.inf), (math.inf, math.inf, math.inf)
-    try:
-        x0, z0, x1, z1 = (float(part) for part in text.replace(",", " ").split())
-    except ValueError:
-        got = check.shortened(text)
-        raise ValueError(f"--box: expected x0,z0,x1,z1 in metres such as 0,0,200,200, got {got}") from None
+    x0, z0, x1, z1 = read_numbers("--box", text, "x0,z0,x1,z1 in metres such as 0,0,200,200", 4)
     if not (x0 <= x1 and z0 <= z1):
         raise ValueError(f"--box: expected least x and z before greatest x and z, got {check.shortened(text)}")
     return (x0, -math.inf, z0), (x1, math.inf, z1)
 
 
-def open_world(
-    text: str, *, up: str, on_invalid: str, scale: float | None, max_bytes: int | None = None
-) -> nf.SceneSource:
+def open_source(text: str, loading: nf.LoadOptions) -> nf.SceneSource:
     """Open the source given by `-i`: a folder of tiles, or a scene."""
     if (Path(text) / INDEX).is_file() or Path(text).name == INDEX:
-        return nf.open_source(text, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes)
-    return options.open_scene(text, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes)
+        return open_world(text, loading)
+    return open_scene(text, loading)
 
 
 def _span(source: nf.SceneSource) -> str:

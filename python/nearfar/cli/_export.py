@@ -5,6 +5,8 @@ from __future__ import annotations
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
+from dataclasses import dataclass
+from functools import cached_property
 from typing import Annotated, Any
 
 import typer
@@ -12,14 +14,78 @@ import typer
 import nearfar as nf
 from nearfar._base import formats
 from nearfar.cli import _options as options
+from nearfar.cli._groups import Options
 from nearfar.cli._options import option
 from nearfar.cli._output import bytes_text, count, metres, note_rows, show
+from nearfar.cli._scenes import SceneOptions, open_scene
 from nearfar.cli._viewpoint import choose
 
 VERSION = 1
 
 
+@dataclass(frozen=True, kw_only=True)
+class RegionOptions(Options):
+    """Centres of the regions."""
+
+    center: Annotated[
+        list[str] | None,
+        option(
+            "-c --center",
+            "X,Y,Z",
+            "Centre O in metres; give it again for further regions, which share equal files. By default one 1.7 m "
+            "above open ground near the scene's middle, or in front of an object.",
+        ),
+    ] = None
+    grid: Annotated[
+        float | None,
+        option("--grid", "METRES", "Spacing of a horizontal grid to which centres move; those that meet become one."),
+    ] = None
+
+    @cached_property
+    def points(self) -> list[options.Point]:
+        """The centres; none for the default."""
+        points = (options.read_point("--center", text) for text in self.center or ())
+        return [point for point in points if point is not None]
+
+
+@dataclass(frozen=True, kw_only=True)
+class EncodingOptions(Options):
+    """How pictures and geometry are stored."""
+
+    quality: Annotated[
+        int, option("--quality", "NUMBER", "Quality of the pictures of maps and textures, 0 to 100.")
+    ] = 90
+    lossless: Annotated[
+        bool, typer.Option("--lossless", help="Store the pictures of maps and textures without loss.")
+    ] = False
+    pixels_per_degree: Annotated[
+        float,
+        option(
+            "--pixels-per-degree",
+            "NUMBER",
+            "Pixels per degree of the client's display, to which textures are reduced by halves; 0 keeps their size.",
+        ),
+    ] = 25.0
+    split: Annotated[
+        float | None,
+        option(
+            "--split",
+            "PIXELS",
+            "Maximum error of clients that move vertices, in pixels of their display: larger triangles are split. By "
+            "default none are.",
+        ),
+    ] = None
+    by_footprint: Annotated[
+        bool,
+        typer.Option(
+            "--by-footprint",
+            help="Also write near objects in the order of their footprints, for the strategies vis0 and vis1.",
+        ),
+    ] = False
+
+
 def export(
+    *,
     scene: options.Input,
     output: Annotated[
         str,
@@ -29,98 +95,44 @@ def export(
             "Folder to write, whose parent must exist; or a URL that fsspec can write, such as s3://bucket/city.",
         ),
     ],
-    center: Annotated[
-        list[str] | None,
-        option(
-            "-c --center",
-            "X,Y,Z",
-            "Centre O in metres; give it again for further regions, which share equal files. By default one 1.7 m "
-            "above open ground near the scene's middle, or in front of an object.",
-        ),
-    ] = None,
-    grid: Annotated[
-        float | None,
-        option("--grid", "METRES", "Spacing of a horizontal grid to which centres move; those that meet become one."),
-    ] = None,
-    radii: options.RingRadii = None,
-    face_size: options.FaceSize = None,
-    samples: options.Samples = 4,
-    quality: Annotated[
-        int, option("--quality", "NUMBER", "Quality of the pictures of maps and textures, 0 to 100.")
-    ] = 90,
-    lossless: Annotated[
-        bool, typer.Option("--lossless", help="Store the pictures of maps and textures without loss.")
-    ] = False,
-    pixels_per_degree: Annotated[
-        float,
-        option(
-            "--pixels-per-degree",
-            "NUMBER",
-            "Of the client's display: textures are halved while texels suffice for its pixels; 0 keeps them whole.",
-        ),
-    ] = 25.0,
-    split: Annotated[
-        float | None,
-        option(
-            "--split",
-            "PIXELS",
-            "Split large triangles for clients that move vertices, to this error of their display; by default none.",
-        ),
-    ] = None,
-    by_footprint: Annotated[
-        bool,
-        typer.Option(
-            "--by-footprint", help="Write near objects in the order of their footprints too, for vis0 and vis1."
-        ),
-    ] = False,
-    up: options.Up = "y",
-    scale: options.Scale = None,
-    max_bytes: options.MaxBytes = None,
-    blend: options.Blend = "opaque",
-    tile_error: options.TileError = None,
-    tile_triangles: options.TileTriangles = None,
-    tile_origin: options.TileOrigin = None,
-    city_lod: options.CityLod = None,
-    city_height: options.CityHeight = None,
-    on_invalid: options.Invalid = "raise",
+    regions: RegionOptions,
+    rings: options.RingOptions,
+    encoding: EncodingOptions,
+    file: SceneOptions,
     as_json: options.Json = False,
 ) -> None:
     """Write near geometry in rings about centres, each with the map of what lies beyond it, as files for the web."""
-    centers, chosen = _read_centers(center), options.read_radii(radii)
-    parts = options.parts_of(tile_error, tile_triangles, tile_origin, city_lod, city_height)
-    loaded = options.open_scene(
-        scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes, blend=blend, parts=parts
-    )
+    loaded = open_scene(scene, file.loading)
     started = time.perf_counter()
     with _options_named():
         bundle = nf.stream.export(
             loaded,
             output,
-            center=centers or choose(loaded, scene).eye,
-            grid=grid,
-            radii=chosen,
-            face_size=options.faces(face_size),
-            samples=samples,
-            quality=None if lossless else quality,
-            pixels_per_degree=pixels_per_degree or None,
-            split_px=split,
-            by_footprint=by_footprint,
+            center=regions.points or choose(loaded, scene).eye,
+            grid=regions.grid,
+            radii=rings.metres,
+            face_size=rings.texels,
+            samples=rings.samples,
+            quality=None if encoding.lossless else encoding.quality,
+            pixels_per_degree=encoding.pixels_per_degree or None,
+            split_px=encoding.split,
+            by_footprint=encoding.by_footprint,
         )
     seconds = time.perf_counter() - started
-    regions = [bundle.region(number) for number in range(len(bundle.centers))]
+    made = [bundle.region(number) for number in range(len(bundle.centers))]
     document = formats.header("export", VERSION) | {
         "source": scene,
         "notes": list(loaded.report.notes),
-        "findings": list(dict.fromkeys(finding for region in regions for finding in region.findings)),
+        "findings": list(dict.fromkeys(finding for region in made for finding in region.findings)),
         "folder": output,
         "triangles": loaded.triangle_count,
         "bytes": bundle.nbytes,
-        "regions": [_region_entry(region) for region in regions],
+        "regions": [_region_entry(region) for region in made],
         "seconds": round(seconds, 3),
     }
     rows = [
         ("folder", f"{output}, {bytes_text(bundle.nbytes)}"),
-        *(row for region in regions for row in _rows(region)),
+        *(row for region in made for row in _rows(region)),
         ("exported in", f"{seconds:.2f} s"),
         *note_rows(document),
     ]
@@ -137,11 +149,6 @@ def _options_named() -> Iterator[None]:
         if text == str(error):
             raise
         raise ValueError(text) from None
-
-
-def _read_centers(texts: list[str] | None) -> list[options.Point]:
-    points = (options.read_point("--center", text) for text in texts or ())
-    return [point for point in points if point is not None]
 
 
 def _region_entry(region: nf.stream.Bundle) -> dict[str, Any]:

@@ -11,27 +11,11 @@ import typer
 
 import nearfar as nf
 from nearfar._base import formats
-from nearfar.cli import _source, _viewpoint
-from nearfar.cli._options import (
-    SCENE_OR_FOLDER,
-    Blend,
-    CityHeight,
-    CityLod,
-    Invalid,
-    Json,
-    MaxBytes,
-    Scale,
-    TileError,
-    TileOrigin,
-    TileTriangles,
-    Up,
-    is_reduced,
-    open_scene,
-    option,
-    parts_of,
-)
+from nearfar.cli import _options as options, _source, _viewpoint
+from nearfar.cli._options import SCENE_OR_FOLDER, option
 from nearfar.cli._output import bytes_text, check_target, count, metres, show, triangles_text
 from nearfar.cli._render import camera
+from nearfar.cli._scenes import SceneOptions, is_reduced, open_scene
 
 VERSION = 1
 
@@ -40,6 +24,7 @@ PREVIEW = (480, 300)
 
 
 def info(
+    *,
     scene: Annotated[str | None, SCENE_OR_FOLDER] = None,
     gpu: Annotated[bool, typer.Option("--gpu", help="List the graphics adapters, and why one is not used.")] = False,
     preview: Annotated[
@@ -47,21 +32,11 @@ def info(
         option(
             "--preview",
             "FILE",
-            "Also render a small picture of the scene, .png; it takes as long as one frame, and on the first ray the "
-            "search tree.",
+            "Also render a small picture of the scene, .png, which takes as long as its search tree and one frame.",
         ),
     ] = None,
-    up: Up = "y",
-    scale: Scale = None,
-    max_bytes: MaxBytes = None,
-    blend: Blend = "opaque",
-    tile_error: TileError = None,
-    tile_triangles: TileTriangles = None,
-    tile_origin: TileOrigin = None,
-    city_lod: CityLod = None,
-    city_height: CityHeight = None,
-    on_invalid: Invalid = "raise",
-    as_json: Json = False,
+    file: SceneOptions,
+    as_json: options.Json = False,
 ) -> None:
     """List a scene's contents: triangles, objects, extent, and unused parts of its file."""
     if scene is None:
@@ -72,14 +47,9 @@ def info(
         return
     if preview is not None:
         check_target(preview, ".png")
-    parts = parts_of(tile_error, tile_triangles, tile_origin, city_lod, city_height)
     started = time.perf_counter()
     reduced = nf.ReducedScene.load(scene) if is_reduced(scene) else None
-    loaded = (
-        open_scene(scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes, blend=blend, parts=parts)
-        if reduced is None
-        else reduced.scene
-    )
+    loaded = open_scene(scene, file.loading) if reduced is None else reduced.scene
     document = describe(loaded, scene, time.perf_counter() - started)
     rows = []
     if reduced is not None:

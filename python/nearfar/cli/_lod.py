@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import functools
 import time
+from dataclasses import asdict, dataclass
+from functools import cached_property
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -12,10 +14,12 @@ import typer
 from numpy.typing import NDArray
 
 import nearfar as nf
-from nearfar._base import check, formats
+from nearfar._base import formats
 from nearfar.cli import _options as options
-from nearfar.cli._options import option
+from nearfar.cli._groups import Options
+from nearfar.cli._options import option, read_numbers
 from nearfar.cli._output import bytes_text, check_target, count, note_rows, show
+from nearfar.cli._scenes import SceneOptions, open_scene
 
 VERSION = 1
 
@@ -23,60 +27,85 @@ VERSION = 1
 Settings, Threshold = nf.lod.MeasureSettings, nf.lod.LodThreshold
 
 
+@dataclass(frozen=True, kw_only=True)
+class SimplifyOptions(Options):
+    """How levels are simplified."""
+
+    ratios: Annotated[str | None, option("--ratios", "R,R,…", "Shares of the triangles, as in 0.5,0.2,0.05.")] = None
+    method: Annotated[str, option("--method", "fast|meshopt", "The simplifier: see nf.lod.simplify.")] = "fast"
+    normals: Annotated[str, option("--normals", "keep|smooth|flat", "How levels are shaded: see nf.lod.simplify.")] = (
+        "keep"
+    )
+
+    @cached_property
+    def shares(self) -> list[float] | None:
+        """Shares of the triangles; None for the default."""
+        if self.ratios is None:
+            return None
+        return read_numbers("--ratios", self.ratios, "numbers such as 0.5,0.2,0.05")
+
+    def simplify(self, scene: nf.Scene, name: str) -> nf.lod.Levels:
+        """Return the levels of a scene."""
+        simplify = functools.partial(nf.lod.simplify, scene, method=self.method, normals=self.normals, name=name)
+        return simplify() if self.shares is None else simplify(self.shares)
+
+
+@dataclass(frozen=True, kw_only=True)
+class MeasureOptions(Options):
+    """How levels are compared."""
+
+    hmd: Annotated[str, option("--hmd", "NAME", "Headset that levels are measured for: a name or a .json file.")] = (
+        "quest_2"
+    )
+    views: Annotated[int, option("--views", "N", "Number of directions from which levels are compared.")] = (
+        Settings.views
+    )
+    directions: Annotated[
+        str, option("--directions", "even|published", "Distribution of the views: see nf.lod.MeasureSettings.")
+    ] = Settings.directions
+    distances: Annotated[int, option("--distances", "N", "Number of distances at which levels are compared.")] = (
+        Settings.distances
+    )
+
+
+@dataclass(frozen=True, kw_only=True)
+class SwitchOptions(Options):
+    """Threshold at which levels switch, and the levels that are written."""
+
+    k: Annotated[float, option("--k", "K", "Slope of the threshold.")] = Threshold.k
+    d: Annotated[float, option("--d", "D", "The threshold at 1/16 of the screen.")] = Threshold.d
+    threshold: Annotated[
+        str, option("--threshold", "KIND", "Formula of the threshold: anchored, literal or normalized.")
+    ] = Threshold.kind
+    all_levels: Annotated[bool, typer.Option("--all-levels", help="Also write levels that are never shown.")] = False
+
+
 def lod(
+    *,
     scene: options.Input,
     output: Annotated[Path, option("-o --output", "FILE", "The model: .glb with its levels, or .json without.")],
-    hmd: Annotated[
-        str, option("--hmd", "NAME", "Headset that levels are measured for: a name or a .json file.")
-    ] = "quest_2",
-    ratios: Annotated[str | None, option("--ratios", "R,R,…", "Shares of the triangles, as in 0.5,0.2,0.05.")] = None,
-    method: Annotated[str, option("--method", "fast|meshopt", "The simplifier: see nf.lod.simplify.")] = "fast",
-    normals: Annotated[
-        str, option("--normals", "keep|smooth|flat", "How levels are shaded: see nf.lod.simplify.")
-    ] = "keep",
-    views: Annotated[int, option("--views", "N", "Number of sides to look at levels from.")] = Settings.views,
-    directions: Annotated[
-        str, option("--directions", "even|published", "How they are spread: see nf.lod.MeasureSettings.")
-    ] = Settings.directions,
-    distances: Annotated[int, option("--distances", "N", "Number of sizes to measure levels at.")] = Settings.distances,
-    k: Annotated[float, option("--k", "K", "Slope of the threshold.")] = Threshold.k,
-    d: Annotated[float, option("--d", "D", "The threshold at 1/16 of the screen.")] = Threshold.d,
-    threshold: Annotated[
-        str, option("--threshold", "KIND", "Its formula: anchored, literal or normalized.")
-    ] = Threshold.kind,
-    all_levels: Annotated[bool, typer.Option("--all-levels", help="Write levels that are never shown, too.")] = False,
+    simplifier: SimplifyOptions,
+    pictures: MeasureOptions,
+    switching: SwitchOptions,
     backend: options.Backend = None,
-    up: options.Up = "y",
-    scale: options.Scale = None,
-    max_bytes: options.MaxBytes = None,
-    blend: options.Blend = "opaque",
-    tile_error: options.TileError = None,
-    tile_triangles: options.TileTriangles = None,
-    tile_origin: options.TileOrigin = None,
-    city_lod: options.CityLod = None,
-    city_height: options.CityHeight = None,
-    on_invalid: options.Invalid = "raise",
+    file: SceneOptions,
     as_json: options.Json = False,
 ) -> None:
     """Simplify an object, measure the SSIM of each level over its size, and write the model with sizes to switch at."""
     options.check_backend(backend)
     check_target(output, ".glb", ".json")
-    device = options.headset(hmd)
-    shares = None if ratios is None else read_ratios(ratios)
-    parts = options.parts_of(tile_error, tile_triangles, tile_origin, city_lod, city_height)
-    loaded = options.open_scene(
-        scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes, blend=blend, parts=parts
-    )
+    device = options.headset(pictures.hmd)
+    loaded = open_scene(scene, file.loading)
     started = time.perf_counter()
-    name = Path(scene.partition(":")[0]).stem
-    simplify = functools.partial(nf.lod.simplify, loaded, method=method, normals=normals, name=name)
-    levels = simplify() if shares is None else simplify(shares)
+    levels = simplifier.simplify(loaded, Path(scene.partition(":")[0]).stem)
     simplified = time.perf_counter()
-    model = nf.lod.measure(levels, hmd=device, views=views, directions=directions, distances=distances, backend=backend)
+    asked = asdict(pictures) | {"hmd": device}
+    model = nf.lod.measure(levels, backend=backend, **asked)
     seconds = {"simplify": simplified - started, "measure": time.perf_counter() - simplified}
-    model.export(output, view=device, k=k, d=d, threshold=threshold, all_levels=all_levels)
-    switches = nf.lod.switches(model, view=device, k=k, d=d, threshold=threshold)
-    written = np.ones(len(model), bool) if all_levels else switches.is_ever_shown
+    threshold: dict[str, Any] = {"k": switching.k, "d": switching.d, "threshold": switching.threshold}
+    model.export(output, view=device, all_levels=switching.all_levels, **threshold)
+    switches = nf.lod.switches(model, view=device, **threshold)
+    written = np.ones(len(model), bool) if switching.all_levels else switches.is_ever_shown
     document = describe(model, switches, written) | {
         "source": scene,
         "notes": list(loaded.report.notes),
@@ -93,14 +122,6 @@ def lod(
         *note_rows(document),
     ]
     show(document, rows, title=scene, as_json=as_json)
-
-
-def read_ratios(text: str) -> list[float]:
-    """Parse a list of numbers such as "0.5,0.2"."""
-    try:
-        return [float(part) for part in text.split(",")]
-    except ValueError:
-        raise ValueError(f"--ratios: expected numbers such as 0.5,0.2,0.05, got {check.shortened(text)}") from None
 
 
 def describe(model: nf.lod.LodModel, switches: nf.lod.Switches, written: NDArray[np.bool_]) -> dict[str, Any]:

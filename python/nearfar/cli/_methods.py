@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass, replace
 from typing import Any
 
 import nearfar as nf
+from nearfar._camera.density import with_density
 from nearfar.cli._output import Clock
 
 METHODS = {"conventional": "none", "continuous": "blend"}
@@ -72,13 +72,5 @@ def render_all(
                 shown = made.with_morph(morph_of(name, saved))
                 # Splitting triangles for all directions takes seconds; bent rays are only traced within the view.
                 how = {"method": "exact", **(drawing or {})}
-                dense[name] = shown.render(_dense(view), channels=("position",), **how)
+                dense[name] = shown.render(with_density(view, DENSITY), channels=("position",), **how)
     return Rendered(frames, reduced, dense)
-
-
-def _dense(view: nf.Camera) -> nf.Camera:
-    """Return the same view with at least the pixel density of a headset."""
-    if not isinstance(view.fov, nf.Fov):
-        return view
-    more = DENSITY / math.radians(view.width / (view.fov.right - view.fov.left))
-    return replace(view, size=(round(view.width * more), round(view.height * more))) if more > 1.0 else view

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import contextmanager
+from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
@@ -14,14 +16,12 @@ from nearfar._base import check, files, formats
 from nearfar._base.cluster import LOCAL
 from nearfar.cli import _options as options
 from nearfar.cli._cut import read_box
+from nearfar.cli._groups import Options
 from nearfar.cli._options import option
 from nearfar.cli._output import Clock, bytes_text, check_target, count, metres, show
+from nearfar.cli._scenes import FileOptions, open_world
 
 VERSION = 1
-
-app = typer.Typer(
-    help="Worlds of any size as an octree of orthographic depth images.", no_args_is_help=True, add_completion=False
-)
 
 World = Annotated[
     str,
@@ -35,41 +35,61 @@ Store = Annotated[str, typer.Argument(metavar="STORE", help="Folder or URL of a 
 BOX = option("--box", "X0,Z0,X1,Z1", "Least x and z and greatest x and z in metres; by default everything.")
 
 
-@app.command("build")
-def build(
-    world: World,
-    output: Annotated[Path, option("-o --output", "STORE", "Folder to write; an interrupted call goes on.")],
-    cell: Annotated[float, option("--cell", "METRES", "Side of the leaves' cubic cells.")],
-    box: Annotated[str | None, BOX] = None,
-    size: Annotated[int, option("--size", "PIXELS", "Width and height of a view, a multiple of 4.")] = 512,
+@dataclass(frozen=True, kw_only=True)
+class ViewOptions(Options):
+    """Views of a tree's cells."""
+
+    size: Annotated[int, option("--size", "PIXELS", "Width and height of a view, a multiple of 4.")] = 512
     directions: Annotated[
-        str, option("--directions", "5|9|13|26|auto", "Number of sides that cells are seen from; auto measures.")
-    ] = "9",
-    depth_bits: Annotated[int, option("--depth-bits", "BITS", "Bits of a depth, 8 to 16.")] = 12,
-    normal_bits: Annotated[int, option("--normal-bits", "16|24", "Bits of a normal.")] = 16,
-    color: Annotated[str, option("--color", "zstd|webp", "How colours are compressed.")] = "zstd",
-    quality: Annotated[
-        int | None, option("--quality", "0-100", "Quality of WebP; by default files are lossless.")
-    ] = None,
-    layers: Annotated[int, option("--layers", "1|2", "2 keeps hidden surfaces behind the first ones, too.")] = 1,
+        str,
+        option(
+            "--directions",
+            "5|9|13|26|auto",
+            "Number of directions from which cells are drawn; auto chooses by measurement.",
+        ),
+    ] = "9"
+    depth_bits: Annotated[int, option("--depth-bits", "BITS", "Bits of a depth, 8 to 16.")] = 12
+    normal_bits: Annotated[int, option("--normal-bits", "16|24", "Bits of a normal.")] = 16
+    color: Annotated[str, option("--color", "zstd|webp", "How colours are compressed.")] = "zstd"
+    quality: Annotated[int | None, option("--quality", "0-100", "Quality of WebP; by default files are lossless.")] = (
+        None
+    )
+    layers: Annotated[
+        int, option("--layers", "1|2", "Layers of surfaces to store: 2 also stores those hidden behind the first.")
+    ] = 1
     geometry: Annotated[
         bool, typer.Option("--geometry/--no-geometry", help="Also write the triangles of leaves, as 3D Tiles.")
-    ] = True,
+    ] = True
+
+    @cached_property
+    def count(self) -> int | Literal["auto"]:
+        """The number of directions, or `auto`."""
+        return read_directions(self.directions)
+
+
+def build(
+    *,
+    world: World,
+    output: Annotated[
+        Path, option("-o --output", "STORE", "Folder to write; the same call resumes an interrupted one.")
+    ],
+    cell: Annotated[float, option("--cell", "METRES", "Side of the leaves' cubic cells.")],
+    box: Annotated[str | None, BOX] = None,
+    views: ViewOptions,
     cluster: Annotated[
         str | None,
         option(
-            "--cluster", "local|ADDRESS", "One process a core, or the workers of a Dask scheduler, tcp://HOST:PORT."
+            "--cluster",
+            "local|ADDRESS",
+            "local for one process per core, or the address of a Dask scheduler, tcp://HOST:PORT.",
         ),
     ] = None,
-    up: options.Up = "y",
-    scale: options.Scale = None,
-    max_bytes: options.MaxBytes = None,
-    on_invalid: options.Invalid = "raise",
+    file: FileOptions,
     as_json: options.Json = False,
 ) -> None:
     """Build the tree of a world that may be larger than memory."""
     aabb = None if box is None else read_box(box)
-    source = open_world(world, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes)
+    source = open_world(world, file.loading)
     clock = Clock()
     with _client(cluster) as client, clock.step("build"):
         tree = nf.orthoview.build(
@@ -77,20 +97,19 @@ def build(
             output,
             cell=cell,
             aabb=aabb,
-            size=size,
-            directions=read_directions(directions),
-            depth_bits=depth_bits,
-            normal_bits=normal_bits,
-            color=color,  # type: ignore[arg-type]  # checked by `build`
-            quality=quality,
-            geometry=geometry,
-            layers=layers,
+            size=views.size,
+            directions=views.count,
+            depth_bits=views.depth_bits,
+            normal_bits=views.normal_bits,
+            color=views.color,  # type: ignore[arg-type]  # checked by `build`
+            quality=views.quality,
+            geometry=views.geometry,
+            layers=views.layers,
             cluster=client,
         )
     _show(tree, as_json, source=world, seconds=clock.seconds)
 
 
-@app.command("info")
 def info(
     store: Store,
     preview: Annotated[Path | None, option("--preview", "FILE.png", "Write the views of the whole world.")] = None,
@@ -108,30 +127,26 @@ def info(
     _show(tree, as_json, **({} if preview is None else {"preview": str(preview)}))
 
 
-@app.command("update")
 def update(
+    *,
     store: Store,
     world: World,
     box: Annotated[
-        str, option("--box", "X0,Z0,X1,Z1", "Where the world has changed: least x and z, greatest, metres.")
+        str, option("--box", "X0,Z0,X1,Z1", "Box that has changed: least x and z and greatest x and z in metres.")
     ],
-    up: options.Up = "y",
-    scale: options.Scale = None,
-    max_bytes: options.MaxBytes = None,
-    on_invalid: options.Invalid = "raise",
+    file: FileOptions,
     as_json: options.Json = False,
 ) -> None:
     """Draw a part of a tree again, from the world as it is now, into a new generation of its store."""
     aabb = read_box(box)
     tree = nf.orthoview.open(store)
-    source = open_world(world, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes)
+    source = open_world(world, file.loading)
     clock = Clock()
     with clock.step("update"):
         updated = tree.update(aabb, source)
     _show(updated, as_json, source=world, seconds=clock.seconds)
 
 
-@app.command("verify")
 def verify(store: Store, as_json: options.Json = False) -> None:
     """Compare all files of a tree with the sizes and hashes that its store lists."""
     tree = nf.orthoview.open(store)
@@ -141,14 +156,13 @@ def verify(store: Store, as_json: options.Json = False) -> None:
     _show(tree, as_json, files=files, seconds=clock.seconds)
 
 
-@app.command("export")
 def export(
     store: Store,
     output: Annotated[Path, option("-o --output", "PLACE", "Folder to write; with --splats also a file .spz or .glb.")],
     splats: Annotated[
         bool, typer.Option("--splats", help="Write Gaussians for splat viewers: .spz, .glb or a folder of 3D Tiles.")
     ] = False,
-    level: Annotated[int, option("--level", "N", "Level of the cells in a file, of the finest tiles.")] = 0,
+    level: Annotated[int, option("--level", "N", "Level of the cells in a file, or of the finest tiles.")] = 0,
     box: Annotated[str | None, BOX] = None,
     light: Annotated[
         str, option("--light", "sun|none|X,Y,Z", "The light in the splats' colours: X,Y,Z points to the sun.")
@@ -192,13 +206,6 @@ def read_directions(text: str) -> int | Literal["auto"]:
     except ValueError:
         got = check.shortened(text)
         raise ValueError(f"--directions: expected 5, 9, 13, 26 or auto, got {got}") from None
-
-
-def open_world(text: str, *, up: str, on_invalid: str, scale: float | None, max_bytes: int | None) -> nf.SceneSource:
-    """Open the world given by `-i`."""
-    if text.partition(":")[0] in options.PROCEDURAL:
-        return options.procedural(text, up=up, scale=scale, max_bytes=max_bytes)
-    return nf.open_source(text, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes)
 
 
 @contextmanager

@@ -5,17 +5,13 @@ from __future__ import annotations
 import base64
 import html
 from dataclasses import dataclass
+from importlib import resources
 from pathlib import Path
+from string import Template
+from typing import Any
+from xml.etree.ElementTree import Element, SubElement, tostring
 
 from nearfar._base import formats
-
-STYLE = """
-body { font: 16px/1.5 system-ui, sans-serif; color: #222; max-width: 72rem; margin: 2rem auto; padding: 0 1rem }
-h1 { font-size: 1.6rem } h2 { font-size: 1.2rem; margin-top: 2rem } img { max-width: 100%; height: auto }
-table { border-collapse: collapse; margin: 1rem 0 } th, td { padding: .3rem .9rem; border-bottom: 1px solid #ddd }
-td + td, th + th { text-align: right; font-variant-numeric: tabular-nums } th { text-align: left; color: #555 }
-.broken { color: #b00020; font-weight: 600 } footer { margin-top: 3rem; color: #777; font-size: .9rem }
-"""
 
 BROKEN = ("not met", "not measured")
 """Last cells of table rows that are highlighted."""
@@ -45,30 +41,48 @@ class Page:
         for paragraph in self.paragraphs:
             lines += [paragraph, ""]
         lines += [line for name, caption in self.pictures for line in (f"![{caption}]({name})", "")]
-        for heading, (header, *rows) in self.tables.items():
-            lines += [f"## {heading}", "", f"| {' | '.join(header)} |", f"| --- |{' ---: |' * (len(header) - 1)}"]
-            lines += [f"| {' | '.join(row)} |" for row in rows] + [""]
+        for heading, rows in self.tables.items():
+            lines += [f"## {heading}", "", table(*rows), ""]
         return "\n".join([*lines, f"Written by {self.generator}.", ""])
 
     def html(self, folder: Path) -> str:
         """Format the report as one HTML page that embeds its pictures."""
-        title = html.escape(self.title)
-        parts = [f"<h1>{title}</h1>", *map(_paragraph, self.paragraphs)]
+        body = Element("body")
+        _add(body, "h1", self.title)
+        for paragraph in self.paragraphs:
+            _add(body, "p", paragraph, is_broken=paragraph.startswith("Note: "))
         for name, caption in self.pictures:
             data = base64.b64encode((folder / name).read_bytes()).decode("ascii")
-            parts.append(f"<h2>{caption}</h2><img alt='{caption}' src='data:image/png;base64,{data}'>")
+            _add(body, "h2", caption)
+            SubElement(body, "img", alt=caption, src=f"data:image/png;base64,{data}")
         for heading, (header, *rows) in self.tables.items():
-            head = "".join(f"<th>{html.escape(cell)}</th>" for cell in header)
-            body = "".join(
-                f"<tr{_class(row)}>{''.join(f'<td>{html.escape(c)}</td>' for c in row)}</tr>" for row in rows
-            )
-            parts.append(f"<h2>{heading}</h2><table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>")
-        parts.append(f"<footer>Written by {html.escape(self.generator)}.</footer>")
-        head = f"<meta charset='utf-8'><meta name='viewport' content='width=device-width'><title>{title}</title>"
-        return (
-            f"<!doctype html><html lang='en'><head>{head}<style>{STYLE}</style></head>"
-            f"<body>{''.join(parts)}</body></html>"
+            _add(body, "h2", heading)
+            grid = SubElement(body, "table")
+            _add_row(SubElement(grid, "thead"), "th", header)
+            lines = SubElement(grid, "tbody")
+            for row in rows:
+                _add_row(lines, "td", row)
+        _add(body, "footer", f"Written by {self.generator}.")
+        return fill(
+            "report.html", title=html.escape(self.title), body=tostring(body, encoding="unicode", method="html")
         )
+
+
+def fill(template: str, **values: Any) -> str:
+    """Return a template of this package with its $names replaced by values."""
+    text = (resources.files("nearfar") / "cli" / "templates" / template).read_text(encoding="utf-8")
+    return Template(text).substitute(values)
+
+
+def paragraphs(template: str, **values: Any) -> list[str]:
+    """Return the paragraphs of a filled template, each as one line."""
+    return [" ".join(text.split()) for text in fill(template, **values).split("\n\n")]
+
+
+def table(header: list[str], *rows: list[str]) -> str:
+    """Format a table as Markdown; all columns but the first hold numbers."""
+    lines = [header, ["---", *["---:"] * (len(header) - 1)], *rows]
+    return "\n".join(f"| {' | '.join(line)} |" for line in lines)
 
 
 def save(folder: Path, name: str, document: dict[str, object], page: Page) -> None:
@@ -77,10 +91,15 @@ def save(folder: Path, name: str, document: dict[str, object], page: Page) -> No
     page.save(folder)
 
 
-def _paragraph(text: str) -> str:
-    mark = " class='broken'" if text.startswith("Note: ") else ""
-    return f"<p{mark}>{html.escape(text)}</p>"
+def _add(parent: Element, tag: str, text: str = "", *, is_broken: bool = False) -> Element:
+    """Add an element with a text; broken ones are highlighted."""
+    child = SubElement(parent, tag, {"class": "broken"} if is_broken else {})
+    child.text = text
+    return child
 
 
-def _class(row: list[str]) -> str:
-    return " class='broken'" if row[-1] in BROKEN else ""
+def _add_row(parent: Element, tag: str, cells: list[str]) -> None:
+    """Add a row of a table with cells of this tag."""
+    row = _add(parent, "tr", is_broken=cells[-1] in BROKEN)
+    for cell in cells:
+        _add(row, tag, cell)

@@ -9,11 +9,11 @@ import typer
 
 import nearfar as nf
 from nearfar._base import check, formats
-from nearfar._reduce import default_radii
 from nearfar._reduce.default_radii import Choice
 from nearfar.cli import _options as options
 from nearfar.cli._options import option
 from nearfar.cli._output import check_target, count, metres, note_rows, radii_rows, show
+from nearfar.cli._scenes import SceneOptions, open_scene
 from nearfar.cli._viewpoint import choose
 
 VERSION = 1
@@ -35,20 +35,10 @@ ROWS = {
 
 
 def partition(
+    *,
     scene: options.Input,
-    center: options.Center = None,
-    r1: options.Inner = None,
-    r2: options.Outer = None,
-    up: options.Up = "y",
-    scale: options.Scale = None,
-    max_bytes: options.MaxBytes = None,
-    blend: options.Blend = "opaque",
-    tile_error: options.TileError = None,
-    tile_triangles: options.TileTriangles = None,
-    tile_origin: options.TileOrigin = None,
-    city_lod: options.CityLod = None,
-    city_height: options.CityHeight = None,
-    on_invalid: options.Invalid = "raise",
+    zones: options.ZoneOptions,
+    file: SceneOptions,
     output: Annotated[Path | None, option("-o --output", "FILE", "Also write the JSON document to a file.")] = None,
     max_triangles: Annotated[
         int | None, option("--max-triangles", "N", "Exit with status 1 if more than N triangles stay geometry.")
@@ -56,17 +46,13 @@ def partition(
     as_json: options.Json = False,
 ) -> None:
     """Count the triangles that stay geometry, at these radii and along the load curve."""
-    options.check_radii(r1, r2)
     if max_triangles is not None:
         check.integer("--max-triangles", max_triangles, 0, 2**63 - 1)
     if output:
         check_target(output, ".json")
-    parts = options.parts_of(tile_error, tile_triangles, tile_origin, city_lod, city_height)
-    loaded = options.open_scene(
-        scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes, blend=blend, parts=parts
-    )
-    place = choose(loaded, scene, options.read_point("--center", center))
-    document = describe(loaded, scene, place.eye, default_radii.choose(loaded, place, r1, r2))
+    loaded = open_scene(scene, file.loading)
+    place = choose(loaded, scene, zones.point)
+    document = describe(loaded, scene, place.eye, zones.choose_radii(loaded, place))
     if output:
         formats.write_json(output, document)
     rows = [

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import inspect
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -14,41 +13,30 @@ import nearfar as nf
 from nearfar._base import check, files, formats
 from nearfar._metrics.comparison import visible_difference
 from nearfar._reduce import default_radii, findings
-from nearfar.cli import _options as options, _report_page, _viewpoint
+from nearfar.cli import _options as options, _pictures, _report_page, _viewpoint
 from nearfar.cli._methods import render_all
 from nearfar.cli._options import option
 from nearfar.cli._output import Clock, bytes_text, metres, note_rows, radii_rows, show, triangles_text
 from nearfar.cli._partition import curve_points
 from nearfar.cli._render import camera
+from nearfar.cli._scenes import PARTS, SceneOptions, open_scene
 
 VERSION = 1
 
 
 def reduce(
+    *,
     scene: options.Input,
     output: options.Folder,
-    center: options.Center = None,
-    r1: options.Inner = None,
-    r2: options.Outer = None,
-    face_size: options.FaceSize = None,
+    zones: options.MapOptions,
     with_range: options.WithRange = False,
     equirectangular: Annotated[
         str | None,
         option("--equirectangular", "exr|png", "Also write the map as one picture, far-equirectangular.exr or .png."),
     ] = None,
-    size: options.Size = "960x600",
-    samples: options.Samples = 4,
+    picture: options.PictureOptions,
     backend: options.Backend = None,
-    up: options.Up = "y",
-    scale: options.Scale = None,
-    max_bytes: options.MaxBytes = None,
-    blend: options.Blend = "opaque",
-    tile_error: options.TileError = None,
-    tile_triangles: options.TileTriangles = None,
-    tile_origin: options.TileOrigin = None,
-    city_lod: options.CityLod = None,
-    city_height: options.CityHeight = None,
-    on_invalid: options.Invalid = "raise",
+    file: SceneOptions,
     as_json: options.Json = False,
 ) -> None:
     """Reduce a scene to near.glb, far.exr and reduced.json for a client, and write a report with pictures.
@@ -56,31 +44,26 @@ def reduce(
     The pictures show the truth, the conventional and the continuous method for a user beside the centre.
     `nearfar render`, `nearfar compare` and `nearfar.ReducedScene.load` read the folder.
     """
-    options.check_radii(r1, r2)
     if equirectangular is not None:
         check.choice("--equirectangular", equirectangular, ("exr", "png"))
     options.check_backend(backend)
-    clock, pixels, middle = Clock(), options.read_size("--size", size), options.read_point("--center", center)
-    parts = options.parts_of(tile_error, tile_triangles, tile_origin, city_lod, city_height)
+    clock, loading = Clock(), file.loading
     output.parent.mkdir(parents=True, exist_ok=True)
     with files.atomic_folder(output, marker="reduced.json") as folder:
         with clock.step("scene"):
-            loaded = options.open_scene(
-                scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes, blend=blend, parts=parts
-            )
+            loaded = open_scene(scene, loading)
         with clock.step("place"):
-            place = _viewpoint.choose(loaded, scene, middle)
-            radii = default_radii.choose(loaded, place, r1, r2)
+            place = _viewpoint.choose(loaded, scene, zones.point)
+            radii = zones.choose_radii(loaded, place)
             inner, outer = radii.r1, radii.r2
             stand = _viewpoint.stand(loaded, place, inner, outer)
-        view = camera(stand.user, stand.target, 90.0, pixels)
+        view = camera(stand.user, stand.target, 90.0, picture.pixels)
         with clock.step("load curve"):
             curve = nf.load_curve(loaded, center=place.eye)
-        texels = options.faces(face_size)
-        reduction = {"center": place.eye, "r1": inner, "r2": outer, "face_size": texels, "samples": samples}
-        reduction["channels"] = ("color", "range") if with_range else ("color",)
-        pictures_of: dict[str, Any] = {"samples": samples, "channels": ("color",)}
-        rendered = render_all(loaded, view, clock, pictures=pictures_of, reduction=reduction | {"backend": backend})
+        reduction = {"center": place.eye, "r1": inner, "r2": outer, "face_size": zones.texels, "backend": backend}
+        reduction |= {"samples": picture.samples, "channels": ("color", "range") if with_range else ("color",)}
+        pictures_of: dict[str, Any] = {"samples": picture.samples, "channels": ("color",)}
+        rendered = render_all(loaded, view, clock, pictures=pictures_of, reduction=reduction)
         frames, reduced = rendered.frames, rendered.reduced
         wide = default_radii.PUBLISHED * outer
         if radii.is_by_ground and wide > inner:
@@ -92,18 +75,15 @@ def reduce(
                 reduced.env.save_equirectangular(folder / f"far-equirectangular.{equirectangular}")
         with clock.step("pictures"):
             pictures = {name: frame.to_image() for name, frame in frames.items()}
-            _report_page.save_pictures(folder, pictures)
-            plotted = _report_page.save_curve(folder, curve, outer)
+            _pictures.save_pictures(folder, pictures)
+            plotted = _pictures.save_curve(folder, curve, outer)
         margin = nf.fold_margin(stand.user, center=place.eye, r1=inner, r2=outer)
         document = formats.header(
             "report", VERSION, origin=[float(value) for value in loaded.origin], color_space="sRGB"
         ) | {
             "source": scene,
-            "up": up,
-            "on_invalid": on_invalid,
-            "scale": scale,
-            "blend": blend,
-            "parts": {name: value for name, value in parts.items() if value is not None},
+            **{name: getattr(loading, name) for name in ("up", "on_invalid", "scale", "blend")},
+            "parts": {name: value for name in PARTS if (value := getattr(loading, name)) is not None},
             "unit_note": loaded.report.unit_note,
             "notes": list(loaded.report.notes),
             "triangles": int(loaded.triangle_count),
@@ -117,9 +97,9 @@ def reduce(
             "r1": inner,
             "r2": outer,
             "radii_reason": radii.reason,
-            "face_size": texels,
-            "samples": samples,
-            "size": list(pixels),
+            "face_size": zones.texels,
+            "samples": picture.samples,
+            "size": list(picture.pixels),
             "load_curve": curve_points(curve),
             "findings": [
                 *findings.of_reduction(reduced.stats, outer),
@@ -133,19 +113,8 @@ def reduce(
     show(document, _rows(document, output), title=scene, as_json=as_json)
 
 
-def demo(**settings: Any) -> None:
-    """Reduce the procedural city or another scene: `nearfar reduce` with defaults for scene and folder."""
-    reduce(**settings)
-
-
-DEFAULTS = {"scene": "city", "output": Path("out/demo")}
-"""Defaults of `demo`; all its other options are those of `reduce`."""
-_options = [
-    option.replace(default=DEFAULTS.get(name, option.default), kind=option.KEYWORD_ONLY)
-    for name, option in inspect.signature(reduce, eval_str=True).parameters.items()
-]
-demo.__signature__ = inspect.Signature(_options)  # type: ignore[attr-defined]
-demo.__annotations__ = reduce.__annotations__
+DEMO = {"scene": "city", "output": Path("out/demo")}
+"""Defaults of `nearfar demo`; all its other options are those of `nearfar reduce`."""
 
 
 def _difference(reference: NDArray[np.uint8], test: NDArray[np.uint8]) -> dict[str, float | int]:

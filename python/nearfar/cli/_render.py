@@ -4,41 +4,93 @@ from __future__ import annotations
 
 import math
 import time
+from dataclasses import asdict, dataclass
+from functools import cached_property
 from pathlib import Path
 from typing import Annotated, Any
 
 import nearfar as nf
 from nearfar._base import check, formats
-from nearfar._reduce import default_radii, findings
+from nearfar._reduce import findings
 from nearfar.cli import _headset, _options as options, _source, _viewpoint
+from nearfar.cli._groups import Options
 from nearfar.cli._methods import METHODS, morph_of
 from nearfar.cli._options import option
 from nearfar.cli._output import bytes_text, check_target, metres, note_rows, show
+from nearfar.cli._scenes import SceneOptions, is_reduced, open_scene
 
 VERSION = 1
 
 
-def render(
-    scene: options.SceneOrFolder,
-    output: Annotated[Path, option("-o --output", "FILE", "Picture to write, .png or .exr.")],
+@dataclass(frozen=True, kw_only=True)
+class ViewOptions(Options):
+    """A user's view, and the pixels of its picture."""
+
     eye: Annotated[
         str | None,
         option("--eye", "X,Y,Z", "User's eye U in metres. By default over open ground or before an object."),
-    ] = None,
+    ] = None
     target: Annotated[
         str | None,
         option(
             "--target", "X,Y,Z", "Point to look at, metres. By default the longest open view or the boundary at r2."
         ),
-    ] = None,
+    ] = None
     fov: Annotated[
         float | None, option("--fov", "DEGREES", "Horizontal field of view, 90 by default; a headset has its own.")
-    ] = None,
+    ] = None
     size: Annotated[
         str | None,
         option("--size", "WxH", "Pixels, 1280x720 by default; for a headset those of an eye, by default its own."),
-    ] = None,
-    samples: options.Samples = 4,
+    ] = None
+    samples: options.Samples = 4
+
+    def __post_init__(self) -> None:
+        options.check_angle(self.degrees)
+        super().__post_init__()
+
+    @property
+    def degrees(self) -> float:
+        """Horizontal field of view without a headset."""
+        return 90.0 if self.fov is None else self.fov
+
+    @cached_property
+    def user(self) -> options.Point | None:
+        """The eye; None for the default."""
+        return options.read_point("--eye", self.eye)
+
+    @cached_property
+    def aim(self) -> options.Point | None:
+        """The point to look at; None for the default."""
+        return options.read_point("--target", self.target)
+
+
+@dataclass(frozen=True, kw_only=True)
+class HeadsetOptions(Options):
+    """A headset and its lens."""
+
+    hmd: Annotated[
+        str | None,
+        option("--hmd", "NAME", "Render both eyes of a headset, a name or a .json file; --eye is then the head."),
+    ] = None
+    lens: Annotated[
+        str, option("--lens", "own|generic", "Lens that --hmd warps for: the headset's, if known, or a generic one.")
+    ] = "own"
+
+    def device(self, fov: float | None) -> nf.Hmd | None:
+        """Return the headset; None without one. `fov` must then be None."""
+        if self.hmd is not None:
+            return _headset.headset(self.hmd, self.lens, fov)
+        if self.lens != "own":
+            raise ValueError(f"--lens: expected it with --hmd only, got {check.shortened(self.lens)}")
+        return None
+
+
+def render(
+    *,
+    scene: options.SceneOrFolder,
+    output: Annotated[Path, option("-o --output", "FILE", "Picture to write, .png or .exr.")],
+    view: ViewOptions,
     method: Annotated[
         str | None,
         option(
@@ -47,28 +99,10 @@ def render(
             "Full scene, or a method of near-far reduction. By default truth, for a folder continuous.",
         ),
     ] = None,
-    hmd: Annotated[
-        str | None,
-        option("--hmd", "NAME", "Render both eyes of a headset, a name or a .json file; --eye is then the head."),
-    ] = None,
-    lens: Annotated[
-        str, option("--lens", "own|generic", "Lens that --hmd warps for: the headset's, if known, or a generic one.")
-    ] = "own",
-    center: options.Center = None,
-    r1: options.Inner = None,
-    r2: options.Outer = None,
-    face_size: options.FaceSize = None,
+    headset: HeadsetOptions,
+    zones: options.MapOptions,
     backend: options.Backend = None,
-    up: options.Up = "y",
-    scale: options.Scale = None,
-    max_bytes: options.MaxBytes = None,
-    blend: options.Blend = "opaque",
-    tile_error: options.TileError = None,
-    tile_triangles: options.TileTriangles = None,
-    tile_origin: options.TileOrigin = None,
-    city_lod: options.CityLod = None,
-    city_height: options.CityHeight = None,
-    on_invalid: options.Invalid = "raise",
+    file: SceneOptions,
     as_json: options.Json = False,
 ) -> None:
     """Render a scene, or a folder that `nearfar reduce` wrote, from one eye to a PNG or EXR file, or for a headset.
@@ -76,46 +110,37 @@ def render(
     For FILE.png, --hmd writes the eyes side by side there, FILE_left.png and FILE_right.png, and, warped for the
     headset's lens, FILE_left_warped.png and FILE_right_warped.png.
     """
-    options.check_radii(r1, r2)
-    device = None if hmd is None else _headset.headset(hmd, lens, fov)
-    if device is None and lens != "own":
-        raise ValueError(f"--lens: expected it with --hmd only, got {check.shortened(lens)}")
-    degrees = 90.0 if fov is None else fov
-    options.check_angle(degrees)
+    device = headset.device(view.fov)
     options.check_backend(backend)
     if method is not None and method != "truth" and method not in METHODS:
         raise ValueError(f"--method: expected truth, continuous or conventional, got {check.shortened(method)}")
-    pixels, aim = _headset.pixels_of(size, device), options.read_point("--target", target)
-    user, middle = options.read_point("--eye", eye), options.read_point("--center", center)
+    pixels, user, aim, middle = _headset.pixels_of(view.size, device), view.user, view.aim, zones.point
     targets = {"side_by_side": output} if device is None else _headset.targets_of(output, device)
     for path in targets.values():
         check_target(path, ".png", *((".exr",) if device is None else ()))
     saved = None
-    if options.is_reduced(scene):
+    if is_reduced(scene):
         if method == "truth":
             raise ValueError("--method: expected continuous or conventional with a folder, whose far geometry is gone")
-        _source.refuse("which has its own", center=center, r1=r1, r2=r2, face_size=face_size)
+        _source.refuse("which has its own", **asdict(zones))
         saved = nf.ReducedScene.load(scene)
         method = method or ("conventional" if saved.morph == "none" else "continuous")
         loaded, middle = saved.scene, saved.center
     else:
         method = method or "truth"
-        parts = options.parts_of(tile_error, tile_triangles, tile_origin, city_lod, city_height)
-        loaded = options.open_scene(
-            scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes, blend=blend, parts=parts
-        )
+        loaded = open_scene(scene, file.loading)
     stand = None
     place = _viewpoint.choose(loaded, scene, user if method == "truth" else middle)
     if method == "truth":
         seen = (place.eye, aim or place.target)
     else:
-        radii = saved or default_radii.choose(loaded, place, r1, r2)
+        radii = saved or zones.choose_radii(loaded, place)
         inner, outer = radii.r1, radii.r2
         stand = _source.view_of(scene) if saved is not None and user is None and aim is None else None
-        stand = stand or _viewpoint.stand(loaded, place, inner, outer, fov=degrees, user=user, target=aim)
+        stand = stand or _viewpoint.stand(loaded, place, inner, outer, fov=view.degrees, user=user, target=aim)
         seen = (stand.user, stand.target)
     lacks: list[str] = [] if device is None else _headset.stretching(pixels, device)
-    view = camera(*seen, degrees, pixels)
+    shot = camera(*seen, view.degrees, pixels)
     started = time.perf_counter()
     source: nf.Scene | nf.ReducedScene = loaded
     channels: tuple[str, ...] = ("color",)
@@ -128,25 +153,25 @@ def render(
                 center=place.eye,
                 r1=inner,
                 r2=outer,
-                face_size=options.faces(face_size),
+                face_size=zones.texels,
                 morph=METHODS[method],
                 backend=backend,
             )
         else:
             reduced = saved.with_morph(morph_of(method, saved))
-        margin = nf.fold_margin(view.position, center=place.eye, r1=inner, r2=outer)
+        margin = nf.fold_margin(shot.position, center=place.eye, r1=inner, r2=outer)
         lacks += findings.of_reduction(reduced.stats, outer) + findings.of_view(
             crosses=stand.crosses or saved is not None,
             fold_margin=margin if method == "continuous" else math.inf,
             r2=outer,
         )
         source = reduced
-    asked: dict[str, Any] = {"samples": samples, "channels": channels, "backend": backend}
+    asked: dict[str, Any] = {"samples": view.samples, "channels": channels, "backend": backend}
     result: nf.Frame | nf.StereoFrame
     if device is None:
-        result = nf.render(source, view, **asked)
+        result = nf.render(source, shot, **asked)
     else:
-        result = nf.render_eyes(source, device, view.position, orientation=view.orientation, size=pixels, **asked)
+        result = nf.render_eyes(source, device, shot.position, orientation=shot.orientation, size=pixels, **asked)
     seconds = time.perf_counter() - started
     _headset.save(result, targets)
     document = formats.header("render", VERSION, color_space="sRGB" if output.suffix == ".png" else "linear") | {
@@ -155,14 +180,14 @@ def render(
         "file": str(output),
         "bytes": output.stat().st_size,
         "method": method,
-        "eye": list(view.position),
+        "eye": list(shot.position),
         "findings": lacks,
         "size": list(pixels),
-        "samples": samples,
+        "samples": view.samples,
         "seconds": round(seconds, 3),
     }
     rows = [
-        ("eye" if device is None else "head", metres(view.position)),
+        ("eye" if device is None else "head", metres(shot.position)),
         ("picture", f"{pixels[0]} × {pixels[1]}, {method}" + ("" if device is None else ", for each eye")),
         *((name.replace("_", " "), str(path)) for name, path in targets.items() if path != output),
         ("file" if device is None else "side by side", f"{output}, {bytes_text(document['bytes'])}"),

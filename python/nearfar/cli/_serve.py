@@ -6,25 +6,93 @@ import signal
 import threading
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
 from nearfar._base import cache, check
-from nearfar.cli import _options as options, _rooms, _sites
+from nearfar.cli import _rooms, _sites
+from nearfar.cli._groups import Options
 from nearfar.cli._options import option
+from nearfar.cli._scenes import ServedOptions
 from nearfar.serve import _addresses, _log
 from nearfar.serve._certificate import Certificate
 from nearfar.serve._limits import Limits
 from nearfar.serve._scene import LoadedScene
 from nearfar.serve._server import Server
-from nearfar.serve._site import CACHE_BYTES, Site
+from nearfar.serve._site import Site
 
 _DEFAULT = Limits()
 
 
+@dataclass(frozen=True, kw_only=True)
+class AddressOptions(Options):
+    """Where the server listens, and its names."""
+
+    host: Annotated[
+        str, option("--host", "ADDRESS", "Address to listen at: 0.0.0.0 for all networks of this machine.")
+    ] = _addresses.LOCAL
+    port: Annotated[int, option("--port", "NUMBER", "Port to listen at; 0 for any that is free.")] = 8080
+    name: Annotated[
+        list[str] | None,
+        option(
+            "--name",
+            "HOST",
+            "Only name by which clients may call the server, such as example.org; repeat it for several. By default "
+            "localhost if only this machine can reach the server, else any name.",
+        ),
+    ] = None
+
+
+@dataclass(frozen=True, kw_only=True)
+class EncryptionOptions(Options):
+    """The server's certificate."""
+
+    certificate: Annotated[
+        str | None, option("--certificate", "FILE", "Certificate of the server in PEM, with those that signed it.")
+    ] = None
+    key: Annotated[str | None, option("--key", "FILE", "Key of the certificate, in PEM.")] = None
+    self_signed: Annotated[
+        bool,
+        typer.Option("--self-signed", help="Encrypt with a certificate made here; browsers ask before they trust it."),
+    ] = False
+
+    def choose(self, address: AddressOptions) -> Certificate | None:
+        """Return the certificate for an address; None without encryption."""
+        if self.self_signed:
+            if self.certificate is not None or self.key is not None:
+                raise ValueError("--self-signed: expected no --certificate and no --key beside it")
+            names = address.name if address.name is not None else _addresses.reached(_addresses.address(address.host))
+            return Certificate.self_signed(cache.folder() / "certificate", names)
+        if self.certificate is None and self.key is None:
+            return None
+        if self.certificate is None or self.key is None:
+            raise ValueError("--certificate: expected --certificate and --key together")
+        return Certificate(Path(self.certificate), Path(self.key))
+
+
+@dataclass(frozen=True, kw_only=True)
+class AccessOptions(Options):
+    """Who may read, and how many at the same time."""
+
+    origin: Annotated[
+        str | None,
+        option(
+            "--origin", "ORIGIN", "Origin whose pages may read the files, such as https://example.org, or * for all."
+        ),
+    ] = None
+    connections: Annotated[int, option("--connections", "NUMBER", "Connections at the same time; others wait.")] = (
+        _DEFAULT.connections
+    )
+    per_client: Annotated[int, option("--per-client", "NUMBER", "Connections of one address of another machine.")] = (
+        _DEFAULT.per_client
+    )
+
+
 def serve(
+    *,
     sources: Annotated[
         list[str],
         typer.Argument(
@@ -34,117 +102,44 @@ def serve(
             show_default=False,
         ),
     ],
-    host: Annotated[
-        str, option("--host", "ADDRESS", "Address to listen at: 0.0.0.0 for all networks of this machine.")
-    ] = _addresses.LOCAL,
-    port: Annotated[int, option("--port", "NUMBER", "Port to listen at; 0 for any that is free.")] = 8080,
-    name: Annotated[
-        list[str] | None,
-        option(
-            "--name",
-            "HOST",
-            "Name by which alone clients may call the server, such as example.org; repeat it for more. By default "
-            "localhost if only this machine reaches it, else any.",
-        ),
-    ] = None,
-    certificate: Annotated[
-        str | None, option("--certificate", "FILE", "Certificate of the server in PEM, with those that signed it.")
-    ] = None,
-    key: Annotated[str | None, option("--key", "FILE", "Key of the certificate, in PEM.")] = None,
-    self_signed: Annotated[
-        bool,
-        typer.Option("--self-signed", help="Encrypt with a certificate made here; browsers ask before they trust it."),
-    ] = False,
-    origin: Annotated[
-        str | None,
-        option("--origin", "ORIGIN", "Whose pages may read the files, such as https://example.org, or * for all."),
-    ] = None,
-    connections: Annotated[
-        int, option("--connections", "NUMBER", "Connections at the same time; others wait.")
-    ] = _DEFAULT.connections,
-    per_client: Annotated[
-        int, option("--per-client", "NUMBER", "Connections of one address of another machine.")
-    ] = _DEFAULT.per_client,
-    with_rooms: Annotated[
-        bool,
-        typer.Option("--rooms", help="Let users who name the same room see each other's heads, hands and pointers."),
-    ] = False,
-    rooms_key: _rooms.Key = None,
-    most_rooms: Annotated[
-        int | None, option("--most-rooms", "NUMBER", "Rooms at the same time; by default 64.")
-    ] = None,
-    most_users: Annotated[
-        int | None, option("--most-users", "NUMBER", "Users of a room at the same time; by default 256.")
-    ] = None,
-    no_peers: Annotated[
-        bool, typer.Option("--no-peers", help="Pages of a room take files from the server alone, not from each other.")
-    ] = False,
-    no_datagrams: Annotated[
-        bool, typer.Option("--no-datagrams", help="Users of rooms connect by WebSocket alone, not by WebTransport.")
-    ] = False,
+    address: AddressOptions,
+    encryption: EncryptionOptions,
+    access: AccessOptions,
+    meeting: _rooms.RoomOptions,
     log: Annotated[str, option("--log", "text|json|off", "Log of answers and warnings, on standard error.")] = "text",
-    grid: Annotated[
-        float, option("--grid", "METRES", "Scenes: spacing of the grid to which the centres of regions move.")
-    ] = 2.0,
-    radii: options.RingRadii = None,
-    face_size: options.FaceSize = None,
-    samples: options.Samples = 4,
-    cache_bytes: Annotated[
-        int, option("--cache-bytes", "BYTES", "Scenes: bytes of each one's regions to keep on disk; 0 for none.")
-    ] = CACHE_BYTES,
-    up: options.Up = "y",
-    scale: options.Scale = None,
-    max_bytes: options.MaxBytes = None,
-    blend: options.Blend = "opaque",
-    on_invalid: options.Invalid = "raise",
+    regions: _sites.RegionOptions,
+    file: ServedOptions,
     only_check: Annotated[
-        bool, typer.Option("--check", help="Open all that would be served, scenes too, tell it, and end.")
+        bool, typer.Option("--check", help="Open everything that would be served, also scenes, list it, and exit.")
     ] = False,
 ) -> None:
     """Serve scenes to browsers and headsets, with the page that shows them. Ctrl-C ends it."""
     check.choice("--log", log, ("text", "json", "off"))
-    limits = Limits(connections=connections, per_client=per_client)
-    used = _certificate(certificate, key, self_signed, host, name)
-    most = {"rooms": most_rooms, "users": most_users}
-    without = {"peers": no_peers, "datagrams": no_datagrams}
-    rooms = _rooms.configure_rooms(with_rooms, sources, rooms_key, most, without)
-    loading = _sites.Loading(up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes, blend=blend)
-    regions = _sites.Regions(
-        cache_bytes=check.integer("--cache-bytes", cache_bytes, 0, 1 << 62),
-        grid=grid,
-        radii=options.read_radii(radii),
-        face_size=options.faces(face_size),
-        samples=samples,
-    )
-    sites, scenes = _sites.read(sources, loading, regions)
+    limits = Limits(connections=access.connections, per_client=access.per_client)
+    certificate, rooms = encryption.choose(address), meeting.make(sources)
+    sites, scenes = _sites.read(sources, file.loading, regions)
     if log != "off" and not only_check:
         _log.begin(as_json=log == "json")
     with (
         _ended() as end,
         Server(
-            sites, host=host, port=port, names=name, certificate=used, origin=origin, limits=limits, rooms=rooms
+            sites,
+            host=address.host,
+            port=address.port,
+            names=address.name,
+            certificate=certificate,
+            origin=access.origin,
+            limits=limits,
+            rooms=rooms,
         ) as server,
     ):
         if only_check:
             _tell_what_is_there(server, sites, scenes)
             return
-        _tell(server, sources, used)
-        _rooms.tell(server.urls[0], rooms, rooms_key)
+        _tell(server, sources, certificate)
+        _rooms.tell(server.urls[0], rooms, meeting.rooms_key)
         _sites.tell_of(scenes)
         end.wait()
-
-
-def _certificate(
-    certificate: str | None, key: str | None, self_signed: bool, host: str, names: list[str] | None
-) -> Certificate | None:
-    if self_signed:
-        if certificate is not None or key is not None:
-            raise ValueError("--self-signed: expected no --certificate and no --key beside it")
-        called = names if names is not None else _addresses.reached(_addresses.address(host))
-        return Certificate.self_signed(cache.folder() / "certificate", called)
-    if (certificate is None) != (key is None):
-        raise ValueError("--certificate: expected --certificate and --key together")
-    return None if certificate is None or key is None else Certificate(Path(certificate), Path(key))
 
 
 def _tell(server: Server, sources: list[str], certificate: Certificate | None) -> None:

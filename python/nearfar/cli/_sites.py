@@ -4,45 +4,48 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
+from typing import Annotated, Any
 
 import typer
 
 import nearfar as nf
-from nearfar._base import cache
+from nearfar._base import cache, check
 from nearfar._base.remote import is_url
 from nearfar._trace.viewpoint import Viewpoint
-from nearfar.cli import _options as options
+from nearfar.cli._options import RingOptions, option
+from nearfar.cli._scenes import is_procedural, open_scene
 from nearfar.cli._viewpoint import choose
 from nearfar.serve._scene import LoadedScene
-from nearfar.serve._site import Site
+from nearfar.serve._site import CACHE_BYTES, Site
 
 
-@dataclass(frozen=True)
-class Loading:
-    """Options for loading the files of scenes."""
+@dataclass(frozen=True, kw_only=True)
+class RegionOptions(RingOptions):
+    """Regions that are made on request, and the size of their cache."""
 
-    up: str
-    on_invalid: str
-    scale: float | None
-    max_bytes: int | None
-    blend: str
+    grid: Annotated[
+        float, option("--grid", "METRES", "Spacing of the grid to which the centres of scenes' regions move.")
+    ] = 2.0
+    cache_bytes: Annotated[
+        int, option("--cache-bytes", "BYTES", "Bytes on disk for the regions of each scene; 0 keeps none.")
+    ] = CACHE_BYTES
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        check.integer("--cache-bytes", self.cache_bytes, 0, 1 << 62)
+
+    @property
+    def settings(self) -> dict[str, Any]:
+        """Arguments of `LoadedScene`."""
+        return {"grid": self.grid, "radii": self.metres, "face_size": self.texels, "samples": self.samples}
 
 
-@dataclass(frozen=True)
-class Regions:
-    """Options for making regions, and the size of their cache."""
-
-    cache_bytes: int
-    grid: float
-    radii: list[float] | None
-    face_size: int
-    samples: int
-
-
-def read(sources: Sequence[str], loading: Loading, regions: Regions) -> tuple[dict[str, Site], list[LoadedScene]]:
+def read(
+    sources: Sequence[str], loading: nf.LoadOptions, regions: RegionOptions
+) -> tuple[dict[str, Site], list[LoadedScene]]:
     """Return sites by name, with an empty name for a single one, and the scenes that are being loaded."""
     named = [_split_source(source) for source in sources]
     names = [name for name, _ in named]
@@ -84,25 +87,22 @@ def _split_source(source: str) -> tuple[str, str]:
     name, sign, path = source.partition("=")
     if sign and not {"/", ":"} & set(name) and not Path(source).exists():
         return name, path
-    procedural, _, _ = source.partition(":")
-    return procedural if procedural in options.PROCEDURAL else Path(source.rstrip("/")).absolute().stem, source
+    return source.partition(":")[0] if is_procedural(source) else Path(source.rstrip("/")).absolute().stem, source
 
 
 def _is_folder(text: str) -> bool:
     return is_url(text) or Path(text).is_dir() or Path(text).suffix.lower() == ".json"
 
 
-def _scene(text: str, loading: Loading, regions: Regions) -> LoadedScene:
-    settings = {name: value for name, value in asdict(regions).items() if name != "cache_bytes"}
+def _scene(text: str, loading: nf.LoadOptions, regions: RegionOptions) -> LoadedScene:
     start = partial(_start, text)
-    procedural, _, _ = text.partition(":")
-    if procedural not in options.PROCEDURAL:
+    if not is_procedural(text):
         # Report a missing file now, and not at a client's first request.
         Path(text).stat()
-        return LoadedScene.of_file(text, start=start, **asdict(loading), **settings)
-    load = partial(options.open_scene, text, **asdict(loading))
+        return LoadedScene.of_file(text, loading, start=start, **regions.settings)
+    load = partial(open_scene, text, loading)
     source = cache.key("procedural", nf.__version__, text)
-    return LoadedScene(load, title=text, source=source, start=start, **settings)
+    return LoadedScene(load, title=text, source=source, start=start, **regions.settings)
 
 
 def _start(text: str, scene: nf.Scene) -> Viewpoint:

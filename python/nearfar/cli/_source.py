@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import nearfar as nf
 from nearfar._base import check, formats
-from nearfar.cli import _options as options
+from nearfar.cli._scenes import PARTS, open_scene
 from nearfar.cli._viewpoint import Stand
 
 
@@ -41,44 +41,29 @@ def view_of(folder: str) -> Stand | None:
     return Stand(user, target, True) if user != target else None
 
 
-def open_truth(
-    folder: str,
-    truth: str | None,
-    *,
-    up: str,
-    on_invalid: str,
-    scale: float | None,
-    max_bytes: int | None = None,
-    blend: str = "opaque",
-    parts: Mapping[str, Any] = options.WHOLE,
-) -> tuple[str, nf.Scene]:
+def open_truth(folder: str, truth: str | None, loading: nf.LoadOptions) -> tuple[str, nf.Scene]:
     """Open the original scene of a folder, from `truth` or its report; also return its name."""
     if truth is not None:
-        return truth, options.open_scene(
-            truth, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes, blend=blend, parts=parts
-        )
+        return truth, open_scene(truth, loading)
     report = report_of(folder)
     source = report.get("source")
     if not isinstance(source, str):
         raise ValueError(f"--truth: expected the scene that {folder} was made from, which no report.json names there")
     try:
-        stated = report.get("scale", scale)
-        loaded = options.open_scene(
-            source,
-            up=str(report.get("up", up)),
-            on_invalid=str(report.get("on_invalid", on_invalid)),
-            scale=stated if isinstance(stated, float) else scale,
-            max_bytes=max_bytes,
-            blend=str(report.get("blend", blend)),
-            parts=_parts_of(report) | {name: value for name, value in parts.items() if value is not None},
-        )
+        stated = _stated(report, loading)
+    except (TypeError, ValueError) as error:
+        raise ValueError(f"{folder}/report.json: {error}") from None
+    try:
+        return source, open_scene(source, stated)
     except FileNotFoundError:
         raise ValueError(f"--truth: expected the scene that {folder} was made from; {source} is not there") from None
-    return source, loaded
 
 
-def _parts_of(report: dict[str, Any]) -> dict[str, Any]:
-    """Return the selected part of a tileset or a city from a report."""
-    stated = report.get("parts")
-    known = stated if isinstance(stated, dict) else {}
-    return {name: known.get(name) for name in options.WHOLE}
+def _stated(report: dict[str, Any], loading: nf.LoadOptions) -> nf.LoadOptions:
+    """Return options with those that a report states; options given for a part of a tileset or a city stay."""
+    parts = report.get("parts")
+    stated = {name: report.get(name) for name in ("up", "scale", "on_invalid", "blend")}
+    if isinstance(parts, dict):
+        stated |= {name: parts.get(name) for name in PARTS if getattr(loading, name) is None}
+    known: dict[str, Any] = {name: value for name, value in stated.items() if value is not None}
+    return replace(loading, **known)

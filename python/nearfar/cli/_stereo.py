@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import math
 import time
+from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -10,128 +13,159 @@ import typer
 
 import nearfar as nf
 from nearfar._base import check, files, formats
-from nearfar.cli import _headset, _options as options, _page, _source, _stereo_page, _viewpoint
+from nearfar.cli import _headset, _options as options, _page, _pictures, _source, _stereo_page, _viewpoint
+from nearfar.cli._groups import Options
 from nearfar.cli._options import option
 from nearfar.cli._output import Clock, count, metres, note_rows, show
+from nearfar.cli._scenes import SceneOptions, is_reduced, open_scene
+from nearfar.stereo._differences import EyeDifference, compare_eye
 
 VERSION = 1
 NEAR = 0.1
 """Near plane, metres."""
 
 
-def stereo(
-    scene: options.SceneOrFolder,
-    output: options.Folder,
-    hmd: Annotated[str, option("--hmd", "NAME", "Headset, a name or a .json file.")] = "VIVE",
+@dataclass(frozen=True, kw_only=True)
+class RigOptions(Options):
+    """A headset and its mono plane."""
+
+    hmd: Annotated[str, option("--hmd", "NAME", "Headset, a name or a .json file.")] = "VIVE"
     mono_plane: Annotated[
         float | None,
         option("--mono-plane", "METRES", "Distance from which on both eyes share a picture. By default 8."),
-    ] = None,
+    ] = None
     max_error: Annotated[
         float | None,
-        option("--max-error", "PIXELS", "Instead of --mono-plane: the nearest plane with this error at most."),
-    ] = None,
+        option(
+            "--max-error",
+            "PIXELS",
+            "Greatest error of the shared picture; chooses the nearest mono plane within it, instead of --mono-plane.",
+        ),
+    ] = None
     zone_end: Annotated[
         float | None,
         option("--zone-end", "METRES", "Bend lines smoothly from the mono plane to here, instead of at the plane."),
-    ] = None,
+    ] = None
+
+    def make(self, device: nf.Hmd, size: tuple[int, int]) -> nf.stereo.HybridRig:
+        """Return the rig of a headset with eyes of this size."""
+        plane = _plane(device, size, self.mono_plane, self.max_error)
+        rig = nf.stereo.HybridRig.of(device, mono_plane=plane, size=size)
+        return rig if self.zone_end is None else _with_zone(rig, self.zone_end)
+
+
+@dataclass(frozen=True, kw_only=True)
+class ViewOptions(Options):
+    """Place and direction of the head, and the pixels of its pictures."""
+
     eye: Annotated[
         str | None, option("--eye", "X,Y,Z", "Head in metres. By default over open ground or before an object.")
-    ] = None,
+    ] = None
     target: Annotated[
         str | None, option("--target", "X,Y,Z", "Point to look at, metres. By default the longest open view.")
-    ] = None,
-    size: Annotated[str | None, option("--size", "WxH", "Pixels of an eye. By default the headset's.")] = None,
-    samples: options.Samples = 1,
+    ] = None
+    size: Annotated[str | None, option("--size", "WxH", "Pixels of an eye. By default the headset's.")] = None
+    samples: options.Samples = 1
+
+    @cached_property
+    def head(self) -> options.Point | None:
+        """The head; None for the default."""
+        return options.read_point("--eye", self.eye)
+
+    @cached_property
+    def aim(self) -> options.Point | None:
+        """The point to look at; None for the default."""
+        return options.read_point("--target", self.target)
+
+
+def stereo(
+    *,
+    scene: options.SceneOrFolder,
+    output: options.Folder,
+    rig: RigOptions,
+    view: ViewOptions,
     assembly: Annotated[
-        str, option("--assembly", "bilinear|resolved", "How eyes look the shared picture up.")
+        str, option("--assembly", "bilinear|resolved", "How each eye reads the shared picture.")
     ] = "bilinear",
     cull: Annotated[
-        str, option("--cull", "frustum|discard|occlusion", "What of the shared picture is left out.")
+        str, option("--cull", "frustum|discard|occlusion", "Which parts of the shared picture are not drawn.")
     ] = "occlusion",
     backend: options.Backend = None,
-    up: options.Up = "y",
-    scale: options.Scale = None,
-    max_bytes: options.MaxBytes = None,
-    blend: options.Blend = "opaque",
-    tile_error: options.TileError = None,
-    tile_triangles: options.TileTriangles = None,
-    tile_origin: options.TileOrigin = None,
-    city_lod: options.CityLod = None,
-    city_height: options.CityHeight = None,
-    on_invalid: options.Invalid = "raise",
+    file: SceneOptions,
     as_json: options.Json = False,
 ) -> None:
     """Render near geometry for each eye of a headset and all else once, and compare with plain stereo."""
     options.check_backend(backend)
     check.choice("--assembly", assembly, ("bilinear", "resolved"))
     check.choice("--cull", cull, ("frustum", "discard", "occlusion"))
-    device = options.headset(hmd)
-    pixels, head = _headset.pixels_of(size, device), options.read_point("--eye", eye)
-    aim, clock = options.read_point("--target", target), Clock()
-    rig = nf.stereo.HybridRig.of(device, mono_plane=_plane(device, pixels, mono_plane, max_error), size=pixels)
-    if zone_end is not None:
-        rig = _with_zone(rig, zone_end)
+    device, clock, head, aim = options.headset(rig.hmd), Clock(), view.head, view.aim
+    pixels = _headset.pixels_of(view.size, device)
+    made = rig.make(device, pixels)
     output.parent.mkdir(parents=True, exist_ok=True)
-    parts = options.parts_of(tile_error, tile_triangles, tile_origin, city_lod, city_height)
     with files.atomic_folder(output, marker="stereo.json") as folder:
         with clock.step("scene"):
             source: nf.Scene | nf.ReducedScene
-            if options.is_reduced(scene):
+            if is_reduced(scene):
                 source = nf.ReducedScene.load(scene)
                 loaded, head = source.scene, head or source.center
             else:
-                source = loaded = options.open_scene(
-                    scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes, blend=blend, parts=parts
-                )
+                source = loaded = open_scene(scene, file.loading)
             place = _viewpoint.choose(loaded, scene, head)
-            stand = _source.view_of(scene) if options.is_reduced(scene) and eye is None and target is None else None
+            stand = _source.view_of(scene) if is_reduced(scene) and (view.head, aim) == (None, None) else None
         where, towards = (place.eye, aim or place.target) if stand is None else (stand.user, stand.target)
-        way = nf.Camera.look_at(where, towards, fov=rig.center_fov, size=(1, 1)).orientation
-        settings: dict[str, Any] = {"samples": samples, "channels": ("color",), "backend": backend}
+        way = nf.Camera.look_at(where, towards, fov=made.center_fov, size=(1, 1)).orientation
+        settings: dict[str, Any] = {"samples": view.samples, "channels": ("color",), "backend": backend}
         # The first picture builds the scene's trees, which both methods need; it is not timed.
-        nf.render(source, nf.Camera(where, way, fov=rig.center_fov, size=(8, 8)), channels=("color",), backend=backend)
+        nf.render(source, nf.Camera(where, way, fov=made.center_fov, size=(8, 8)), channels=("color",), backend=backend)
         hybrid, hybrid_seconds = _timed(
-            lambda: rig.render(source, where, way, assembly=assembly, cull=cull, near=NEAR, **settings)
+            lambda: made.render(source, where, way, assembly=assembly, cull=cull, near=NEAR, **settings)
         )
-        ahead = rig.clip(where, way, near=NEAR)
+        ahead = made.clip(where, way, near=NEAR)
         plain, plain_seconds = _timed(
             lambda: nf.render_eyes(source, device, where, orientation=way, size=pixels, clip=ahead, **settings)
         )
         with clock.step("measures"):
-            compared = {side: _stereo_page.compare(getattr(plain, side), getattr(hybrid, side)) for side in SIDES}
+            compared = {side: compare_eye(getattr(plain, side), getattr(hybrid, side)) for side in SIDES}
         with clock.step("pictures"):
-            plotted = _stereo_page.save_pictures(folder, hybrid, plain, compared, rig)
+            plotted = _pictures.save_eyes(folder, hybrid, plain, compared, made)
         clock.seconds |= {"hybrid": round(hybrid_seconds, 3), "plain": round(plain_seconds, 3)}
-        counted = rig.triangles(source, where, way, near=NEAR) if isinstance(source, nf.Scene) else None
+        counted = made.triangles(source, where, way, near=NEAR) if isinstance(source, nf.Scene) else None
         document = formats.header("stereo", VERSION, color_space="sRGB") | {
             "source": scene,
             "notes": list(loaded.report.notes),
-            "findings": _findings(source, rig, hybrid, counted),
+            "findings": _findings(source, made, hybrid, counted),
             "hmd": device.name,
             "head": list(where),
             "target": list(towards),
             "size": list(pixels),
-            "samples": samples,
-            "mono_plane": rig.planes[0],
-            "zone_end": rig.planes[1] if rig.has_zone else None,
+            "samples": view.samples,
+            "mono_plane": made.planes[0],
+            "zone_end": made.planes[1] if made.has_zone else None,
             "assembly": assembly,
             "cull": cull,
-            "error": {name: round(rig.max_error(axis=name), 4) for name in ("horizontal", "vertical", "both")},
-            "eyes": {side: compared[side].document for side in SIDES},
+            "error": {name: round(made.max_error(axis=name), 4) for name in ("horizontal", "vertical", "both")},
+            "eyes": {side: _measures(compared[side]) for side in SIDES},
             "pixels": dict(hybrid.stats["pixels"]),
             "triangles": counted,
             "stages": {name: round(seconds, 4) for name, seconds in hybrid.stats["seconds"].items()},
             "seconds": clock.seconds,
             "files": sorted([path.name for path in folder.iterdir()] + ["stereo.json", "report.html", "report.md"]),
         }
-        _page.save(folder, "stereo.json", document, _stereo_page.page(document, rig))
+        _page.save(folder, "stereo.json", document, _stereo_page.page(document, made))
     if not plotted:
         typer.echo("nearfar: left plots out, because matplotlib is not installed", err=True)
     show(document, _rows(document, output), title=scene, as_json=as_json)
 
 
 SIDES = ("left", "right")
+
+
+def _measures(difference: EyeDifference) -> dict[str, float | None]:
+    """Return rounded measures for the report; None for an infinite one."""
+    return {
+        "ssim": round(difference.ssim, 6),
+        "psnr": round(difference.psnr, 4) if math.isfinite(difference.psnr) else None,
+    }
 
 
 def _plane(device: nf.Hmd, size: tuple[int, int], mono_plane: float | None, max_error: float | None) -> float:

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Any
+from dataclasses import dataclass, fields
+from functools import cached_property
+from typing import Annotated, Any
 
 from nearfar._base import check
+from nearfar.cli._groups import Options
+from nearfar.cli._options import option
 
 BROKEN = 3
 """Exit status of a comparison with an unmet or unchecked threshold; 1 is an error, 2 a wrong command line."""
@@ -52,10 +55,34 @@ class Threshold:
         }
 
 
-def thresholds(**limits: float | None) -> list[Threshold]:
-    """Make thresholds from options, given by name with underscores; None means absent."""
-    named = {f"--{name.replace('_', '-')}": limit for name, limit in limits.items()}
-    return [Threshold(option, check.number(option, limit)) for option, limit in named.items() if limit is not None]
+@dataclass(frozen=True, kw_only=True)
+class LimitOptions(Options):
+    """Limits of the measures."""
+
+    min_psnr: Annotated[float | None, option("--min-psnr", "DB", "Least PSNR in decibels; exit status 3 below it.")] = (
+        None
+    )
+    min_ssim: Annotated[float | None, option("--min-ssim", "VALUE", "Least SSIM; exit status 3 below it.")] = None
+    max_tear: Annotated[
+        float | None, option("--max-tear", "PIXELS", "Greatest mean tear along the boundary; exit status 3 above it.")
+    ] = None
+    max_discontinuity: Annotated[
+        float | None, option("--max-discontinuity", "VALUE", "Greatest mean discontinuity; exit status 3 above it.")
+    ] = None
+    max_boundary_discontinuity: Annotated[
+        float | None,
+        option(
+            "--max-boundary-discontinuity",
+            "VALUE",
+            "Greatest mean discontinuity along the boundary; exit status 3 above it.",
+        ),
+    ] = None
+
+    @cached_property
+    def thresholds(self) -> list[Threshold]:
+        """The given limits."""
+        limits = {f"--{field.name.replace('_', '-')}": getattr(self, field.name) for field in fields(self)}
+        return [Threshold(name, check.number(name, limit)) for name, limit in limits.items() if limit is not None]
 
 
 def sentence(checked: dict[str, Any]) -> str:

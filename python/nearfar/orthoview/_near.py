@@ -14,6 +14,7 @@ from nearfar._scene.content import assemble
 from nearfar._scene.gltf.document import read as read_gltf
 from nearfar._scene.joined import join_scenes
 from nearfar._scene.materials import Materials
+from nearfar._scene.options import LoadOptions
 from nearfar._scene.scene import Scene
 from nearfar.orthoview._chunks import Chunks
 from nearfar.orthoview._geometry_store import FOLDER, IMAGES, names
@@ -110,7 +111,7 @@ class Near:
         label = f"{self._place}/{name}"
         with formats.guarded(label):
             content = read_gltf(label, data, "glb", _Images(self), Materials(budget), budget)
-        return Scene._from_assembled(assemble(content, up="y", on_invalid="raise", origin=self.origin))
+        return Scene._from_assembled(assemble(content, LoadOptions(), origin=self.origin))
 
     def image(self, name: str) -> bytes:
         """Bytes of a texture."""

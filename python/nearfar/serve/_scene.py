@@ -13,6 +13,7 @@ from typing import Any, TypeVar
 
 from nearfar._base import background, cache, check, formats, progress
 from nearfar._scene.builder import SceneBuilder
+from nearfar._scene.options import LoadOptions
 from nearfar._scene.scene import Scene
 from nearfar._trace import viewpoint
 from nearfar._trace.viewpoint import Viewpoint
@@ -71,18 +72,13 @@ class LoadedScene:
     def of_file(
         cls,
         path: str | os.PathLike[str],
-        *,
-        up: str = "y",
-        on_invalid: str = "raise",
-        scale: float | None = None,
-        max_bytes: int | None = None,
-        blend: str = "opaque",
+        options: LoadOptions | None = None,
         **settings: Any,
     ) -> LoadedScene:
-        """Load a file as `nearfar.Scene.load` does; other arguments as for the class."""
-        place = check.path("path", path)
-        load = partial(Scene.load, place, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes, blend=blend)
-        source = _sources.key(place, {"up": up, "on_invalid": on_invalid, "scale": scale, "blend": blend})
+        """Load a file as `nearfar.Scene.load` does; `settings` are those of the class."""
+        place, how = check.path("path", path), options or LoadOptions()
+        load = partial(Scene.load, place, how)
+        source = _sources.key(place, {name: getattr(how, name) for name in ("up", "on_invalid", "scale", "blend")})
         return cls(load, **{"title": place.name, "source": source, **settings})
 
     @classmethod

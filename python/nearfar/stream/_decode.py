@@ -17,6 +17,7 @@ from nearfar._base import check
 from nearfar._base.errors import FormatError, SceneError
 from nearfar._scene.assembly import Assembled
 from nearfar._scene.names import Names, distinct
+from nearfar._scene.options import LoadOptions
 from nearfar._scene.scene import Scene
 from nearfar._scene.serialize import empty_core
 from nearfar.stream import _map_files as codec
@@ -145,7 +146,7 @@ def assembled(name: str, parts: Sequence[str], read: Read, place: str, *, moves:
         for part, path in paths.items():
             path.write_bytes(read(part))
         try:
-            return load.load(paths[name], moves=moves)
+            return load.load(paths[name], LoadOptions(), moves=moves)
         except SceneError as error:
             raise FormatError(str(error).replace(str(paths[name]), place)) from None
 

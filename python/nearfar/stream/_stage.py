@@ -1,4 +1,4 @@
-"""Picture that the page shows over time; a port of `web/src/show/stage.ts` and `growth.ts`."""
+"""Picture that the page shows over time; a port of `web/src/show/stage.ts`."""
 
 from __future__ import annotations
 

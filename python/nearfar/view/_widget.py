@@ -5,6 +5,7 @@ Files are sent to the browser in messages, because Python may run on another mac
 
 from __future__ import annotations
 
+import json
 from collections.abc import Mapping
 from functools import cache
 from importlib import resources
@@ -34,8 +35,15 @@ MIN_SIDE, MAX_SIDE = 16, 8192
 
 
 @cache
+def _script() -> str:
+    """Return the widget's script: its loader, and in front of it the page's scripts that it imports, as texts."""
+    names = json.loads(_built("widget/scripts.json"))
+    scripts = [(name.rpartition("/")[2], _built(name)) for name in names]
+    return f"const SCRIPTS = {json.dumps(scripts)};\n{_built('widget/loader.js')}"
+
+
 def _built(name: str) -> str:
-    return (resources.files("nearfar.view") / "dist" / "widget" / name).read_text(encoding="utf-8")
+    return (resources.files("nearfar.view") / "dist" / name).read_text(encoding="utf-8")
 
 
 class Widget(anywidget.AnyWidget):  # type: ignore[misc, unused-ignore]
@@ -71,7 +79,7 @@ class Widget(anywidget.AnyWidget):  # type: ignore[misc, unused-ignore]
         self._shown = shown
         self._files = _files(shown)
         self._last: tuple[str, bytes] | None = None
-        self._esm, self._css = _built("widget.js"), _built("widget.css")
+        self._esm, self._css = _script(), _built("widget/widget.css")
         super().__init__(**start._asdict())
         for name, value in (("width", width), ("height", height), ("strategy", strategy), ("region", _number(shown))):
             self.set_trait(name, value)

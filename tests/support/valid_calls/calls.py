@@ -24,10 +24,15 @@ NAMES = sorted({*CALLABLES, *(name for name in OWN if not name.endswith("."))})
 """Names of all calls."""
 
 PASSED_ON = {
-    "Walk.render": "ReducedScene.render", "lod.measure": "lod.MeasureSettings",
-    "orthoview.build": "orthoview.ViewSettings", "orthoview.simulate": "orthoview.FlightSettings",
-    "stream.export": "stream.ExportSettings", "stream.simulate": "stream.ClientSettings",
-}  # fmt: skip
+    "Scene.load": "LoadOptions",
+    "Walk.render": "ReducedScene.render",
+    "lod.measure": "lod.MeasureSettings",
+    "open_source": "LoadOptions",
+    "orthoview.build": "orthoview.ViewSettings",
+    "orthoview.simulate": "orthoview.FlightSettings",
+    "stream.export": "stream.ExportSettings",
+    "stream.simulate": "stream.ClientSettings",
+}
 """Callables to which others pass all keywords that they do not name."""
 
 NEEDS = {

@@ -1,4 +1,5 @@
-/** File names of parts of a bundle. */
+/** Parts of a bundle: file names, regions whose rings arrive over time, and bundles with other or fewer rings. */
+import { BundleError } from './error';
 import type { GroupEntry, Manifest, MapEntry, RegionEntry, RingEntry } from './manifest';
 
 export function filesOfGeometry({ geometry, parts }: Pick<GroupEntry, 'geometry' | 'parts'>): string[] {
@@ -23,4 +24,54 @@ export function bytesOf({ files }: Manifest, names: Iterable<string>): number {
   let sum = 0;
   for (const name of names) sum += files[name]?.bytes ?? 0;
   return sum;
+}
+
+export interface ArrivingRegion {
+  /** Manifest of the region's bundle; lists files once they can be fetched. */
+  readonly manifest: Manifest;
+  /** Rings that have not arrived have neither geometry nor map. */
+  readonly entry: RegionEntry;
+  /** Resolves a ring once its files can be fetched. */
+  ring(number: number): RingEntry | Promise<RingEntry>;
+}
+
+/** A region of a bundle that is complete. */
+export function completeRegion(manifest: Manifest, number: number): ArrivingRegion {
+  const entry = manifest.regions[number];
+  if (!entry) throw new Error(`there is no region ${number}`);
+  return {
+    manifest,
+    entry,
+    ring(order) {
+      const ring = entry.rings[order];
+      if (!ring) throw new Error(`region ${number} has no ring ${order}`);
+      return ring;
+    },
+  };
+}
+
+/** Bundle whose rings are portions of objects by footprint; the last ring has only the map. */
+export function orderByFootprint(manifest: Manifest): Manifest {
+  return { ...manifest, regions: manifest.regions.map(portionsOf) };
+}
+
+function portionsOf(region: RegionEntry, number: number): RegionEntry {
+  const { by_footprint: other, rings } = region;
+  if (!other) {
+    const place = `manifest.json: regions[${number}].by_footprint`;
+    throw new BundleError(`${place}: expected objects by footprint, got none: export the scene with by_footprint=True`, 'address');
+  }
+  // All portions are shown with the last ring's morph.
+  const radius = rings[rings.length - 1]?.radius ?? 0;
+  const none = { objects: 0, triangles: 0, geometry: null, parts: [] };
+  const portions = other.portions.map((portion): RingEntry => ({ ...portion, radius, map: null }));
+  return { ...region, rings: [{ ...none, radius: 0, map: null }, ...portions, { ...none, radius, map: other.map }] };
+}
+
+/** Bundle up to a ring, whose number is given as text; the whole bundle for null. */
+export function firstRings(last: string | null, manifest: Manifest): Manifest {
+  if (last === null) return manifest;
+  if (!/^\d{1,4}$/.test(last)) throw new BundleError(`rings: expected the number of a ring, got ${last}`, 'address');
+  const count = Number(last) + 1;
+  return { ...manifest, regions: manifest.regions.map((region) => ({ ...region, rings: region.rings.slice(0, count) })) };
 }

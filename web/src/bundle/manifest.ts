@@ -6,7 +6,7 @@ export type Point = readonly [number, number, number];
 export type MorphKind = 'blend' | 'cylinder';
 
 /** Size and hash of a file of the bundle. */
-export interface Described {
+export interface FileEntry {
   readonly bytes: number;
   readonly sha256: string;
 }
@@ -97,5 +97,5 @@ export interface Manifest {
     readonly instances: readonly MovingEntry[];
   } | null;
   readonly notes: readonly string[];
-  readonly files: Readonly<Record<string, Described>>;
+  readonly files: Readonly<Record<string, FileEntry>>;
 }

@@ -3,7 +3,7 @@ import { choice, type Fields, fileName, hash, integer, list, number, object, opt
 import { filesOfGeometry, filesOfMap, filesOfRing } from './contents';
 import { BundleError } from './error';
 import type {
-  Described,
+  FileEntry,
   FootprintEntry,
   GroupEntry,
   Manifest,
@@ -90,7 +90,7 @@ export function readManifest(parsed: unknown, readRing: ReadRing = ring): Manife
 }
 
 /** Files that a document lists. */
-export function readFiles(files: Fields): Record<string, Described> {
+export function readFiles(files: Fields): Record<string, FileEntry> {
   return Object.fromEntries(
     Object.entries(files).map(([name, value]) => [fileName('files', name), parseFileEntry(name, value)]),
   );
@@ -101,7 +101,7 @@ export function tilesOf({ face_size: face, tile }: MapLayout): number {
   return FACES * (face / tile) ** 2;
 }
 
-function parseFileEntry(place: string, value: unknown): Described {
+function parseFileEntry(place: string, value: unknown): FileEntry {
   const entry = object(place, value);
   return {
     bytes: integer(`${place}.bytes`, entry['bytes'], 0, MAX_BYTES),

@@ -1,13 +1,12 @@
 /** Fetches the files of a bundle, one request per file, with retries after stalled or broken transfers. */
+import { messageOf } from '../base/errors';
 import { BundleError } from './error';
-import type { Described, Manifest } from './manifest';
-import { parseManifest } from './parse';
-import { createShared } from './share';
-import { createSlots } from './slots';
-import { type Network, NETWORK, transfer } from './transfer';
+import type { FileEntry, Manifest } from './manifest';
+import { createShared, createSlots } from './requests';
+import { NETWORK, type Network, transfer } from './transfer';
 
 /** Pauses before each retry of a transfer, seconds. */
-const PAUSES = [0.5, 1, 2, 4] as const;
+export const PAUSES = [0.5, 1, 2, 4] as const;
 /** Greatest number of concurrent transfers. */
 const AT_ONCE = 6;
 /** Name of the document that a page loads first. */
@@ -36,9 +35,9 @@ export interface Files {
   /** Reports a damaged file, so that the next fetch bypasses the browser's cache. */
   readonly distrust: (name: string) => void;
   /** Manifest entry of a file; undefined for unlisted files. */
-  readonly described: (name: string) => Described | undefined;
+  readonly described: (name: string) => FileEntry | undefined;
   /** Sets another way to fetch files; null for the server only. */
-  readonly goBy: (way: Way | null) => void;
+  readonly setRoute: (way: Way | null) => void;
 }
 
 export interface Source extends Pick<Files, 'fetch' | 'distrust'> {
@@ -52,11 +51,25 @@ export async function readDocument(
   signal: AbortSignal,
   network: Network = NETWORK,
 ): Promise<string> {
-  const limits = { name: DOCUMENT, bytes: null, most: MAX_MANIFEST };
-  const content = await withTrials(DOCUMENT, signal, network, (again) =>
-    transfer(new URL(DOCUMENT, base), limits, received, signal, again, network),
+  const limits = { name: DOCUMENT, bytes: null, maxBytes: MAX_MANIFEST };
+  const content = await withRetries(DOCUMENT, signal, network, (isRetry) =>
+    transfer(new URL(DOCUMENT, base), limits, received, signal, isRetry, network),
   );
   return new TextDecoder().decode(content);
+}
+
+/** Fetches listed files by `load`, at most `atOnce` of them at a time; others are refused. */
+export function serveListed(
+  described: Files['described'],
+  atOnce: number,
+  load: (name: string, bytes: number, signal: AbortSignal, received: Received) => Promise<ArrayBuffer>,
+): Serve {
+  const slots = createSlots(atOnce);
+  return async (name, signal, received) => {
+    const bytes = described(name)?.bytes;
+    if (bytes === undefined) throw new BundleError(`${name}: the manifest does not list this file`);
+    return slots(signal, () => load(name, bytes, signal, received));
+  };
 }
 
 /** Fetches files below a base URL that a manifest lists; `received` gets the bytes of all files. */
@@ -67,51 +80,35 @@ export function createFiles(
   network: Network = NETWORK,
 ): Files {
   const distrusted = new Set<string>();
-  const slots = createSlots(AT_ONCE);
   let way: Way | null = null;
 
-  const serve: Serve = async (name, own, told) => {
-    const bytes = described(name)?.bytes;
-    if (bytes === undefined) throw new BundleError(`${name}: the manifest does not list this file`);
-    return slots(own, () =>
-      withTrials(name, own, network, (again) => {
-        const isRenewed = distrusted.delete(name) || again;
-        return transfer(new URL(name, base), { name, bytes, most: bytes }, told, own, isRenewed, network);
-      }),
-    );
-  };
+  const serve = serveListed(described, AT_ONCE, (name, bytes, own, onBytes) =>
+    withRetries(name, own, network, (isRetry) => {
+      const isRenewed = distrusted.delete(name) || isRetry;
+      return transfer(new URL(name, base), { name, bytes, maxBytes: bytes }, onBytes, own, isRenewed, network);
+    }),
+  );
 
-  const shared = createShared((name, own, told) => {
+  const shared = createShared((name, own, onBytes) => {
     const both: Received = (more) => {
       received(more);
-      told(more);
+      onBytes(more);
     };
     return way ? way(name, own, both, serve) : serve(name, own, both);
   });
   return {
-    fetch: (name, own, told = () => undefined) => shared(name, own, told),
+    fetch: (name, own, onBytes = () => undefined) => shared(name, own, onBytes),
     distrust: (name) => distrusted.add(name),
     described,
-    goBy: (next) => (way = next),
+    setRoute: (next) => (way = next),
   };
 }
 
-/** Opens a bundle from a base URL of its manifest; `received` gets the bytes of all files. */
-export async function openSource(
-  base: URL,
-  received: Received,
-  signal: AbortSignal,
-  network: Network = NETWORK,
-): Promise<Source> {
-  const manifest = parseManifest(await readDocument(base, received, signal, network));
-  return { manifest, ...createFiles(base, (name) => manifest.files[name], received, network) };
-}
-
-export async function withTrials<T>(
+async function withRetries<T>(
   name: string,
   signal: AbortSignal,
   network: Network,
-  trial: (again: boolean) => Promise<T>,
+  trial: (isRetry: boolean) => Promise<T>,
 ): Promise<T> {
   for (let number = 0; ; number++) {
     signal.throwIfAborted();
@@ -121,8 +118,8 @@ export async function withTrials<T>(
       // A definite response of the server does not change on retry.
       if (signal.aborted || error instanceof BundleError) throw error;
       const pause = PAUSES[number];
-      const reason = error instanceof Error ? error.message : String(error);
-      if (pause === undefined) throw new BundleError(`${name} does not come: ${reason}`, 'network');
+      const reason = messageOf(error);
+      if (pause === undefined) throw new BundleError(`${name} cannot be loaded: ${reason}`, 'network');
       await network.wait(pause, signal);
     }
   }

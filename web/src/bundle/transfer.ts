@@ -1,4 +1,6 @@
 /** A single transfer of a file, aborted when the server sends nothing for a while. */
+import { chunksOf } from '../base/bytes';
+import { abortable } from '../base/errors';
 import { BundleError } from './error';
 
 /** Seconds without a byte before a transfer is aborted; up to twice as long may pass. */
@@ -8,27 +10,19 @@ const LATER = new Set([408, 425, 429]);
 
 /** Timer and fetch function, replaceable by tests. */
 export interface Network {
-  /** `again` is true after a failed transfer: the browser's cached copy is not trusted. */
-  readonly fetch: (url: URL, signal: AbortSignal, again: boolean) => Promise<Response>;
+  /** `isRetry` is true after a failed transfer: the browser's cached copy is not trusted. */
+  readonly fetch: (url: URL, signal: AbortSignal, isRetry: boolean) => Promise<Response>;
   /** Rejects with the signal's reason when it is aborted. */
   readonly wait: (seconds: number, signal: AbortSignal) => Promise<void>;
 }
 
 export const NETWORK: Network = {
-  fetch: (url, signal, again) =>
-    fetch(url, { signal, credentials: 'same-origin', cache: again ? 'reload' : 'default' }),
+  fetch: (url, signal, isRetry) =>
+    fetch(url, { signal, credentials: 'same-origin', cache: isRetry ? 'reload' : 'default' }),
   wait: (seconds, signal) =>
-    new Promise((done, failed) => {
-      signal.throwIfAborted();
-      const stop = (): void => {
-        clearTimeout(timer);
-        failed(signal.reason as Error);
-      };
-      const timer = setTimeout(() => {
-        signal.removeEventListener('abort', stop);
-        done();
-      }, 1000 * seconds);
-      signal.addEventListener('abort', stop, { once: true });
+    abortable<void>(signal, (done) => {
+      const timer = setTimeout(done, 1000 * seconds);
+      return () => clearTimeout(timer);
     }),
 };
 
@@ -37,7 +31,7 @@ export interface Limits {
   /** Size, bytes; null if unknown. */
   readonly bytes: number | null;
   /** Greatest size, bytes. */
-  readonly most: number;
+  readonly maxBytes: number;
 }
 
 /** Fetches a file once: throws BundleError if a retry is useless, any other error if it may help. */
@@ -46,7 +40,7 @@ export async function transfer(
   limits: Limits,
   received: (bytes: number) => void,
   signal: AbortSignal,
-  again: boolean,
+  isRetry: boolean,
   network: Network,
 ): Promise<ArrayBuffer> {
   const stop = new AbortController();
@@ -63,17 +57,15 @@ export async function transfer(
   watch().catch(() => undefined);
   let size = 0;
   try {
-    const response = await network.fetch(url, end, again);
-    refuse(limits.name, response);
+    const response = await network.fetch(url, end, isRetry);
+    checkStatus(limits.name, response);
     const parts: Uint8Array<ArrayBuffer>[] = [];
-    for (const reader = response.body?.getReader(); reader; ) {
-      const { done, value } = await reader.read();
-      if (done) break;
+    for await (const chunk of chunksOf(response.body)) {
       isMoving = true;
-      parts.push(value as Uint8Array<ArrayBuffer>);
-      size += value.length;
-      received(value.length);
-      if (size > limits.most) throw wrongSize(limits, 'more');
+      parts.push(chunk);
+      size += chunk.length;
+      received(chunk.length);
+      if (size > limits.maxBytes) throw wrongSize(limits, 'more');
     }
     // A broken transfer without a length looks complete.
     if (limits.bytes !== null && size < limits.bytes) throw new Error(`expected ${limits.bytes} bytes, got ${size}`);
@@ -86,14 +78,14 @@ export async function transfer(
   }
 }
 
-function refuse(name: string, { ok, status, statusText }: Response): void {
+function checkStatus(name: string, { ok, status, statusText }: Response): void {
   if (ok) return;
   const answer = `the server answers ${status} ${statusText}`.trim();
   if (status >= 500 || LATER.has(status)) throw new Error(answer);
   throw new BundleError(`${name}: ${answer}`, 'network');
 }
 
-function wrongSize({ name, bytes, most }: Limits, got: string): BundleError {
-  const expected = bytes === null ? `at most ${most} bytes` : `${bytes} bytes, as the manifest lists it`;
+function wrongSize({ name, bytes, maxBytes }: Limits, got: string): BundleError {
+  const expected = bytes === null ? `at most ${maxBytes} bytes` : `${bytes} bytes, as the manifest lists it`;
   return new BundleError(`${name}: expected ${expected}, got ${got}`);
 }

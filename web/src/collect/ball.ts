@@ -1,14 +1,20 @@
-/** Drawing of a sphere: its colour shows how many users aim at it, a ring around it for how long all have. */
-import { BufferAttribute, BufferGeometry, Color, Matrix4, SphereGeometry, Vector3, Vector4 } from 'three';
+/** A sphere in the picture: its colour shows how many users aim at it, a ring around it for how long all have. */
+import { Color, Matrix4, SphereGeometry, Vector3, Vector4 } from 'three';
 import type { Point } from '../bundle/manifest';
-import { minus, type Vector } from '../control/vector';
-import { NEAR_VERTEX } from '../shaders/near';
+import { directionTo } from '../control/floor';
+import { addScaled, type Pose, subtract, type Vector } from '../control/pose';
+import type { Place } from '../rooms/hold';
+import { createMesh, type Drawn, geometryOf, ribbon } from '../rooms/meshes';
+import { morphOf } from '../rooms/pointing';
+import { HEAD } from '../rooms/shaders';
+import { shownAt } from '../rooms/unmorph';
+import { NEAR_VERTEX } from '../shaders/scene';
 import type { Shared } from '../show/materials';
-import { type Drawn, createMesh } from '../rooms/drawn';
-import { RING_VERTEX } from './shaders';
+import type { Viewer } from '../show/viewer';
 
 /** Colours for no aiming user, some, all, and for the remaining part of the ring. */
 const [NOBODY, SOME, ALL, REST] = ['#e6ebf2', '#ffb52e', '#35d07f', '#3a434e'].map((name) => new Color(name));
+/** Pieces of a full turn of the ring; y is 0 inside and 1 outside. */
 const PIECES = 96;
 
 export interface Ball {
@@ -29,7 +35,7 @@ export function createBall(shared: Shared): Ball {
     placement: { value: new Matrix4() },
   });
   const ring = (base: Color | undefined): Drawn =>
-    createMesh(turn(), shared, RING_VERTEX, { UNLIT: '' }, {
+    createMesh(geometryOf(ribbon(PIECES, 0)), shared, RING_VERTEX, { UNLIT: '' }, {
       base_color: { value: new Vector4(base?.r, base?.g, base?.b, 1) },
       begin: { value: new Vector3() },
       radius: size,
@@ -54,7 +60,7 @@ export function createBall(shared: Shared): Ball {
       set(rest, 'shares', [held, 1]);
     },
     place(center) {
-      const [x, y, z] = minus(middle, center);
+      const [x, y, z] = subtract(middle, center);
       const { value: radius } = size;
       (body.material.uniforms['placement']?.value as Matrix4).makeScale(radius, radius, radius).setPosition(x, y, z);
       for (const { material } of [done, rest]) (material.uniforms['begin']?.value as Vector3).set(x, y, z);
@@ -67,16 +73,47 @@ function set({ material }: Drawn, name: string, value: unknown): void {
   if (uniform) uniform.value = value;
 }
 
-/** Strip of a full turn: x is the share of the turn; y is 0 inside, 1 outside. */
-function turn(): BufferGeometry {
-  const [places, corners]: [number[], number[]] = [[], []];
-  for (let piece = 0; piece <= PIECES; piece++) {
-    places.push(piece / PIECES, 0, 0, piece / PIECES, 1, 0);
-    const first = 2 * piece;
-    if (piece < PIECES) corners.push(first, first + 1, first + 2, first + 2, first + 1, first + 3);
-  }
-  const made = new BufferGeometry();
-  made.setAttribute('position', new BufferAttribute(new Float32Array(places), 3));
-  made.setIndex(corners);
-  return made;
+/** Vertex shader of the ring around a sphere; its fragment shader is that of near geometry. */
+const RING_VERTEX = /* glsl */ `
+${HEAD}
+// x: share of the drawn part of the turn; y: 0 inside, 1 outside.
+in vec3 position;
+uniform vec3 begin;
+uniform float radius;
+// Shares of a turn, clockwise from above, between which the ring is drawn.
+uniform float shares[2];
+// Inner and outer radius in radii of the sphere.
+const vec2 RING = vec2(1.25, 1.45);
+
+void main() {
+  v_point = begin;
+  vec3 at = displayed(v_point);
+  mat3 axes = facing(at);
+  float angle = 6.2831853 * mix(shares[0], shares[1], position.x);
+  float size = radius * mix(RING.x, RING.y, position.y);
+  v_shown = at + size * (sin(angle) * axes[0] + cos(angle) * axes[1]);
+  gl_Position = projectionMatrix * vec4(mat3(viewMatrix) * v_shown, 1.0);
+}
+`;
+
+/** Greatest tangent of the angle between the direction and the sphere's centre at which the sphere is meant. */
+const MEANT = 0.5;
+
+/**
+ * Target beside or on a sphere for a place of the picture, at the sphere's distance, so that a hand beside the eyes
+ * points there, too; null for directions that miss the sphere.
+ */
+export function pointBeside(
+  viewer: Viewer,
+  nearShare: number,
+  pose: Pose,
+  place: Place,
+  sphere: Vector,
+): Vector | null {
+  const { center, morph } = morphOf(viewer, nearShare, pose);
+  const seen = shownAt(subtract(sphere, center), morph);
+  const [dx, dy, dz] = directionTo(pose, place, viewer.camera);
+  const along = seen[0] * dx + seen[1] * dy + seen[2] * dz;
+  const aside = subtract([along * dx, along * dy, along * dz], seen);
+  return along > 0 && Math.hypot(...aside) <= MEANT * along ? addScaled(sphere, aside, 1) : null;
 }

@@ -1,5 +1,5 @@
 /** Binary messages of the sphere collection, sent as payloads of a room: the tables of docs/collect.md. */
-import type { Vector } from '../control/vector';
+import type { Vector } from '../control/pose';
 import { FrameError, Reader, Writer } from '../rooms/bytes';
 
 /** First byte of all messages of the task, and their format version. */
@@ -193,7 +193,7 @@ function readBody(body: Reader, kind: number, stage: Stage): Message {
     case KINDS.score:
       return { kind: 'score', ...stage, over: readFlag(body), spheres: body.u16(), misses: body.u16() };
     default:
-      throw new FrameError('a message of the sphere collection is of no kind');
+      throw new FrameError('a message of the sphere collection has an unknown kind');
   }
 }
 
@@ -213,7 +213,7 @@ function readTrial(body: Reader, stage: Stage): Trial {
   const isOrdered = [box, area].every(([least, most]) => least.every((low, axis) => low <= (most[axis] ?? low)));
   const isPossible = stage.trial >= 1 && stage.trial <= trials && users >= 1 && users <= MAX_USERS;
   if (!isPossible || count > MAX_USERS || radius === 0 || duration === 0 || !isOrdered) {
-    throw new FrameError('a trial is none that there can be');
+    throw new FrameError('a trial has rules out of range');
   }
   const rules = { trials, users, seed, duration, hold, pause, rest, radius, speeds, box, area };
   return { kind: 'trial', ...stage, ...rules, over, elapsed, tallies, seats };
@@ -224,7 +224,7 @@ function readAims(body: Reader, stage: Stage): Aims {
   const time = body.f32();
   const users = Array.from({ length: body.u8() }, () => body.u16());
   if (users.length > MAX_USERS || users.some((each, at) => at > 0 && each <= (users[at - 1] ?? 0))) {
-    throw new FrameError('who aims is not in order');
+    throw new FrameError('the users who aim are not in ascending order');
   }
   const held = time === -1 ? null : checkRange(time, 0, LONGEST);
   return { kind: 'aims', ...stage, number, event, user, misses, held, users };
@@ -232,7 +232,7 @@ function readAims(body: Reader, stage: Stage): Aims {
 
 function readName<Name>(body: Reader, names: readonly Name[]): Name {
   const name = names[body.u8()];
-  if (name === undefined) throw new FrameError('a number stands for nothing');
+  if (name === undefined) throw new FrameError('a code is unknown');
   return name;
 }
 
@@ -256,4 +256,25 @@ function checkRange(value: number, low: number, high: number): number {
 
 function floats(out: Writer, ...lists: readonly (readonly number[])[]): void {
   for (const value of lists.flat()) out.f32(value);
+}
+
+/** Whether two messages belong to the same trial. */
+export function isSameStage(a: Stage, b: Stage): boolean {
+  return a.run === b.run && a.trial === b.trial;
+}
+
+/** Number of spheres collected in a trial. */
+export function countOf({ tallies }: Trial): number {
+  return tallies.reduce((sum, { spheres }) => sum + spheres, 0);
+}
+
+/** Whether a message about a trial is older than another one. */
+export function isEarlier(a: Trial, b: Trial): boolean {
+  // Run numbers are cyclic.
+  const ahead = (a.run - b.run) & MAX_COUNT;
+  if (ahead !== 0) return ahead > MAX_COUNT / 2;
+  const age = (trial: Trial): number[] => [trial.trial, Number(trial.over), countOf(trial)];
+  const [own, other] = [age(a), age(b)];
+  const at = own.findIndex((value, place) => value !== other[place]);
+  return at >= 0 && (own[at] ?? 0) < (other[at] ?? 0);
 }

@@ -1,20 +1,20 @@
 /** Card of the task: results so far, remaining time, and the figures of a trial at its end. */
-import { make, write } from '../ui/dom';
+import { button, make, write } from '../ui/dom';
 import { milliseconds } from '../ui/format';
 import { LEVELS, type Tallies } from './messages';
 
 /** Content of the card. */
-export interface Told {
+export interface CardState {
   /** Instruction for the user. */
   readonly words: string;
   readonly canStart: boolean;
   /** Null before the first trial. */
-  readonly trial: TrialTold | null;
+  readonly trial: TrialState | null;
   /** Scores of other groups, as text. */
   readonly others: string;
 }
 
-export interface TrialTold {
+export interface TrialState {
   /** Title, such as `Trial 1 of 3`. */
   readonly title: string;
   readonly left: number;
@@ -31,7 +31,7 @@ export interface TrialTold {
 }
 
 export interface CollectPanel {
-  update(told: Told): void;
+  update(state: CardState): void;
 }
 
 /** Builds the card above the page's buttons; `start` begins a run. */
@@ -54,12 +54,11 @@ export function createPanel(root: HTMLElement, start: () => void): CollectPanel 
     ...LEVELS.map((level, at) => make('tr', {}, make('th', { scope: 'row' }, level), ...(rows[at] ?? []))),
   );
   const device = make('p', { class: 'collect-words' });
-  const button = make('button', { type: 'button', class: 'button-main' }, 'Start');
-  button.addEventListener('click', start);
+  const begin = button('Start', 'button-main', start);
   const card = make(
     'section',
     { class: 'card collect', 'aria-label': 'Sphere collection' },
-    make('header', {}, title, button),
+    make('header', {}, title, begin),
     figures,
     table,
     device,
@@ -68,33 +67,33 @@ export function createPanel(root: HTMLElement, start: () => void): CollectPanel 
   );
   root.querySelector('.bottom')?.prepend(card);
 
-  function tellTrial({ title: name, over, ...told }: TrialTold): void {
+  function showTrial({ title: name, over, ...state }: TrialState): void {
     write(title, name);
     figures.hidden = over;
     table.hidden = device.hidden = !over;
-    const counts = [told.spheres, told.misses].map(String);
-    const texts = [clock(told.left), told.level || '–', told.aiming || '–', ...counts];
+    const counts = [state.spheres, state.misses].map(String);
+    const texts = [clock(state.left), state.level || '–', state.aiming || '–', ...counts];
     texts.forEach((text, at) => values[at] && write(values[at], text));
-    told.tallies.forEach(({ spheres, seconds, misses }, at) => {
+    state.tallies.forEach(({ spheres, seconds, misses }, at) => {
       const cells = [String(spheres), spheres > 0 ? (seconds / spheres).toFixed(2) : '–', String(misses)];
       cells.forEach((text, column) => {
         const cell = rows[at]?.[column];
         if (cell) write(cell, text);
       });
     });
-    const rate = told.frames === null ? [] : [`${told.frames.toFixed(1)} frames a second`];
-    const trip = told.roundTrip === null ? [] : [`round trip ${milliseconds(1000 * told.roundTrip)}`];
+    const rate = state.frames === null ? [] : [`${state.frames.toFixed(1)} frames a second`];
+    const trip = state.roundTrip === null ? [] : [`round trip ${milliseconds(1000 * state.roundTrip)}`];
     write(device, [...rate, ...trip].join(', '));
   }
 
   return {
-    update(told) {
-      write(words, told.words);
-      words.hidden = told.words === '';
-      write(others, told.others);
-      others.hidden = told.others === '';
-      button.hidden = !told.canStart;
-      if (told.trial) tellTrial(told.trial);
+    update(state) {
+      write(words, state.words);
+      words.hidden = state.words === '';
+      write(others, state.others);
+      others.hidden = state.others === '';
+      begin.hidden = !state.canStart;
+      if (state.trial) showTrial(state.trial);
       else figures.hidden = table.hidden = device.hidden = true;
     },
   };

@@ -1,5 +1,5 @@
 /** Rules of a trial: the published ones, changed by the page's address parameters. */
-import type { Vector } from '../control/vector';
+import type { Vector } from '../control/pose';
 import { type Box, LONGEST, MAX_USERS, type Rules } from './messages';
 
 /** Sizes of the seats along and across the view, and of the box across, up and along it, metres. */
@@ -9,7 +9,7 @@ const [DISTANCE, RISE] = [8, 0.5] as const;
 const SPEEDS = [0, 0.5, 1.5] as const;
 
 /** Parameters of the address: default value, least and greatest value. */
-const ASKED = {
+const PARAMETERS = {
   users: [4, 1, MAX_USERS],
   trials: [3, 1, 255],
   seed: [0, 0, 0xffffffff],
@@ -21,12 +21,12 @@ const ASKED = {
 } as const;
 const WHOLE: readonly string[] = ['users', 'trials', 'seed'];
 
-export type Asked = Readonly<Record<keyof typeof ASKED, number>>;
+export type RuleParameters = Readonly<Record<keyof typeof PARAMETERS, number>>;
 
 /** Rules from `?users=…&hold=…`; an error message for invalid numbers. */
-export function readRules(query: URLSearchParams): Asked | string {
+export function readRules(query: URLSearchParams): RuleParameters | string {
   const found: Record<string, number> = {};
-  for (const [name, [usual, least, most]] of Object.entries(ASKED)) {
+  for (const [name, [usual, least, most]] of Object.entries(PARAMETERS)) {
     const text = query.get(name);
     const value = text === null ? usual : Number(text);
     const isWhole = Number.isInteger(value) || !WHOLE.includes(name);
@@ -35,11 +35,11 @@ export function readRules(query: URLSearchParams): Asked | string {
     }
     found[name] = value;
   }
-  return found as Asked;
+  return found as RuleParameters;
 }
 
 /** Rules with seats about a place at eye height and spheres ahead of it, aligned to quarter turns. */
-export function rulesAt(asked: Asked, [x, y, z]: Vector, yaw: number): Rules {
+export function rulesAt(parameters: RuleParameters, [x, y, z]: Vector, yaw: number): Rules {
   const quarter = Math.round(yaw / (Math.PI / 2));
   const isAcross = quarter % 2 !== 0;
   const [ahead, aside] = [-Math.cos((quarter * Math.PI) / 2), -Math.sin((quarter * Math.PI) / 2)].map(Math.round);
@@ -47,7 +47,7 @@ export function rulesAt(asked: Asked, [x, y, z]: Vector, yaw: number): Rules {
   const [across, high, along] = isAcross ? [BOX[2], BOX[1], BOX[0]] : BOX;
   const middle: Vector = [x + DISTANCE * (aside ?? 0), y + RISE, z + DISTANCE * (ahead ?? 0)];
   return {
-    ...asked,
+    ...parameters,
     speeds: SPEEDS,
     box: boxAround(middle, [across, high, along]),
     area: boxAround([x, y, z], [wide, 0, deep]),

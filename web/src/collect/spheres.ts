@@ -1,8 +1,6 @@
-/** Positions and motion of spheres, aiming tests, and seats of users. */
-import type { Vector } from '../control/vector';
-import { minus } from '../control/vector';
-import { uniform } from './draws';
-import { LEVELS, type Box, type Rules, type Seat, type Sphere, type Stage } from './messages';
+/** Positions and motion of spheres, aiming tests, and seats of users, from nearfar's random numbers (docs/base.md). */
+import { subtract, type Vector } from '../control/pose';
+import { type Box, LEVELS, type Rules, type Seat, type Sphere, type Stage } from './messages';
 
 export interface Ray {
   readonly begin: Vector;
@@ -49,7 +47,7 @@ export function seatsOf(rules: Rules, stage: Stage, group: number, users: readon
       return { user, position: [least[0] + x * (most[0] - least[0]), least[1], least[2] + z * (most[2] - least[2])] };
     });
     const isApart = seats.every(({ position }, at) =>
-      seats.slice(0, at).every((other) => Math.hypot(...minus(position, other.position)) >= APART),
+      seats.slice(0, at).every((other) => Math.hypot(...subtract(position, other.position)) >= APART),
     );
     if (isApart) break;
   }
@@ -58,12 +56,12 @@ export function seatsOf(rules: Rules, stage: Stage, group: number, users: readon
 
 /** Position of a sphere's centre some seconds after it appeared. */
 export function placeOf({ position, velocity }: Sphere, [least, most]: Box, age: number): Vector {
-  const at = (axis: 0 | 1 | 2): number => folded(position[axis] + age * velocity[axis], least[axis], most[axis]);
+  const at = (axis: 0 | 1 | 2): number => reflectInto(position[axis] + age * velocity[axis], least[axis], most[axis]);
   return [at(0), at(1), at(2)];
 }
 
 /** Coordinate reflected at both ends of a range. */
-export function folded(at: number, low: number, high: number): number {
+export function reflectInto(at: number, low: number, high: number): number {
   const length = high - low;
   if (length <= 0) return low;
   const turned = (((at - low) % (2 * length)) + 2 * length) % (2 * length);
@@ -72,7 +70,7 @@ export function folded(at: number, low: number, high: number): number {
 
 /** Whether a ray of any length hits a sphere. */
 export function isAimed({ begin, direction: [dx, dy, dz] }: Ray, center: Vector, radius: number): boolean {
-  const [x, y, z] = minus(center, begin);
+  const [x, y, z] = subtract(center, begin);
   const [along, square] = [x * dx + y * dy + z * dz, x * x + y * y + z * z];
   return square <= radius * radius || (along > 0 && square - along * along <= radius * radius);
 }
@@ -80,4 +78,21 @@ export function isAimed({ begin, direction: [dx, dy, dz] }: Ray, center: Vector,
 function drawsOf({ seed }: Rules, { run, trial }: Stage, group: number, first: number): (number: number) => number {
   const cell = group * 2 ** 24 + run * 2 ** 8 + trial;
   return (number) => uniform(seed, cell, first + number);
+}
+
+const GOLDEN = 0x9e3779b97f4a7c15n;
+const word = (value: bigint): bigint => BigInt.asUintN(64, value);
+
+/** SplitMix64's finaliser. */
+function mixed(value: bigint): bigint {
+  let z = word((value ^ (value >> 30n)) * 0xbf58476d1ce4e5b9n);
+  z = word((z ^ (z >> 27n)) * 0x94d049bb133111ebn);
+  return z ^ (z >> 31n);
+}
+
+/** Random number in [0, 1) (docs/base.md): a function of seed, cell and index, identical in all languages. */
+function uniform(seed: number, cell: number, index: number): number {
+  let state = mixed(word(BigInt(seed) + GOLDEN));
+  for (const each of [cell, index]) state = mixed(word((state ^ BigInt(each)) + GOLDEN));
+  return Number(state >> 11n) / 2 ** 53;
 }

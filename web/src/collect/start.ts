@@ -1,21 +1,18 @@
 /** Sphere collection in the page, loaded as a separate script only by its users. */
 import type { Point } from '../bundle/manifest';
-import type { Pose } from '../control/pose';
-import { minus, type Vector } from '../control/vector';
+import { type Pose, subtract, type Vector } from '../control/pose';
 import type { Host, Room } from '../room';
-import type { Activity } from '../rooms/activity';
 import { FrameError } from '../rooms/bytes';
 import { CLOCK } from '../rooms/clock';
 import type { FromServer } from '../rooms/frames';
 import type { Place } from '../rooms/hold';
-import type { Body } from '../rooms/pose';
-import { rotated } from '../rooms/rotation';
+import type { Activity } from '../rooms/pointing';
+import { type Body, rotate } from '../rooms/pose';
 import { make } from '../ui/dom';
-import { pointBeside } from './aim';
-import { createBall } from './ball';
+import { createBall, pointBeside } from './ball';
 import { audienceOf, type Box, type Message, read, type Trial, write } from './messages';
-import { createPanel, type Told, type TrialTold } from './panel';
-import { type Asked, readRules, rulesAt } from './rules';
+import { type CardState, createPanel, type TrialState } from './panel';
+import { readRules, type RuleParameters, rulesAt } from './rules';
 import type { Ray } from './spheres';
 import { Task } from './task';
 
@@ -34,15 +31,15 @@ export interface Collecting extends Activity {
 /** Starts the sphere collection for a room's users, with rules from the page's address. */
 export function begin(room: Room, host: Host): Collecting | null {
   document.head.append(make('link', { rel: 'stylesheet', href: new URL('collect.css', import.meta.url).href }));
-  const asked = readRules(new URLSearchParams(location.search));
-  if (typeof asked === 'string') {
-    host.announce(asked);
+  const parameters = readRules(new URLSearchParams(location.search));
+  if (typeof parameters === 'string') {
+    host.announce(parameters);
     return null;
   }
-  return collect(room, host, asked);
+  return collect(room, host, parameters);
 }
 
-function collect(room: Room, host: Host, asked: Asked): Collecting {
+function collect(room: Room, host: Host, parameters: RuleParameters): Collecting {
   const { viewer } = host;
   const ball = createBall(viewer.shared);
   const rays = new Map<number, Ray>();
@@ -52,19 +49,19 @@ function collect(room: Room, host: Host, asked: Asked): Collecting {
   let task: Task | null = null;
   let pose: Pose | null = null;
   let seated = '';
-  let [toldAt, seatedAt] = [-Infinity, -Infinity];
+  let [updatedAt, seatedAt] = [-Infinity, -Infinity];
 
   function start(): void {
     if (!task || !pose || !canStart(task)) return;
     const middle = viewer.facts.entry?.center ?? pose.position;
     const now = CLOCK.now();
-    say(task.start(rulesAt(asked, middle, pose.yaw), now));
+    say(task.start(rulesAt(parameters, middle, pose.yaw), now));
     follow(task, now);
   }
 
   /** Whether the user may start a run: as conductor, with enough users, while no trial runs or is pending. */
   function canStart(of: Task): boolean {
-    const isEnough = of.present.size >= Math.min(asked.users, 2);
+    const isEnough = of.present.size >= Math.min(parameters.users, 2);
     return of.user === of.conductor && isEnough && (of.trial === null || of.isOver);
   }
 
@@ -87,7 +84,7 @@ function collect(room: Room, host: Host, asked: Asked): Collecting {
     frames.restart(now);
     if (!seat || !trial || !isAbout(trial.area, seat)) return;
     seatedAt = now;
-    const [x, , z] = minus(middleOf(trial), seat);
+    const [x, , z] = subtract(middleOf(trial), seat);
     host.go({ position: seat, yaw: Math.atan2(-x, -z), pitch: 0 });
     host.announce(`Trial ${trial.trial} of ${trial.trials}: all aim at the sphere at the same time`);
   }
@@ -123,7 +120,7 @@ function collect(room: Room, host: Host, asked: Asked): Collecting {
     ball.show(of.place(now), trial.radius, of.aims.length / of.needed, Math.min(held, 1));
   }
 
-  function cardState(now: number): Told {
+  function cardState(now: number): CardState {
     const isHere = room.connection.state.kind === 'here';
     if (!task || !isHere) return { words: 'Not in the room', canStart: false, trial: null, others: '' };
     const { group } = task;
@@ -133,7 +130,7 @@ function collect(room: Room, host: Host, asked: Asked): Collecting {
       .slice(0, MAX_GROUPS)
       .map(([other, { spheres, misses }]) => `Group ${other}: ${spheres} spheres, ${misses} misses`);
     const { roundTrips } = room.connection;
-    const trial = task.trial && trialTold(task, task.trial, now, frames.rate, roundTrips.median);
+    const trial = task.trial && trialState(task, task.trial, now, frames.rate, roundTrips.median);
     return { words: wordsOf(task, canStart(task)), canStart: canStart(task), trial, others: others.join(' · ') };
   }
 
@@ -148,7 +145,7 @@ function collect(room: Room, host: Host, asked: Asked): Collecting {
       return task?.trial?.over === false;
     },
     place: (center: Point) => ball.place(center),
-    heard(frame: FromServer, now: number) {
+    hear(frame: FromServer, now: number) {
       if (frame.kind === 'welcome') enter(frame.user);
       else if (frame.kind === 'joined') {
         groups.set(frame.user, frame.group);
@@ -170,8 +167,8 @@ function collect(room: Room, host: Host, asked: Asked): Collecting {
       conduct(now);
       if (task?.trial?.over === false) frames.count(now);
       show(task, now);
-      if (now - toldAt < CARD_EVERY) return;
-      toldAt = now;
+      if (now - updatedAt < CARD_EVERY) return;
+      updatedAt = now;
       panel.update(cardState(now));
     },
     targetAt(from: Pose, place: Place): Vector | null {
@@ -183,7 +180,7 @@ function collect(room: Room, host: Host, asked: Asked): Collecting {
   if (state.kind === 'here') {
     enter(state.user);
     for (const { number, group } of room.presence.guests) {
-      collecting.heard({ kind: 'joined', user: number, group, name: '' }, CLOCK.now());
+      collecting.hear({ kind: 'joined', user: number, group, name: '' }, CLOCK.now());
     }
   }
   room.begin(collecting);
@@ -198,7 +195,7 @@ function see(rays: Map<number, Ray>, user: number, body: Body): void {
     return;
   }
   // Quaternions in frames may deviate from length 1 by a tenth.
-  const [x, y, z] = rotated(from.rotation, [0, 0, -1]);
+  const [x, y, z] = rotate(from.rotation, [0, 0, -1]);
   const size = Math.hypot(x, y, z) || 1;
   rays.set(user, { begin: from.position, direction: [x / size, y / size, z / size] });
 }
@@ -213,13 +210,13 @@ function isAbout([least, most]: Box, place: Vector): boolean {
 }
 
 function wordsOf(task: Task, canStart: boolean): string {
-  if (task.trial && !task.trial.over) return task.seat ? '' : 'You have a seat from the next trial on';
+  if (task.trial && !task.trial.over) return task.seat ? '' : 'You get a seat in the next trial';
   if (task.trial && !task.isOver) return 'The next trial begins in a moment';
-  if (canStart) return `Here of your group: ${task.present.size}. Look to where spheres shall be, and start.`;
+  if (canStart) return `Users of your group: ${task.present.size}. Look to where the spheres should appear, and start.`;
   return task.user === task.conductor ? 'Waiting for others of your group' : `#${task.conductor} starts the trials`;
 }
 
-function trialTold(task: Task, trial: Trial, now: number, frames: number | null, roundTrip: number | null): TrialTold {
+function trialState(task: Task, trial: Trial, now: number, frames: number | null, roundTrip: number | null): TrialState {
   return {
     title: `Trial ${trial.trial} of ${trial.trials}`,
     left: trial.duration - task.elapsed(now),

@@ -1,15 +1,18 @@
 /** State of the task as one user knows it, and the messages of its conductor. Independent of room and clock. */
-import type { Vector } from '../control/vector';
-import { createBucket } from '../peers/bucket';
+import type { Vector } from '../control/pose';
+import { createBucket } from '../rooms/clock';
+import { type Aiming, aimsOf, judge, type Rays } from './judge';
 import {
   type Aims,
   type Collected,
-  type Event,
+  countOf,
+  isEarlier,
+  isSameStage,
   LEVELS,
   LONGEST,
-  type Message,
   MAX_COUNT,
   MAX_USERS,
+  type Message,
   type Rules,
   type Score,
   type Sphere,
@@ -17,7 +20,7 @@ import {
   type Tallies,
   type Trial,
 } from './messages';
-import { isAimed, placeOf, type Ray, seatsOf, sphereOf } from './spheres';
+import { placeOf, seatsOf, sphereOf } from './spheres';
 
 /** Least seconds from a collected sphere to the next sphere; bounds the conductor's message rate for any rules. */
 const MIN_PAUSE = 0.05;
@@ -29,9 +32,6 @@ const [AIMS_RATE, AIMS_AT_ONCE] = [1 << 14, 1 << 13] as const;
 const [AIMS_BYTES, USER_BYTES] = [64, 2] as const;
 /** Seconds after entering in which every sender is accepted, because the conductor is not known yet. */
 const ENTERING = 5;
-
-/** Last pointers of users by number; users without a pointer are missing. */
-export type Rays = ReadonlyMap<number, Ray>;
 
 const NOTHING: Tallies = [0, 1, 2].map(() => ({ spheres: 0, misses: 0, seconds: 0 })) as unknown as Tallies;
 
@@ -48,12 +48,12 @@ export class Task {
   misses = 0;
   /** Time at which the last required user began to aim; null while some do not. */
   heldSince: number | null = null;
-  private began = 0;
-  private appeared = 0;
+  private startedAt = 0;
+  private appearedAt = 0;
   private nextAt = 0;
-  private isToTell = false;
+  private mustSendState = false;
   private judgedAt = -Infinity;
-  private readonly spoken = createBucket(AIMS_RATE, AIMS_AT_ONCE, () => this.judgedAt);
+  private readonly aimsRate = createBucket(AIMS_RATE, AIMS_AT_ONCE, () => this.judgedAt);
   /** Conductor before the last user joined; its last messages may arrive after that. */
   private former: number | null = null;
   /** Time until which every sender is accepted; null until the first call after entering. */
@@ -99,18 +99,18 @@ export class Task {
 
   /** Elapsed seconds of the trial. */
   elapsed(now: number): number {
-    return now - this.began;
+    return now - this.startedAt;
   }
 
   /** Position of the sphere's centre; null without a sphere. */
   place(now: number): Vector | null {
-    return this.trial && this.sphere && placeOf(this.sphere, this.trial.box, now - this.appeared);
+    return this.trial && this.sphere && placeOf(this.sphere, this.trial.box, now - this.appearedAt);
   }
 
   /** Records that a user of the group has joined, who must be told the state. */
   joined(user: number): void {
     const before = this.conductor;
-    if (this.trial && before === this.user) this.isToTell = true;
+    if (this.trial && before === this.user) this.mustSendState = true;
     this.present.add(user);
     if (this.conductor !== before) this.former = before;
   }
@@ -137,30 +137,30 @@ export class Task {
   /** Begins the first trial of a run for all users who are present; returns the conductor's messages. */
   start(rules: Rules, now: number): Message[] {
     const run = this.trial ? (this.trial.run + 1) % (MAX_COUNT + 1) : 1;
-    return this.said(this.begun(rules, { run, trial: 1 }), now);
+    return this.apply(this.createTrial(rules, { run, trial: 1 }), now);
   }
 
   /** Messages of the user as conductor, already applied to its own state; none if another user conducts. */
   conduct(now: number, rays: Rays): Message[] {
     this.enteredUntil ??= now + ENTERING;
-    const said = this.isToTell ? this.told(now) : [];
-    this.isToTell = false;
+    const messages = this.mustSendState ? this.stateMessages(now) : [];
+    this.mustSendState = false;
     const isDue = now - this.judgedAt >= MIN_JUDGEMENT_INTERVAL;
     if (isDue) this.judgedAt = now;
     while (this.user === this.conductor) {
       const message = this.decide(now, isDue ? rays : null);
       if (!message || (message.kind === 'aims' && !this.maySay(message))) break;
-      const heard = this.said(message, now);
+      const applied = this.apply(message, now);
       // A message without effect would be chosen again for ever.
-      if (heard.length === 0) break;
-      said.push(...heard);
+      if (applied.length === 0) break;
+      messages.push(...applied);
     }
-    return said;
+    return messages;
   }
 
   /** Whether the rate limit allows the message: the server disconnects users who exceed it. */
   private maySay({ users }: Aims): boolean {
-    return this.spoken.take(AIMS_BYTES + USER_BYTES * users.length);
+    return this.aimsRate.take(AIMS_BYTES + USER_BYTES * users.length);
   }
 
   /**
@@ -173,7 +173,7 @@ export class Task {
       return true;
     }
     this.enteredUntil ??= now + ENTERING;
-    if (group !== this.group || !this.believes(sender, now)) return false;
+    if (group !== this.group || !this.accepts(sender, now)) return false;
     if (message.kind === 'trial') {
       if (this.trial && isEarlier(message, this.trial)) return false;
       this.hearTrial(message, now);
@@ -184,7 +184,7 @@ export class Task {
   }
 
   /** Without seated users anybody may begin. Of two who begin at the same time, the lower number wins. */
-  private believes(sender: number, now: number): boolean {
+  private accepts(sender: number, now: number): boolean {
     if (sender === this.user || this.enteredUntil === null || now < this.enteredUntil) return true;
     return this.seated().length === 0 || sender <= this.conductor || sender === this.former;
   }
@@ -199,7 +199,7 @@ export class Task {
       this.rest();
     }
     this.trial = trial;
-    this.began = now - trial.elapsed;
+    this.startedAt = now - trial.elapsed;
   }
 
   private hearPlay(message: Sphere | Aims | Collected, trial: Trial, now: number): boolean {
@@ -208,7 +208,7 @@ export class Task {
       // The count must leave room for the sphere's collection.
       if (message.number === known || message.number !== this.count || message.number >= MAX_COUNT) return false;
       this.sphere = message;
-      this.appeared = now - message.age;
+      this.appearedAt = now - message.age;
       this.rest();
     } else if (message.kind === 'aims') {
       if (message.number !== known) return false;
@@ -248,7 +248,7 @@ export class Task {
   }
 
   /** Applies an own message; returns it with the resulting score, or nothing if it has no effect. */
-  private said(message: Message, now: number): Message[] {
+  private apply(message: Message, now: number): Message[] {
     if (!this.hear(message, now)) return [];
     if (!this.trial || (message.kind !== 'trial' && message.kind !== 'collected')) return [message];
     const { run, trial, over } = this.trial;
@@ -258,17 +258,17 @@ export class Task {
   }
 
   /** Messages that a new user needs. */
-  private told(now: number): Message[] {
+  private stateMessages(now: number): Message[] {
     if (!this.trial) return [];
-    const told: Message[] = [{ ...this.trial, elapsed: Math.min(this.elapsed(now), LONGEST) }];
+    const messages: Message[] = [{ ...this.trial, elapsed: Math.min(this.elapsed(now), LONGEST) }];
     if (this.sphere) {
-      told.push({ ...this.sphere, age: Math.min(now - this.appeared, LONGEST) });
-      told.push(this.aiming(this.sphere, 'told', 0, this.aims, now));
+      messages.push({ ...this.sphere, age: Math.min(now - this.appearedAt, LONGEST) });
+      messages.push(aimsOf(this.aimingAt(this.sphere, now), 'told', 0, this.aims));
     }
-    return told;
+    return messages;
   }
 
-  private begun(rules: Rules, stage: Stage): Trial {
+  private createTrial(rules: Rules, stage: Stage): Trial {
     const users = [...this.present].sort((a, b) => a - b).slice(0, MAX_USERS);
     const seats = seatsOf(rules, stage, this.group, users);
     return { ...rules, ...stage, kind: 'trial', over: false, elapsed: 0, tallies: NOTHING, seats };
@@ -281,63 +281,16 @@ export class Task {
     const elapsed = this.elapsed(now);
     if (trial.over) {
       const isNext = trial.trial < trial.trials && elapsed >= trial.duration + trial.rest;
-      return isNext ? this.begun(trial, { run: trial.run, trial: trial.trial + 1 }) : null;
+      return isNext ? this.createTrial(trial, { run: trial.run, trial: trial.trial + 1 }) : null;
     }
     if (elapsed >= trial.duration) return { ...trial, over: true, elapsed: Math.min(elapsed, LONGEST) };
-    if (sphere) return rays && this.judge(trial, sphere, now, rays);
+    if (sphere) return rays && judge(this.aimingAt(sphere, now), trial, rays);
     return now >= this.nextAt && this.count < MAX_COUNT ? sphereOf(trial, trial, this.group, this.count) : null;
   }
 
-  private judge(trial: Trial, sphere: Sphere, now: number, rays: Rays): Message | null {
-    const center = placeOf(sphere, trial.box, now - this.appeared);
-    const found = this.seated().filter((user) => {
-      const ray = rays.get(user);
-      return ray !== undefined && isAimed(ray, center, trial.radius);
-    });
-    const lost = this.aims.find((user) => !found.includes(user));
-    if (lost !== undefined) {
-      const users = this.aims.filter((user) => user !== lost);
-      // A user who has left is no miss.
-      return this.aiming(sphere, this.present.has(lost) ? 'lost' : 'told', lost, users, now);
-    }
-    const [selected] = found.filter((user) => !this.aims.includes(user)).sort((a, b) => a - b);
-    if (selected !== undefined) {
-      const users = [...this.aims, selected].sort((a, b) => a - b);
-      return this.aiming(sphere, 'selected', selected, users, now);
-    }
-    if (this.aims.length >= this.needed !== (this.heldSince !== null)) {
-      return this.aiming(sphere, 'told', 0, this.aims, now);
-    }
-    if (this.heldSince === null || now - this.heldSince < trial.hold) return null;
-    const { run, trial: played } = trial;
-    const seconds = Math.min(now - this.appeared, LONGEST);
-    const { number, level } = sphere;
-    return { kind: 'collected', run, trial: played, number, level, misses: this.misses, seconds };
+  private aimingAt(sphere: Sphere, now: number): Aiming {
+    const { aims, misses, needed, heldSince, present } = this;
+    const held = heldSince === null ? null : now - heldSince;
+    return { sphere, age: now - this.appearedAt, aims, misses, needed, held, present, seated: this.seated() };
   }
-
-  private aiming(sphere: Sphere, event: Event, user: number, users: readonly number[], now: number): Aims {
-    const { run, trial, number } = sphere;
-    const held = users.length >= this.needed ? Math.min(now - (this.heldSince ?? now), LONGEST) : null;
-    const misses = Math.min(this.misses + Number(event === 'lost'), MAX_COUNT);
-    return { kind: 'aims', run, trial, number, event, user, misses, held, users };
-  }
-}
-
-function isSameStage(a: Stage, b: Stage): boolean {
-  return a.run === b.run && a.trial === b.trial;
-}
-
-function countOf({ tallies }: Trial): number {
-  return tallies.reduce((sum, { spheres }) => sum + spheres, 0);
-}
-
-/** Whether a message about a trial is older than another one. */
-function isEarlier(a: Trial, b: Trial): boolean {
-  // Run numbers are cyclic.
-  const ahead = (a.run - b.run) & MAX_COUNT;
-  if (ahead !== 0) return ahead > MAX_COUNT / 2;
-  const age = (trial: Trial): number[] => [trial.trial, Number(trial.over), countOf(trial)];
-  const [own, other] = [age(a), age(b)];
-  const at = own.findIndex((value, place) => value !== other[place]);
-  return at >= 0 && (own[at] ?? 0) < (other[at] ?? 0);
 }

@@ -1,12 +1,9 @@
 /** User movement: walking or orbiting a point, by keyboard, mouse, touch and gamepads. */
-import { type Drive, together } from './drive';
-import { type Pad, readPads } from './gamepad';
-import { createKeys } from './keys';
+import { browserPads, combine, createKeys, type Drive, type Pad, readPads } from './drive';
 import type { Bounds } from './limit';
 import { createOrbit } from './orbit';
 import { createPointers, type Mode, type Thumb } from './pointers';
-import type { Pose } from './pose';
-import { isSamePose } from './vector';
+import { isSamePose, type Pose } from './pose';
 import { createWalk } from './walk';
 
 export type { Mode, Thumb };
@@ -71,11 +68,11 @@ export function createControls(element: HTMLElement, settings: ControlSettings):
 
   return {
     update(seconds) {
-      const wishes: Drive = together(keys.drive, pointers.drive, readPads(pads()));
+      const drive: Drive = combine(keys.drive, pointers.drive, readPads(pads()));
       // NaN fails every comparison and counts as zero.
       const spent = seconds > 0 ? Math.min(seconds, LONGEST) : 0;
-      if (mode === 'walk') walk.update(spent, wishes);
-      else orbit.update(spent, wishes);
+      if (mode === 'walk') walk.update(spent, drive);
+      else orbit.update(spent, drive);
       const pose = current();
       if (!isSamePose(pose, last)) onChange?.(pose);
       last = pose;
@@ -105,15 +102,6 @@ export function createControls(element: HTMLElement, settings: ControlSettings):
       pointers.dispose();
     },
   };
-}
-
-function browserPads(): readonly (Pad | null)[] {
-  // Pages without https, or with a policy against gamepads, throw here.
-  try {
-    return navigator.getGamepads?.() ?? [];
-  } catch {
-    return [];
-  }
 }
 
 function reducedMotion(): () => boolean {

@@ -1,3 +1,5 @@
+/** Movement commands of keys, thumbs and gamepads, as shares of full speed. */
+
 /** Current movement commands of keys, thumbs and sticks, as shares of full speed from −1 to 1. */
 export interface Drive {
   /** Steps to the right and ahead. */
@@ -7,29 +9,139 @@ export interface Drive {
   readonly turn: number;
   readonly look: number;
   /** Whether to run. */
-  readonly isHasty: boolean;
+  readonly isRunning: boolean;
 }
 
-export const REST: Drive = { right: 0, ahead: 0, turn: 0, look: 0, isHasty: false };
+export const REST: Drive = { right: 0, ahead: 0, turn: 0, look: 0, isRunning: false };
 
 /** Sum of commands, limited to full speed. */
-export function together(...wishes: readonly Drive[]): Drive {
-  const sum = (part: (wish: Drive) => number): number => wishes.reduce((total, wish) => total + part(wish), 0);
-  const [right, ahead] = clampLength(sum((wish) => wish.right), sum((wish) => wish.ahead));
-  const [turn, look] = clampLength(sum((wish) => wish.turn), sum((wish) => wish.look));
-  return { right, ahead, turn, look, isHasty: wishes.some((wish) => wish.isHasty) };
+export function combine(...drives: readonly Drive[]): Drive {
+  const sum = (part: (drive: Drive) => number): number => drives.reduce((total, drive) => total + part(drive), 0);
+  const [right, ahead] = clampLength(sum((drive) => drive.right), sum((drive) => drive.ahead));
+  const [turn, look] = clampLength(sum((drive) => drive.turn), sum((drive) => drive.look));
+  return { right, ahead, turn, look, isRunning: drives.some((drive) => drive.isRunning) };
 }
 
 /** Vector limited to length 1. */
-export function clampLength(x: number, y: number): readonly [number, number] {
+function clampLength(x: number, y: number): readonly [number, number] {
   const length = Math.max(Math.hypot(x, y), 1);
   return [x / length, y / length];
 }
 
 /** Stick position with a dead zone around the centre; outside it starts at 0. */
-export function beyondRest(x: number, y: number, rest: number): readonly [number, number] {
+export function applyDeadZone(x: number, y: number, rest: number): readonly [number, number] {
   const length = Math.hypot(x, y);
   if (!(length > rest)) return [0, 0];
   const share = Math.min((length - rest) / (1 - rest), 1) / length;
   return [x * share, y * share];
+}
+
+/** Steps to the right and ahead, turns to the left and up, by physical key code. */
+const AXES: Readonly<Record<string, readonly [number, number, number, number]>> = {
+  KeyW: [0, 1, 0, 0],
+  KeyS: [0, -1, 0, 0],
+  KeyA: [-1, 0, 0, 0],
+  KeyD: [1, 0, 0, 0],
+  ArrowUp: [0, 1, 0, 0],
+  ArrowDown: [0, -1, 0, 0],
+  ArrowLeft: [0, 0, 1, 0],
+  ArrowRight: [0, 0, -1, 0],
+  PageUp: [0, 0, 0, 1],
+  PageDown: [0, 0, 0, -1],
+};
+
+/** Whether a key moves the user, by its physical code. */
+export function isMoving(code: string): boolean {
+  return Object.hasOwn(AXES, code);
+}
+
+/** Whether a key event has another purpose: a browser shortcut, or typing into a field. */
+export function isElsewhere(event: KeyboardEvent): boolean {
+  if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey) return true;
+  const { target } = event;
+  return typeof Element !== 'undefined' && target instanceof Element && target.closest(TYPED) !== null;
+}
+
+const TYPED = 'input, textarea, select, [contenteditable], dialog[open]';
+
+export interface Keys {
+  readonly drive: Drive;
+  dispose(): void;
+}
+
+/** Listens to keys of a window or an element. */
+export function createKeys(source: EventTarget): Keys {
+  const held = new Set<string>();
+  const stop = new AbortController();
+  const listen = (name: string, action: (event: Event) => void): void =>
+    source.addEventListener(name, action, { signal: stop.signal });
+  let isRunning = false;
+
+  listen('keydown', (event) => {
+    const pressed = event as KeyboardEvent;
+    isRunning = pressed.shiftKey;
+    if (!isMoving(pressed.code) || isElsewhere(pressed)) return;
+    held.add(pressed.code);
+    // Otherwise arrow keys scroll.
+    pressed.preventDefault();
+  });
+  listen('keyup', (event) => {
+    isRunning = (event as KeyboardEvent).shiftKey;
+    held.delete((event as KeyboardEvent).code);
+    // macOS sends no keyup events while Command is held.
+    if ((event as KeyboardEvent).key === 'Meta') held.clear();
+  });
+  // A key released elsewhere sends no event.
+  listen('blur', () => {
+    held.clear();
+    isRunning = false;
+  });
+
+  return {
+    get drive() {
+      const sums = [0, 0, 0, 0];
+      for (const code of held) AXES[code]?.forEach((value, axis) => (sums[axis] = (sums[axis] ?? 0) + value));
+      const [right = 0, ahead = 0, turn = 0, look = 0] = sums;
+      const [across, along] = clampLength(right, ahead);
+      return { right: across, ahead: along, turn: Math.sign(turn), look: Math.sign(look), isRunning };
+    },
+    dispose: () => stop.abort(),
+  };
+}
+
+/** Dead zone as a share of a stick's range: worn sticks do not return to 0. */
+const DEAD_ZONE = 0.18;
+/** Button numbers in the standard layout: left shoulder, left stick. */
+const HASTE = [4, 10] as const;
+
+/** Subset of the browser's Gamepad. */
+export interface Pad {
+  readonly connected: boolean;
+  readonly mapping: string;
+  readonly axes: readonly number[];
+  readonly buttons: readonly { readonly pressed: boolean }[];
+}
+
+/** Commands of all gamepads with the standard layout. */
+export function readPads(pads: readonly (Pad | null)[]): Drive {
+  const known = pads.filter((pad) => pad !== null && pad.connected && pad.mapping === 'standard');
+  return known.length === 0 ? REST : combine(...known.map((pad) => (pad ? driveOf(pad) : REST)));
+}
+
+function driveOf({ axes, buttons }: Pad): Drive {
+  const [right, back] = applyDeadZone(axes[0] ?? 0, axes[1] ?? 0, DEAD_ZONE);
+  const [clockwise, down] = applyDeadZone(axes[2] ?? 0, axes[3] ?? 0, DEAD_ZONE);
+  const isRunning = HASTE.some((number) => buttons[number]?.pressed ?? false);
+  // Subtracted from 0, so that a stick at rest gives 0 instead of −0.
+  return { right, ahead: 0 - back, turn: 0 - clockwise, look: 0 - down, isRunning };
+}
+
+/** Gamepads of the browser. */
+export function browserPads(): readonly (Pad | null)[] {
+  // Pages without https, or with a policy against gamepads, throw here.
+  try {
+    return navigator.getGamepads?.() ?? [];
+  } catch {
+    return [];
+  }
 }

@@ -1,7 +1,6 @@
-/** Floor of the user in the world, and the head above it; independent of a headset. */
+/** Floor of the user in the world, the head above it, and destinations on it; independent of a headset. */
 import { type Bounds, clampToLimit } from './limit';
-import type { Pose } from './pose';
-import { type Vector, wrapped } from './vector';
+import { addScaled, ahead, type Pose, rightOf, upOf, type Vector, wrapAngle } from './pose';
 
 /** Origin of the headset's space in the world, metres, and its rotation about the vertical axis. */
 export interface Floor {
@@ -29,20 +28,20 @@ export function localOf({ position, yaw }: Floor, [x, y, z]: Vector): Vector {
 }
 
 /** Pose of the head in the world. */
-export function inWorld(floor: Floor, head: Head): Pose {
-  return { position: worldOf(floor, head.position), yaw: wrapped(floor.yaw + head.yaw), pitch: head.pitch };
+export function worldPose(floor: Floor, head: Head): Pose {
+  return { position: worldOf(floor, head.position), yaw: wrapAngle(floor.yaw + head.yaw), pitch: head.pitch };
 }
 
 /** Floor for which the head is above a point of the ground and looks along a yaw. */
 export function floorUnder(ground: Vector, yaw: number, head: Head): Floor {
-  const turned = { position: [0, 0, 0], yaw: wrapped(yaw - head.yaw) } as const;
+  const turned = { position: [0, 0, 0], yaw: wrapAngle(yaw - head.yaw) } as const;
   const [x, , z] = worldOf(turned, head.position);
   return { position: [ground[0] - x, ground[1], ground[2] - z], yaw: turned.yaw };
 }
 
 /** Floor after a turn to the left around the head, which stays in place. */
 export function turnFloor(floor: Floor, head: Head, angle: number): Floor {
-  const { position, yaw } = inWorld(floor, head);
+  const { position, yaw } = worldPose(floor, head);
   return floorUnder([position[0], floor.position[1], position[2]], yaw + angle, head);
 }
 
@@ -82,3 +81,37 @@ export function headOf(matrix: ArrayLike<number>): Head {
 
 /** Cosine of the pitch below which a direction's horizontal part is too imprecise. */
 const STEEP = 0.05;
+
+/** Greatest height above the ground of a surface to stand on, metres. */
+const STEP = 0.5;
+/** Distance that the user keeps from other surfaces, metres. */
+const BEFORE = 1;
+/** Step towards distant surfaces, metres. */
+const LEAP = 15;
+
+/** Shape of a picture: its vertical field of view in degrees, and its width divided by its height. */
+export interface Frame {
+  readonly fov: number;
+  readonly aspect: number;
+}
+
+/** Unit vector along which a pose sees a place of the picture, in shares of its sides from the upper left. */
+export function directionTo(pose: Pose, [x, y]: readonly [number, number], { fov, aspect }: Frame): Vector {
+  const height = Math.tan((fov * Math.PI) / 360);
+  const across = addScaled(ahead(pose), rightOf(pose.yaw), (2 * x - 1) * height * aspect);
+  const [dx, dy, dz] = addScaled(across, upOf(pose), (1 - 2 * y) * height);
+  const size = Math.hypot(dx, dy, dz);
+  return [dx / size, dy / size, dz / size];
+}
+
+/** Place at the eye's own height for a direction; `hit` is the surface point seen there, or null. */
+export function placeFor(eye: Vector, direction: Vector, hit: Vector | null): Vector {
+  const ground = eye[1] - EYE_HEIGHT;
+  if (hit && hit[1] <= ground + STEP) return [hit[0], eye[1], hit[2]];
+  const level = Math.hypot(direction[0], direction[2]);
+  if (level === 0) return eye;
+  const free = hit ? Math.hypot(hit[0] - eye[0], hit[2] - eye[2]) - BEFORE : LEAP;
+  const toGround = direction[1] < 0 ? (EYE_HEIGHT * level) / -direction[1] : Number.POSITIVE_INFINITY;
+  const away = Math.max(Math.min(free, toGround), 0);
+  return [eye[0] + (away * direction[0]) / level, eye[1], eye[2] + (away * direction[2]) / level];
+}

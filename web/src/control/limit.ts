@@ -1,5 +1,5 @@
 /** Keeps a user within radii about centres' vertical axes, because pictures fold beyond them. */
-import type { Vector } from './vector';
+import type { Vector } from './pose';
 
 export interface Limit {
   readonly center: Vector;
@@ -28,7 +28,7 @@ const RETURN = 3;
  */
 export function confine(from: Vector, to: Vector, bounds: Bounds | null): Vector {
   const soft = bounds && roomiest(to, bounds.open);
-  let place = soft ? slowed(from, to, soft) : to;
+  let place = soft ? slowDown(from, to, soft) : to;
   for (const wall of bounds?.shown ?? []) {
     const end = Math.max(distance(from, wall), wall.metres);
     const far = distance(place, wall);
@@ -40,13 +40,13 @@ export function confine(from: Vector, to: Vector, bounds: Bounds | null): Vector
 /** Share of a straight step, 0 to 1, after which it is as far out as `confine` allows. */
 export function allowedShare(from: Vector, to: Vector, bounds: Bounds | null): number {
   const soft = bounds && roomiest(to, bounds.open);
-  const share = soft ? shareOf(from, to, distance(slowed(from, to, soft), soft), soft) : 1;
+  const share = soft ? shareOf(from, to, distance(slowDown(from, to, soft), soft), soft) : 1;
   const walls = (bounds?.shown ?? []).map((wall) => shareOf(from, to, wall.metres, wall));
   return Math.min(share, ...walls);
 }
 
 /** Leads a user who is beyond the limits back smoothly. */
-export function settle(position: Vector, bounds: Bounds | null, seconds: number): Vector {
+export function leadBack(position: Vector, bounds: Bounds | null, seconds: number): Vector {
   const soft = bounds && roomiest(position, bounds.open);
   let place = position;
   for (const limit of new Set([...(soft ? [soft] : []), ...(bounds?.shown ?? [])])) {
@@ -74,7 +74,7 @@ function roomiest(place: Vector, limits: readonly Limit[]): Limit | null {
   return limits.reduce<Limit | null>((best, each) => (best && room(best) >= room(each) ? best : each), null);
 }
 
-function slowed(from: Vector, to: Vector, limit: Limit): Vector {
+function slowDown(from: Vector, to: Vector, limit: Limit): Vector {
   const [before, after] = [distance(from, limit), distance(to, limit)];
   const free = FREE * limit.metres;
   const start = Math.max(before, free);

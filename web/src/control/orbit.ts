@@ -1,8 +1,7 @@
 /** Orbiting a point in the middle of the picture; independent of a browser. */
 import type { Drive } from './drive';
-import { allowedShare, type Bounds, confine, settle } from './limit';
-import type { Pose } from './pose';
-import { ahead, bounded, addScaled, rightOf, STEEPEST, upOf, type Vector } from './vector';
+import { allowedShare, type Bounds, confine, leadBack } from './limit';
+import { addScaled, ahead, clamp, type Pose, rightOf, STEEPEST, upOf, type Vector } from './pose';
 
 /** Least and greatest distance from the point, and the default distance, metres. */
 const [NEAREST, FARTHEST, USUAL] = [0.3, 2000, 4] as const;
@@ -33,15 +32,15 @@ export function createOrbit(start: Pose, bounds: () => Bounds | null): Orbit {
   function put(eye: Vector, point: Vector): void {
     const [x, y, z] = addScaled(point, eye, -1);
     const level = Math.hypot(x, z);
-    away = bounded(Math.hypot(level, y), NEAREST, FARTHEST);
+    away = clamp(Math.hypot(level, y), NEAREST, FARTHEST);
     const yaw = level > 1e-9 ? nearest(Math.atan2(-x, -z), view.yaw) : view.yaw;
-    view = { position: eye, yaw, pitch: bounded(Math.atan2(y, level), -STEEPEST, STEEPEST) };
+    view = { position: eye, yaw, pitch: clamp(Math.atan2(y, level), -STEEPEST, STEEPEST) };
   }
 
   function rotate(left: number, up: number): void {
     if (left === 0 && up === 0) return;
     const point = target();
-    const turned = { yaw: view.yaw + left, pitch: bounded(view.pitch + up, -STEEPEST, STEEPEST) };
+    const turned = { yaw: view.yaw + left, pitch: clamp(view.pitch + up, -STEEPEST, STEEPEST) };
     const eye = addScaled(point, ahead(turned), -away);
     const allowed = confine(view.position, eye, bounds());
     if (allowed === eye) view = { ...turned, position: eye };
@@ -50,7 +49,7 @@ export function createOrbit(start: Pose, bounds: () => Bounds | null): Orbit {
 
   function zoom(factor: number): void {
     if (!(factor > 0) || factor === 1) return;
-    const wanted = bounded(away * factor, NEAREST, FARTHEST);
+    const wanted = clamp(away * factor, NEAREST, FARTHEST);
     const eye = addScaled(target(), ahead(view), -wanted);
     const share = allowedShare(view.position, eye, bounds());
     const position = addScaled(view.position, ahead(view), share * (away - wanted));
@@ -68,12 +67,12 @@ export function createOrbit(start: Pose, bounds: () => Bounds | null): Orbit {
     get pose() {
       return view;
     },
-    update(seconds, { right, ahead: nearer, turn, look, isHasty }) {
-      if (isHasty) pan(PAN * seconds * right, PAN * seconds * nearer);
+    update(seconds, { right, ahead: nearer, turn, look, isRunning }) {
+      if (isRunning) pan(PAN * seconds * right, PAN * seconds * nearer);
       else zoom(Math.exp(-ZOOM * seconds * nearer));
-      const aside = isHasty ? turn : turn - right;
+      const aside = isRunning ? turn : turn - right;
       rotate(TURN * seconds * aside, TURN * seconds * look);
-      view = { ...view, position: settle(view.position, bounds(), seconds) };
+      view = { ...view, position: leadBack(view.position, bounds(), seconds) };
     },
     rotate,
     zoom,

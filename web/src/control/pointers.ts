@@ -1,6 +1,5 @@
-/** Mouse, pen and touch: dragging, two fingers, the wheel, and a locked pointer. */
-import { beyondRest, type Drive, REST } from './drive';
-import { createTaps } from './taps';
+/** Mouse, pen and touch: dragging, two fingers, double taps, the wheel, and a locked pointer. */
+import { applyDeadZone, type Drive, REST } from './drive';
 
 /** Radians per picture height of dragging: for a walker's head, and for orbiting. */
 const [LOOK, AROUND] = [1.6, Math.PI] as const;
@@ -115,7 +114,7 @@ export function createPointers(element: HTMLElement, actions: PointerActions): P
   }
 
   function step({ x, y }: { x: number; y: number }, { clientX, clientY }: PointerEvent): void {
-    const [right, down] = beyondRest((clientX - x) / THUMB_REACH, (clientY - y) / THUMB_REACH, THUMB_REST);
+    const [right, down] = applyDeadZone((clientX - x) / THUMB_REACH, (clientY - y) / THUMB_REACH, THUMB_REST);
     drive = { ...REST, right, ahead: 0 - down };
     actions.thumb({ x, y, right: clientX - x, down: clientY - y });
   }
@@ -178,6 +177,45 @@ export function createPointers(element: HTMLElement, actions: PointerActions): P
     dispose() {
       release();
       stop.abort();
+    },
+  };
+}
+
+/** Greatest milliseconds of a tap, and between two taps; greatest movement in pixels meanwhile. */
+const [LONGEST, PAUSE, STILL] = [300, 400, 16] as const;
+
+type Event = Pick<PointerEvent, 'pointerId' | 'clientX' | 'clientY' | 'timeStamp'>;
+
+export interface Taps {
+  down(event: Event): void;
+  up(event: Event): void;
+}
+
+/** `twice` receives the second tap. */
+export function createTaps(twice: (event: Event) => void): Taps {
+  const downs = new Map<number, Event>();
+  let last: Event | null = null;
+
+  const isNear = (a: Event, b: Event): boolean => Math.hypot(a.clientX - b.clientX, a.clientY - b.clientY) <= STILL;
+
+  return {
+    down(event) {
+      // Two simultaneous fingers are no tap.
+      if (downs.size > 0) last = null;
+      downs.set(event.pointerId, event);
+    },
+    up(event) {
+      const begun = downs.get(event.pointerId);
+      const isAlone = downs.size === 1;
+      downs.delete(event.pointerId);
+      const isTap = begun && isAlone && event.timeStamp - begun.timeStamp <= LONGEST && isNear(begun, event);
+      if (!isTap) {
+        last = null;
+        return;
+      }
+      const isSecond = last !== null && event.timeStamp - last.timeStamp <= PAUSE && isNear(last, event);
+      last = isSecond ? null : event;
+      if (isSecond) twice(event);
     },
   };
 }

@@ -1,8 +1,7 @@
 /** First-person walking at a constant eye height; independent of a browser. */
 import type { Drive } from './drive';
-import { type Bounds, confine, settle } from './limit';
-import type { Pose } from './pose';
-import { bounded, rightOf, STEEPEST, type Vector } from './vector';
+import { type Bounds, confine, leadBack } from './limit';
+import { clamp, type Pose, rightOf, STEEPEST, type Vector } from './pose';
 
 /** Walking speed, metres per second, and factor for running. */
 const [SPEED, HASTE] = [1.6, 3] as const;
@@ -38,8 +37,8 @@ export function createWalk(start: Pose, bounds: () => Bounds | null, isSudden: (
     const turned = TURN * drive.turn * seconds;
     const middle = yaw + turned / 2;
     yaw += turned;
-    pitch = bounded(pitch + TURN * drive.look * seconds, -STEEPEST, STEEPEST);
-    const speed = SPEED * (drive.isHasty ? HASTE : 1);
+    pitch = clamp(pitch + TURN * drive.look * seconds, -STEEPEST, STEEPEST);
+    const speed = SPEED * (drive.isRunning ? HASTE : 1);
     const [right, rightSpeed] = glide(velocity[0], speed * drive.right, seconds, isSudden());
     const [front, frontSpeed] = glide(velocity[1], speed * drive.ahead, seconds, isSudden());
     velocity = [rightSpeed, frontSpeed];
@@ -47,7 +46,7 @@ export function createWalk(start: Pose, bounds: () => Bounds | null, isSudden: (
     const drop = isSudden() ? 0 : (position[1] - height) * Math.exp(-seconds / RISE);
     // Ahead on the ground is (z, −x) if right is (x, z).
     const wanted: Vector = [position[0] + x * right + z * front, height + drop, position[2] + z * right - x * front];
-    position = settle(confine(position, wanted, bounds()), bounds(), seconds);
+    position = leadBack(confine(position, wanted, bounds()), bounds(), seconds);
   }
 
   function follow(pose: Pose): void {
@@ -65,7 +64,7 @@ export function createWalk(start: Pose, bounds: () => Bounds | null, isSudden: (
     },
     look(left, up) {
       yaw += left;
-      pitch = bounded(pitch + up, -STEEPEST, STEEPEST);
+      pitch = clamp(pitch + up, -STEEPEST, STEEPEST);
     },
     setPose(pose) {
       follow(pose);

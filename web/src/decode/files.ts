@@ -1,6 +1,7 @@
-/** Checks and decompression of a bundle's files. */
-import { sha256 as hashOf } from '../hex';
-import type { FileData } from './messages';
+/** Checks and decompression of a bundle's files, and its WebP pictures. */
+import { inflated, sha256 as hashOf } from '../base/bytes';
+import { messageOf } from '../base/errors';
+import type { Band, FileData } from './messages';
 
 /** Content of a file, checked against the manifest's size and hash. */
 export async function contentOf(file: FileData): Promise<Uint8Array<ArrayBuffer>> {
@@ -16,35 +17,94 @@ export async function contentOf(file: FileData): Promise<Uint8Array<ArrayBuffer>
   return new Uint8Array(data);
 }
 
-/** Message of an error. */
-export function reasonOf(error: unknown): string {
-  return error instanceof Error ? error.message : String(error);
+/** Content of a compressed file; throws an error if it has more than `most` bytes. */
+export async function inflatedFile(file: FileData, most: number): Promise<Uint8Array> {
+  const content = await contentOf(file);
+  try {
+    return await inflated(content, most);
+  } catch (error) {
+    throw new Error(`${file.name}: expected compressed ranges, got ${messageOf(error)}`);
+  }
 }
 
-/** Decompresses a zlib stream to at most `most` bytes. */
-export async function inflated(name: string, data: Uint8Array<ArrayBuffer>, most: number): Promise<Uint8Array> {
-  const parts: Uint8Array[] = [];
-  let size = 0;
+/** Greatest number of texels of a picture: 8192². */
+const MAX_TEXELS = 2 ** 26;
+
+/** Greatest size of a band of a picture in bytes, unless a single row is larger. */
+const BAND_BYTES = 2 ** 18;
+/** Keeps a picture's raw values: no colour profile, no premultiplied alpha. */
+const RAW_PIXELS = { colorSpaceConversion: 'none', premultiplyAlpha: 'none', imageOrientation: 'none' } as const;
+
+/** A picture as the GPU takes it. */
+export async function pictureOf(name: string, data: Uint8Array<ArrayBuffer>): Promise<ImageBitmap> {
+  const [width, height] = sizeOf(name, data);
+  if (width * height > MAX_TEXELS) {
+    throw new Error(`${name}: expected a smaller picture, got ${width} × ${height} pixels`);
+  }
   try {
-    const stream = new Blob([data]).stream().pipeThrough(new DecompressionStream('deflate'));
-    for (const reader = stream.getReader(); ; ) {
-      const { done, value } = await reader.read();
-      if (done) break;
-      parts.push(value);
-      size += value.length;
-      if (size > most) {
-        await reader.cancel();
-        throw new Error(`more than ${most} bytes`);
-      }
+    return await createImageBitmap(new Blob([data], { type: 'image/webp' }), RAW_PIXELS);
+  } catch {
+    throw new Error(`${name}: expected a WebP picture, got something else`);
+  }
+}
+
+/** Splits pictures by name into bands of rows; closes the pictures. */
+export async function bandsOf(images: Readonly<Record<string, ImageBitmap>>): Promise<Band[]> {
+  const bands: Band[] = [];
+  for (const [name, image] of Object.entries(images)) {
+    const { width, height } = image;
+    const most = Math.max(Math.floor(BAND_BYTES / (4 * width)), 1);
+    for (let y = 0; y < height; y += most) {
+      const rows = await createImageBitmap(image, 0, y, width, Math.min(most, height - y), RAW_PIXELS);
+      bands.push({ name, width, height, y, rows });
     }
-  } catch (error) {
-    throw new Error(`${name}: expected compressed ranges, got ${reasonOf(error)}`);
+    image.close();
   }
-  const whole = new Uint8Array(size);
-  let place = 0;
-  for (const part of parts) {
-    whole.set(part, place);
-    place += part.length;
+  return bands;
+}
+
+/** Pixels of an opaque picture of known size, RGBA from the top. */
+export async function pixelsOf(file: FileData, width: number, height: number): Promise<Uint8Array> {
+  const data = await contentOf(file);
+  const found = sizeOf(file.name, data);
+  if (found[0] !== width || found[1] !== height) {
+    throw new Error(`${file.name}: expected ${width} × ${height} pixels, got ${found[0]} × ${found[1]}`);
   }
-  return whole;
+  const bitmap = await pictureOf(file.name, data);
+  return new Uint8Array(rgbaOf(bitmap).buffer);
+}
+
+/** RGBA of a picture, which is closed; opaque pictures are read without loss. */
+export function rgbaOf(image: ImageBitmap): Uint8ClampedArray {
+  const { width, height } = image;
+  try {
+    const context = new OffscreenCanvas(width, height).getContext('2d', { willReadFrequently: true });
+    if (!context) throw new Error('the browser gives workers no canvas, by which they read pictures');
+    context.drawImage(image, 0, 0);
+    return context.getImageData(0, 0, width, height).data;
+  } finally {
+    image.close();
+  }
+}
+
+/** Width and height from the first chunk of a WebP file. */
+export function sizeOf(name: string, data: Uint8Array): [width: number, height: number] {
+  const bytes = new DataView(data.buffer, data.byteOffset, data.byteLength);
+  const textAt = (place: number): string => String.fromCharCode(...data.subarray(place, place + 4));
+  if (data.length >= 30 && textAt(0) === 'RIFF' && textAt(8) === 'WEBP') {
+    switch (textAt(12)) {
+      // Lossy: after a frame tag and a start code of three bytes each, 14 bits each, with two bits of scaling above.
+      case 'VP8 ':
+        return [bytes.getUint16(26, true) & 0x3fff, bytes.getUint16(28, true) & 0x3fff];
+      // Lossless: after a signature byte, 14 bits each, minus 1.
+      case 'VP8L': {
+        const bits = bytes.getUint32(21, true);
+        return [1 + (bits & 0x3fff), 1 + ((bits >>> 14) & 0x3fff)];
+      }
+      // Extended: after four bytes of flags, 24 bits each, minus 1.
+      case 'VP8X':
+        return [1 + (bytes.getUint32(24, true) & 0xffffff), 1 + (bytes.getUint32(26, true) >>> 8)];
+    }
+  }
+  throw new Error(`${name}: expected a WebP picture, got something else`);
 }

@@ -1,13 +1,13 @@
 /** Decodes the geometry of a ring, or of dynamic objects, into pieces, each drawn by one call. */
+import { messageOf } from '../base/errors';
 import type { Point } from '../bundle/manifest';
-import { contentOf, reasonOf } from './files';
-import { entryAt, entries, type Glb, openGlb } from './glb';
-import { pictureOf } from './images';
+import { contentOf, pictureOf } from './files';
+import { entries, entryAt, type Glb, openGlb } from './glb';
 import type { FileData, GeometryRequest, Piece, Triangles } from './messages';
-import { chopped } from './pieces';
-import { isIdentity, placementsOf, ROWS, rounded } from './placements';
+import { splitIntoPieces } from './pieces';
+import { concatPlacements, isIdentity, placementsOf, ROWS } from './placements';
 import { splitPlaced } from './split/placed';
-import { createRule, NOTHING_GROWS, type Rule, TOLERANCE } from './split/rule';
+import { createRule, NO_GROWTH, type Rule, TOLERANCE } from './split/rule';
 import { type Budget, splitArrays } from './split/triangles';
 import { type Arrays, FOLDER, pictureName, primitiveOf, sameOf } from './surfaces';
 
@@ -41,7 +41,7 @@ export async function decodeGeometry(request: GeometryRequest, kept: Buffers): P
     const triangles = { own: own.reduce((sum, n) => sum + n, 0), drawn: drawn.reduce((sum, n) => sum + n, 0) };
     return { pieces, images: await imagesOf(glb, parts, request.known), triangles };
   } catch (error) {
-    const reason = reasonOf(error);
+    const reason = messageOf(error);
     throw new Error(reason.startsWith(FOLDER) ? reason : `${name}: ${reason}`);
   }
 }
@@ -51,7 +51,7 @@ async function fileOf({ glb, isDynamic }: GeometryRequest, kept: Buffers): Promi
   const name = glb.name.slice(FOLDER.length);
   if (glb.data === null) {
     const content = kept.get(name);
-    if (!content) throw new Error(`${glb.name} is not there`);
+    if (!content) throw new Error(`${glb.name} is missing`);
     return content;
   }
   const content = await contentOf(glb);
@@ -93,7 +93,7 @@ async function imagesOf(
       const name = pictureName(entry);
       const data = parts.get(name);
       if (data && !Object.hasOwn(images, name)) images[name] = await pictureOf(name, data);
-      else if (!data && !known.includes(name)) throw new Error(`${name} is not there`);
+      else if (!data && !known.includes(name)) throw new Error(`${name} is missing`);
     }
   } catch (error) {
     for (const image of Object.values(images)) image.close();
@@ -132,7 +132,7 @@ async function surfacesOf(glb: Glb, { glb: file, center, isDynamic }: GeometryRe
   for (const [mesh, groups] of byMesh) {
     const placed = groups.map(({ name, rows }) => {
       const isPlain = !isDynamic && rows.length === 1 && rows.every(isIdentity);
-      return { name, placements: isPlain ? null : rounded(rows, offset) };
+      return { name, placements: isPlain ? null : concatPlacements(rows, offset) };
     });
     for (const primitive of entries(entryAt(glb.document.meshes, mesh, 'mesh').primitives, 'primitives')) {
       surfaces.push({ arrays: await primitiveOf(glb, primitive), same: sameOf(glb, primitive, file.name), placed });
@@ -146,7 +146,7 @@ function splitPieces(surfaces: readonly Surface[], offset: Point, { growth, isDy
   for (let tolerance = TOLERANCE; ; tolerance *= 2) {
     const budget = { left: MAX_ADDED_TRIANGLES };
     // Dynamic objects may be posed, which changes which triangles are large.
-    const pieces = piecesOf(surfaces, offset, createRule(isDynamic ? NOTHING_GROWS : growth, tolerance), budget);
+    const pieces = piecesOf(surfaces, offset, createRule(isDynamic ? NO_GROWTH : growth, tolerance), budget);
     if (budget.left >= 0) return pieces;
   }
 }
@@ -160,7 +160,7 @@ function piecesOf(surfaces: readonly Surface[], offset: Point, rule: Rule, budge
         ? splitPlaced(arrays, placements, rule, budget)
         : [{ arrays: splitArrays(lying(), rule, budget), placements }];
       for (const part of parts) {
-        for (const [number, piece] of chopped(part.arrays).entries()) {
+        for (const [number, piece] of splitIntoPieces(part.arrays).entries()) {
           // Split triangles, and positions without placements, belong to this region only.
           const own = part.arrays === arrays ? `${same} ${number}` : null;
           if (part.placements?.length !== 0) pieces.push({ ...piece, name, same: own, placements: part.placements });

@@ -1,5 +1,7 @@
-/** Reads the GLB files that nearfar writes: their documents, and the arrays described there. */
-import { type Compression, decompressed, isCount } from './meshopt';
+/**
+ * Reads the GLB files that nearfar writes: their documents, and the arrays described there, packed by meshoptimizer.
+ */
+import { MeshoptDecoder } from 'meshoptimizer/decoder';
 
 /** Subset of a glTF 2.0 document that nearfar writes. Every number may be wrong in a damaged file. */
 export interface Document {
@@ -108,7 +110,7 @@ export function openGlb(
   function bufferOf(number: number): Uint8Array {
     const entry = entryAt(document.buffers, number, 'buffer');
     const found = entry.uri === undefined ? chunk : parts.get(entry.uri);
-    if (!found) throw new Error(`the buffer ${entry.uri ?? number} is not there`);
+    if (!found) throw new Error(`the buffer ${entry.uri ?? number} is missing`);
     return found;
   }
 
@@ -117,7 +119,7 @@ export function openGlb(
     const packed = view.extensions?.EXT_meshopt_compression;
     if (!packed) return slice(bufferOf(view.buffer), view.byteOffset ?? 0, view.byteLength);
     const source = slice(bufferOf(packed.buffer), packed.byteOffset ?? 0, packed.byteLength);
-    const data = await decompressed(source, packed);
+    const data = await decompress(source, packed);
     spend(data.length);
     return data;
   }
@@ -167,7 +169,7 @@ export function openGlb(
 export function entryAt<T>(list: readonly T[] | undefined, number: number | undefined, what: string): T {
   if (number === undefined) throw new Error(`the ${what}'s number is missing`);
   const found = Array.isArray(list) && isCount(number) ? (list as readonly T[])[number] : undefined;
-  if (typeof found !== 'object' || found === null) throw new Error(`${what} ${number} is not there`);
+  if (typeof found !== 'object' || found === null) throw new Error(`${what} ${number} is missing`);
   return found;
 }
 
@@ -185,14 +187,14 @@ function chunksOf(bytes: Uint8Array<ArrayBuffer>): { document: Document; chunk: 
   }
   if (words.getUint32(4, true) !== VERSION) throw new Error(`expected version ${VERSION} of glTF, got another one`);
   const length = words.getUint32(12, true);
-  const document = parsed(slice(bytes, 20, length));
+  const document = parseDocument(slice(bytes, 20, length));
   const next = 20 + length;
   if (bytes.length < next + 8) return { document, chunk: null };
   if (words.getUint32(next + 4, true) !== BIN_CHUNK) throw new Error('expected a binary chunk, got another one');
   return { document, chunk: slice(bytes, next + 8, words.getUint32(next, true)) };
 }
 
-function parsed(text: Uint8Array): Document {
+function parseDocument(text: Uint8Array): Document {
   let document: unknown;
   try {
     document = JSON.parse(new TextDecoder().decode(text));
@@ -207,4 +209,66 @@ function slice(data: Uint8Array, start: number, length: number): Uint8Array {
   const isWithin = isCount(start) && isCount(length) && start + length <= data.length;
   if (!isWithin) throw new Error('an array reaches beyond the file');
   return data.subarray(start, start + length);
+}
+
+/** Description of an array in `EXT_meshopt_compression`. Every number may be wrong in a damaged file. */
+export interface Compression {
+  readonly buffer: number;
+  readonly byteOffset?: number;
+  readonly byteLength: number;
+  readonly byteStride: number;
+  readonly count: number;
+  readonly mode: string;
+  readonly filter?: string;
+}
+
+/** Greatest size of a decompressed array in bytes; the largest ring of a bundle has a fraction of it. */
+const MAX_ARRAY_BYTES = 2 ** 28;
+/**
+ * Greatest number of bytes that a compressed byte decodes to: version 0 of the vertex codec spends at least two bits on
+ * 16 bytes of a column, the index codecs spend at least a byte on a triangle, or on an index.
+ */
+const MAX_GROWTH = 64;
+/** Allowed size of short arrays in any case, bytes, because their last block may be padded. */
+const MIN_BYTES = 2 ** 16;
+const MAX_STRIDE = 256;
+
+type Strides = (stride: number) => boolean;
+const isCorner: Strides = (stride) => stride === 2 || stride === 4;
+const MODES: ReadonlyMap<string, Strides> = new Map([
+  ['ATTRIBUTES', (stride: number) => stride % 4 === 0 && stride <= MAX_STRIDE],
+  ['TRIANGLES', isCorner],
+  ['INDICES', isCorner],
+]);
+const FILTERS: ReadonlyMap<string, Strides> = new Map([
+  ['NONE', () => true],
+  ['OCTAHEDRAL', (stride: number) => stride === 4 || stride === 8],
+  ['QUATERNION', (stride: number) => stride === 8],
+  ['EXPONENTIAL', (stride: number) => stride % 4 === 0],
+]);
+
+async function decompress(source: Uint8Array, { count, byteStride, mode, filter = 'NONE' }: Compression) {
+  const isSized = isCount(count) && isCount(byteStride) && byteStride > 0;
+  const size = count * byteStride;
+  if (!isSized || size > Math.min(MAX_ARRAY_BYTES, MIN_BYTES + MAX_GROWTH * source.length)) {
+    throw new Error(`${source.length} compressed bytes claim ${count} rows of ${byteStride} bytes`);
+  }
+  if (!MODES.get(mode)?.(byteStride) || (mode === 'TRIANGLES' && count % 3 !== 0)) {
+    throw new Error(`${count} rows of ${byteStride} bytes cannot be ${mode}`);
+  }
+  if (!FILTERS.get(filter)?.(byteStride) || (mode !== 'ATTRIBUTES' && filter !== 'NONE')) {
+    throw new Error(`${mode} of ${byteStride} bytes have no filter ${filter}`);
+  }
+  const target = new Uint8Array(size);
+  await MeshoptDecoder.ready;
+  try {
+    MeshoptDecoder.decodeGltfBuffer(target, count, byteStride, source, mode, filter);
+  } catch {
+    throw new Error('expected a compressed array, got something else');
+  }
+  return target;
+}
+
+function isCount(value: unknown): value is number {
+  return Number.isSafeInteger(value) && (value as number) >= 0;
 }

@@ -1,6 +1,6 @@
 /** Maps of a region: the whole map of ring 0, then the changes of each ring. */
-import { contentOf, inflated, reasonOf } from './files';
-import { pixelsOf } from './images';
+import { messageOf } from '../base/errors';
+import { inflatedFile, pixelsOf } from './files';
 import type { FileData, FirstMapRequest, MapUpdate, NextMapRequest } from './messages';
 import { decodeRanges } from './ranges';
 
@@ -42,7 +42,7 @@ export function createMaps(): Maps {
       return wholeMap(state);
     },
     async next(request) {
-      if (!state) throw new Error('map: a ring came before the first map');
+      if (!state) throw new Error('map: a ring was requested before the first map');
       const { since, ring } = request;
       if (since !== null && !(Number.isInteger(since) && since >= 0 && since <= ring)) {
         throw new Error(`map: expected an earlier ring than ${ring}, got ${since}`);
@@ -94,7 +94,7 @@ async function firstCodes(state: State, tiles: readonly number[], range: readonl
   const changed = new Uint8Array(FACES * area);
   await Promise.all(
     range.map(async (file, face) => {
-      const raw = await inflated(file.name, await contentOf(file), HEAD + PLANES + MAX_BYTES * area);
+      const raw = await inflatedFile(file, HEAD + PLANES + MAX_BYTES * area);
       const own = tiles.filter((number) => Math.floor(number / perFace) === face).map((number) => number % perFace);
       const place = codes.subarray(face * area, (face + 1) * area);
       changed.set(withFileName(file, () => decodeRanges(raw, place, null, own, state)), face * area);
@@ -116,7 +116,7 @@ async function laterCodes(
     throw new Error(`map: expected ranges exactly where tiles change, got ${range.length} files`);
   }
   if (!file) return { codes: before, changed: new Uint8Array(before.length) };
-  const raw = await inflated(file.name, await contentOf(file), HEAD + PLANES + MAX_BYTES * tiles.length * tile * tile);
+  const raw = await inflatedFile(file, HEAD + PLANES + MAX_BYTES * tiles.length * tile * tile);
   const codes = before.slice();
   return { codes, changed: withFileName(file, () => decodeRanges(raw, codes, before, tiles, state)) };
 }
@@ -126,7 +126,7 @@ function withFileName<T>(file: FileData, work: () => T): T {
   try {
     return work();
   } catch (error) {
-    throw new Error(`${file.name}: ${reasonOf(error)}`);
+    throw new Error(`${file.name}: ${messageOf(error)}`);
   }
 }
 

@@ -73,7 +73,7 @@ function compose(
 }
 
 /** Concatenates all placements, translated by an offset in float64 before they are rounded. */
-export function rounded(parts: readonly Float64Array[], offset: Point): Float32Array {
+export function concatPlacements(parts: readonly Float64Array[], offset: Point): Float32Array {
   const all = new Float32Array(parts.reduce((sum, part) => sum + part.length, 0));
   let place = 0;
   for (const part of parts) {

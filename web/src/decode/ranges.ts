@@ -1,6 +1,5 @@
 /** Decodes the ranges of a map: docs/stream.md, "Files of ranges". All decoders yield bit-identical codes. */
-import { damaged, NOTHING, type Planes, readPlanes, TRUST } from './planes';
-import { createScale, type Scale } from './scale';
+import { createScale, damaged, NOTHING, type Planes, readPlanes, type Scale, TRUST } from './planes';
 
 /** Division of a map. */
 export interface Layout {
@@ -97,7 +96,7 @@ function decodeFace(
         for (let x = column * tile; x < (column + 1) * tile; x++) {
           const place = y * size + x;
           if (isListed[column]) {
-            face.changed[place] = planes.changed(predictedChange(face, x, y, size)) ? 1 : 0;
+            face.changed[place] = planes.changed(predictChange(face, x, y, size)) ? 1 : 0;
           }
           const u = (2 * x + 1) / size - 1;
           texel(face, x, y, size, Math.sqrt(1 + u * u + v * v), row, columns, walk, scale, planes);
@@ -135,7 +134,7 @@ function texel(
     return;
   }
   const right = x + 1 < size && y > 0 ? (codes[place - size + 1] as number) : NOTHING;
-  const neighbour = predicted(left, above, corner, right, walk.last);
+  const neighbour = predictCode(left, above, corner, right, walk.last);
   const [n, m] = [row.count[0] as number, columns.count[x] as number];
   const byRow = n > 0 ? scale.code(next(row, 0), distance, neighbour) : -1;
   const byColumn = m > 0 ? scale.code(next(columns, x), distance, neighbour) : -1;
@@ -158,8 +157,8 @@ function texel(
       guess = byColumn;
       trust = m > LONG ? TRUST.high : TRUST.some;
     }
-    const folded = planes.residual(trust);
-    const code = (guess + ((folded >> 1) ^ -(folded & 1))) & 0xffff;
+    const reflectInto = planes.residual(trust);
+    const code = (guess + ((reflectInto >> 1) ^ -(reflectInto & 1))) & 0xffff;
     if (code === NOTHING) throw damaged('a surface without range');
     codes[place] = code;
   }
@@ -191,7 +190,7 @@ function extend(lines: Lines, at: number, value: number, fits: boolean): void {
   lines.slope[at] = (lines.slope[at] as number) + 6 * scale * error;
 }
 
-function predictedChange({ before, changed }: Face, x: number, y: number, size: number): boolean {
+function predictChange({ before, changed }: Face, x: number, y: number, size: number): boolean {
   const place = y * size + x;
   const left = x > 0 && changed[place - 1] === 1;
   const above = y > 0 && changed[place - size] === 1;
@@ -204,7 +203,7 @@ function predictedChange({ before, changed }: Face, x: number, y: number, size: 
 }
 
 /** Code predicted from the neighbours; `last` if none shows a surface. */
-function predicted(left: number, above: number, corner: number, right: number, last: number): number {
+function predictCode(left: number, above: number, corner: number, right: number, last: number): number {
   if (left === NOTHING || above === NOTHING || corner === NOTHING) {
     return [left, above, corner, right].find((code) => code !== NOTHING) ?? last;
   }

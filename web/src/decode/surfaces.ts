@@ -22,7 +22,7 @@ export async function primitiveOf(glb: Glb, { attributes = {}, indices, material
   if (!(corners instanceof Uint16Array || corners instanceof Uint32Array) || corners.length % 3 !== 0) {
     throw new Error('expected triangles of 16 or 32 bits');
   }
-  if (greatest(corners) >= vertices) throw new Error(`expected corners below ${vertices}`);
+  if (greatest(corners) >= vertices) throw new Error(`expected indices below ${vertices}`);
   const counts = [[normals, 3], [uvs, 2], [colors, 4]] as const;
   if (counts.some(([rows, width]) => rows && rows.length !== width * vertices)) {
     throw new Error(`expected attributes of ${vertices} vertices`);

@@ -1,10 +1,20 @@
 /** Worker that decodes geometry and maps, one request after the other. */
-import { reasonOf } from './files';
+import { messageOf } from '../base/errors';
+import { bandsOf } from './files';
 import { type Buffers, decodeGeometry } from './geometry';
-import { bandsOf } from './images';
 import { createMaps, type Maps } from './maps';
-import type { Answer, ForgetRequest, Geometry, GeometryRequest, Job, Kept, Part, PartRequest, Result } from './messages';
-import { contentsOf, parcelled, samplesOf } from './parcels';
+import type {
+  Answer,
+  ForgetRequest,
+  Geometry,
+  GeometryRequest,
+  Job,
+  Kept,
+  Part,
+  PartRequest,
+  Result,
+} from './messages';
+import { contentsOf, packIntoParts, samplesOf } from './pieces';
 import { FOLDER } from './surfaces';
 
 /** Maps by region. */
@@ -25,7 +35,7 @@ async function answer(job: Job): Promise<void> {
     const result = await work(job);
     post({ id: job.id, result }, transferred(result));
   } catch (error) {
-    post({ id: job.id, error: reasonOf(error) }, []);
+    post({ id: job.id, error: messageOf(error) }, []);
   }
 }
 
@@ -51,7 +61,7 @@ async function work(job: Job): Promise<Result> {
 
 async function geometry(job: GeometryRequest & { readonly id: number }): Promise<Geometry> {
   const { pieces, images, triangles } = await decodeGeometry(job, buffers);
-  const parts = parcelled(await bandsOf(images), pieces);
+  const parts = packIntoParts(await bandsOf(images), pieces);
   parcels.set(job.id, parts);
   return { number: job.id, parts: parts.length, samples: samplesOf(pieces), triangles };
 }
@@ -66,7 +76,7 @@ function part({ of, part: number }: PartRequest): Part {
 
 function mapsOf(region: number): Maps {
   const found = maps.get(region);
-  if (!found) throw new Error('map: a ring came before the first map');
+  if (!found) throw new Error('map: a ring was requested before the first map');
   return found;
 }
 

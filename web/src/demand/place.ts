@@ -1,14 +1,12 @@
 /** Region of a place that a server makes on demand, read from the streamed lines that announce its parts. */
 import { choice, type Fields, integer, object, text } from '../bundle/checks';
-import { type Coming, thereOf } from '../bundle/coming';
+import { type ArrivingRegion, completeRegion, firstRings } from '../bundle/contents';
 import { BundleError } from '../bundle/error';
-import type { Described, Manifest, MapEntry, RingEntry } from '../bundle/manifest';
+import type { FileEntry, Manifest, MapEntry, RingEntry } from '../bundle/manifest';
 import { outlinedRing, readFiles, readManifest, ring as readRing, tilesOf } from '../bundle/parse';
-import { upTo } from '../bundle/up_to';
-import { type Awaited, createAwaited } from './awaited';
 
 /** Progress of the server with a place. */
-export type Making =
+export type ServerProgress =
   /** Requested; coarse maps are arriving; complete. */
   | { readonly stage: 'asked' | 'coarse' | 'full' }
   /** Number of places that are made before this one. */
@@ -18,8 +16,8 @@ export type Making =
 
 export interface Listener {
   /** Files that can be fetched from now on. */
-  readonly listed: (files: Readonly<Record<string, Described>>) => void;
-  readonly making: (making: Making) => void;
+  readonly listed: (files: Readonly<Record<string, FileEntry>>) => void;
+  readonly making: (making: ServerProgress) => void;
 }
 
 type Lines = AsyncIterator<unknown>;
@@ -30,34 +28,34 @@ const NOTHING = { objects: 0, triangles: 0, geometry: null, parts: [], map: null
 
 interface Line {
   readonly event: (typeof EVENTS)[number];
-  readonly told: Fields;
+  readonly fields: Fields;
 }
 
 /**
  * Reads the lines of a place; resolves once its centre and rings are known, then continues reading. `last` is the last
  * requested ring, as text; null for all.
  */
-export async function readPlace(lines: Lines, last: string | null, listener: Listener): Promise<Coming> {
-  const { event, told } = await nextLine(lines, listener);
+export async function readPlace(lines: Lines, last: string | null, listener: Listener): Promise<ArrivingRegion> {
+  const { event, fields } = await nextLine(lines, listener);
   if (event === 'whole') {
-    const manifest = upTo(last, readManifest(told['manifest']));
+    const manifest = firstRings(last, readManifest(fields['manifest']));
     listener.listed(manifest.files);
     listener.making({ stage: 'full' });
-    return thereOf(manifest, 0);
+    return completeRegion(manifest, 0);
   }
   if (event !== 'begin') throw unexpected(event);
-  const outline = upTo(last, readManifest(told['manifest'], outlinedRing));
+  const outline = firstRings(last, readManifest(fields['manifest'], outlinedRing));
   const place = createPlace(outline, listener);
   listener.making({ stage: 'coarse' });
-  readOn(lines, place, listener).catch(place.fail);
+  readParts(lines, place, listener).catch(place.fail);
   return place.coming;
 }
 
-async function readOn(lines: Lines, place: Place, listener: Listener): Promise<void> {
+async function readParts(lines: Lines, place: Place, listener: Listener): Promise<void> {
   for (;;) {
-    const { event, told } = await nextLine(lines, listener);
-    if (event === 'begin') place.beginFull(readManifest(told['manifest'], outlinedRing));
-    else if (event === 'ring') place.add(told);
+    const { event, fields } = await nextLine(lines, listener);
+    if (event === 'begin') place.beginFull(readManifest(fields['manifest'], outlinedRing));
+    else if (event === 'ring') place.add(fields);
     else if (event === 'end') {
       place.end();
       listener.making({ stage: 'full' });
@@ -69,21 +67,21 @@ async function readOn(lines: Lines, place: Place, listener: Listener): Promise<v
 async function nextLine(lines: Lines, listener: Listener): Promise<Line> {
   for (;;) {
     const { done, value } = await lines.next();
-    if (done) throw new BundleError('the server broke off before the place was there', 'network');
-    const told = object('parts', value);
-    const event = choice('parts.event', told['event'], EVENTS);
-    if (event === 'failed') throw new BundleError(text('parts.reason', told['reason']), 'place');
-    if (event !== 'waiting') return { event, told };
-    listener.making({ stage: 'waiting', before: integer('parts.before', told['before'], 0) });
+    if (done) throw new BundleError('the connection ended before the place was complete', 'network');
+    const fields = object('parts', value);
+    const event = choice('parts.event', fields['event'], EVENTS);
+    if (event === 'failed') throw new BundleError(text('parts.reason', fields['reason']), 'place');
+    if (event !== 'waiting') return { event, fields };
+    listener.making({ stage: 'waiting', before: integer('parts.before', fields['before'], 0) });
   }
 }
 
 interface Place {
-  readonly coming: Coming;
+  readonly coming: ArrivingRegion;
   /** Full-size maps begin. */
   beginFull(outline: Manifest): void;
   /** A ring of either stage is ready. */
-  add(told: Fields): void;
+  add(fields: Fields): void;
   end(): void;
   fail(reason: unknown): void;
 }
@@ -91,17 +89,17 @@ interface Place {
 function createPlace(outline: Manifest, listener: Listener): Place {
   const [entry] = outline.regions;
   if (!entry) throw new Error('a manifest has regions');
-  const files: Record<string, Described> = {};
+  const files: Record<string, FileEntry> = {};
   const count = entry.rings.length;
   // The last ring is repeated, with full-size maps.
   const rings: RingEntry[] = [...entry.rings, { ...NOTHING, radius: entry.rings.at(-1)?.radius ?? 0 }];
   const region = { ...entry, rings, isCoarse: true };
   const coming: Manifest = { ...outline, files, regions: [region] };
-  const awaited: readonly Awaited<RingEntry>[] = rings.map(() => createAwaited<RingEntry>());
+  const awaited: readonly Deferred<RingEntry>[] = rings.map(() => createDeferred<RingEntry>());
   const maps: MapEntry[] = [];
   let full: Manifest | null = null;
 
-  function list(more: Readonly<Record<string, Described>>): void {
+  function list(more: Readonly<Record<string, FileEntry>>): void {
     Object.assign(files, more);
     listener.listed(more);
   }
@@ -126,15 +124,15 @@ function createPlace(outline: Manifest, listener: Listener): Place {
       full = manifest;
       list(manifest.files);
     },
-    add(told) {
-      const stage = integer('parts.stage', told['stage'], COARSE, FULL);
-      const number = integer('parts.ring', told['ring'], 0);
+    add(fields) {
+      const stage = integer('parts.stage', fields['stage'], COARSE, FULL);
+      const number = integer('parts.ring', fields['ring'], 0);
       const layout = stage === COARSE ? outline.map : full?.map;
       if (!layout || (stage === FULL && number !== maps.length && number < count)) throw unexpected('ring');
       // Rings beyond the last requested one.
       if (number >= count) return;
-      const ring = readRing(`ring ${number}`, told['entry'], number, tilesOf(layout));
-      list(readFiles(object('parts.files', told['files'])));
+      const ring = readRing(`ring ${number}`, fields['entry'], number, tilesOf(layout));
+      list(readFiles(object('parts.files', fields['files'])));
       if (stage === COARSE) put(number, ring);
       else if (ring.map) maps.push(ring.map);
     },
@@ -152,4 +150,33 @@ function createPlace(outline: Manifest, listener: Listener): Place {
 
 function unexpected(event: string): BundleError {
   return new BundleError(`parts: expected another event, got ${event}`);
+}
+
+export interface Deferred<T> {
+  readonly promise: Promise<T>;
+  /** The value, once it has arrived. */
+  readonly now: T | null;
+  done(value: T): void;
+  failed(reason: unknown): void;
+}
+
+function createDeferred<T>(): Deferred<T> {
+  let now: T | null = null;
+  let [done, failed] = [(_: T): void => undefined, (_: unknown): void => undefined];
+  const promise = new Promise<T>((resolve, reject) => {
+    [done, failed] = [resolve, reject];
+  });
+  // A rejection without listeners is no unhandled error.
+  promise.catch(() => undefined);
+  return {
+    promise,
+    get now() {
+      return now;
+    },
+    done(value) {
+      now = value;
+      done(value);
+    },
+    failed: (reason) => failed(reason),
+  };
 }

@@ -4,7 +4,7 @@ import { BundleError } from '../bundle/error';
 import type { Point } from '../bundle/manifest';
 import { parseJson, point } from '../bundle/parse';
 import type { Network } from '../bundle/transfer';
-import { ask } from './ask';
+import { request } from './request';
 
 const [FORMAT, SCENE, VERSION] = ['nearfar.on_demand', 'nearfar.scene', 1] as const;
 
@@ -45,7 +45,7 @@ export function readSite(document: unknown): Site {
 
 /** Fetches the scene document, which arrives when the server has loaded the scene. */
 export async function readScene(base: URL, { scene }: Site, signal: AbortSignal, network: Network): Promise<SceneFacts> {
-  const answer = await ask(new URL(scene, base), 'scene', () => undefined, signal, network);
+  const answer = await request(new URL(scene, base), 'scene', () => undefined, signal, network);
   const all = object('scene', parseJson('scene', await answer.text()));
   if (all['format'] !== SCENE) throw new BundleError(`${scene}: expected the format ${SCENE}, got another one`);
   checkVersion(all['version']);

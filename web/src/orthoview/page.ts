@@ -1,15 +1,16 @@
 /** Page for flying through a tree of orthoviews. */
-import { readLink, writeLink } from '../control/link';
-import type { Pose } from '../control/pose';
+import { messageOf } from '../base/errors';
+import { type Pose, readLink, writeLink } from '../control/pose';
 import { createMeter } from '../show/meter';
+import { find } from '../ui/dom';
 import { showFatal, showProblems } from '../ui/messages';
-import { createThumbMark } from '../ui/thumb';
-import { createFly } from './controls/fly';
-import { startOf } from './controls/start';
+import { createThumbMark } from '../ui/overlays';
 import { cameraOf } from './cut/camera';
+import { createFly, startOf } from './fly';
 import { createPanel } from './panel';
 import type { Graphics } from './show/start';
-import { type Facts, Viewer } from './show/viewer';
+import type { Facts } from './show/facts';
+import { Viewer } from './show/viewer';
 import { type Failure, isPassing } from './store/error';
 import type { Layout } from './store/layout';
 
@@ -38,7 +39,7 @@ declare global {
 
 function main(): void {
   const query = new URLSearchParams(location.search);
-  const [canvas, root] = [element('canvas', HTMLCanvasElement), element('#ui', HTMLElement)];
+  const [canvas, root] = [find('canvas', HTMLCanvasElement), find('#ui', HTMLElement)];
   const isSmall = Math.min(screen.width, screen.height) < 600;
   const meter = createMeter();
   const fatal = ({ kind, message }: Failure): void => {
@@ -136,7 +137,7 @@ function main(): void {
       const { received, rate } = meter.read();
       panel.update({
         facts: viewer.facts,
-        frame: viewer.took,
+        frame: viewer.drawMs,
         received,
         rate,
         height: pose.position[1] - ground,
@@ -154,8 +155,8 @@ function main(): void {
   requestAnimationFrame(frame);
 }
 
-const AGAIN = 'what has come stays, and the rest is asked for again';
-const LOST = 'The browser has taken the graphics away.';
+const AGAIN = 'the loaded views stay, and the others are requested again';
+const LOST = 'The browser has reset the graphics.';
 
 /** Titles and texts of failures after which nothing can be shown. */
 const FATAL: Readonly<Record<Failure['kind'], { readonly title: string; readonly text: string }>> = {
@@ -163,16 +164,16 @@ const FATAL: Readonly<Record<Failure['kind'], { readonly title: string; readonly
     title: 'There is no tree at this address',
     text: 'The page shows the store of orthoviews in whose folder it lies, or the one that ?store= names.',
   },
-  refused: { title: 'The server refuses the tree', text: 'Tell whoever runs the server what stands below.' },
+  refused: { title: 'The server refuses the tree', text: 'Send the message below to whoever runs the server.' },
   unreachable: { title: 'The tree cannot be reached', text: 'Check the connection and the address, and try again.' },
   damaged: {
     title: 'The tree is damaged',
-    text: 'A file is not what the build has written. Check it with nearfar orthoview verify.',
+    text: 'A file differs from what the build wrote. Check it with nearfar orthoview verify.',
   },
-  newer: { title: 'The tree needs a newer nearfar', text: 'It was written in a later format than this page reads.' },
+  newer: { title: 'The tree needs a newer nearfar', text: 'It has a newer format than this page reads.' },
   other: {
     title: 'The tree cannot be shown',
-    text: 'Reload the page. If that does not help, tell whoever sent you here what stands below.',
+    text: 'Reload the page. If that does not help, send the message below to whoever gave you the link.',
   },
 };
 
@@ -193,15 +194,9 @@ function number(query: URLSearchParams, name: string, usual: number, least: numb
   return Number.isFinite(value) ? Math.min(Math.max(value, least), greatest) : usual;
 }
 
-function element<T extends HTMLElement>(selector: string, kind: abstract new () => T): T {
-  const found = document.querySelector(selector);
-  if (!(found instanceof kind)) throw new Error(`the page has no ${selector}`);
-  return found;
-}
-
 try {
   main();
 } catch (reason) {
   const { title, text } = FATAL.other;
-  showFatal(title, text, { detail: reason instanceof Error ? reason.message : String(reason) });
+  showFatal(title, text, { detail: messageOf(reason) });
 }

@@ -1,8 +1,7 @@
 /** Panel of statistics, and the buttons below the picture. */
-import { icon, make, write } from '../ui/dom';
+import { button, icon, ICONS, make, write } from '../ui/dom';
 import { bytes, count, metres, milliseconds, rate } from '../ui/format';
-import { ICONS } from '../ui/icons';
-import type { Facts } from './show/viewer';
+import type { Facts } from './show/facts';
 
 const NAMES = {
   frame: 'Frame',
@@ -96,8 +95,3 @@ const HELP =
   'Dragging looks around. W A S D or the left thumb fly, E and Q go up and down, arrow keys turn, Shift is four times ' +
   'as fast, the wheel changes the speed. The address leads back to this place.';
 
-function button(label: string, kind: string, action: () => void): HTMLButtonElement {
-  const made = make('button', { type: 'button', class: kind }, label);
-  made.addEventListener('click', action);
-  return made;
-}

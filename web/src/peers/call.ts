@@ -1,5 +1,6 @@
-/** WebRTC connection to one other page with one data channel, which both pages create. */
-import type { Clock } from '../rooms/clock';
+/** WebRTC connection to one other page with one data channel, and the signals that set it up. */
+import { FrameError, Reader, textOf, Writer } from '../rooms/bytes';
+import { type Clock, createBucket } from '../rooms/clock';
 import type { Line } from './peer';
 
 /** Timeout in seconds for gathering the browser's own addresses. */
@@ -63,6 +64,108 @@ export function createCall({ opened, ended, refuse }: CallEvents, later: Clock['
     close() {
       channel.onclose = connection.onconnectionstatechange = null;
       connection.close();
+    },
+  };
+}
+
+/** Version of signals, the payloads of `signal` frames: docs/peers.md has a table of every field. */
+const VERSION = 1;
+/** Greatest number of bytes of a description, and of its addresses that are used. */
+const [MAX_BYTES, MAX_ADDRESSES] = [8192, 8] as const;
+/** Lines with addresses; lines with a device's own UDP addresses: without a STUN server there are no others. */
+const ADDRESS = /^\s*a=candidate:/i;
+const OWN = /^a=candidate:\S+ \d+ udp \d+ \S+ \d+ typ host(?:\s|$)/i;
+const KINDS = ['offer', 'answer', 'no'] as const;
+
+/** Signal; `attempt` identifies an offer and its answer, `sdp` describes a connection and is empty for `no`. */
+export interface Signal {
+  readonly kind: (typeof KINDS)[number];
+  readonly attempt: number;
+  readonly sdp: string;
+}
+
+/** Parses a payload; throws `FrameError` if it is malformed or describes more than one data channel. */
+export function readSignal(payload: Uint8Array): Signal {
+  const reader = new Reader(payload);
+  if (reader.u8() !== VERSION) throw new FrameError('a signal has another version');
+  const kind = KINDS[reader.u8()];
+  if (!kind) throw new FrameError('a signal has an unknown kind');
+  const attempt = reader.u32();
+  const sdp = textOf(reader.rest(MAX_BYTES), 'a description is not UTF-8');
+  if (kind === 'no' ? sdp !== '' : !isDescription(sdp)) throw new FrameError('a signal describes no channel for data');
+  return { kind, attempt, sdp: withFewAddresses(sdp) };
+}
+
+/** Writes a payload; throws `FrameError` for a description that others would reject. */
+export function writeSignal({ kind, attempt, sdp }: Signal): Uint8Array<ArrayBuffer> {
+  const text = new TextEncoder().encode(sdp);
+  if (text.length > MAX_BYTES) throw new FrameError('a description is too long');
+  const out = new Writer();
+  out.u8(VERSION);
+  out.u8(KINDS.indexOf(kind));
+  out.u32(attempt);
+  out.put(text);
+  return out.done();
+}
+
+function isDescription(sdp: string): boolean {
+  const lines = sdp.split(/\r?\n/);
+  const media = lines.filter((line) => line.startsWith('m='));
+  return media.length === 1 && /^m=application /.test(media[0] ?? '');
+}
+
+/** Removes foreign and excess addresses: the browser sends packets to every address in a description. */
+function withFewAddresses(sdp: string): string {
+  let count = 0;
+  const lines = sdp.split('\n').filter((line) => {
+    if (!ADDRESS.test(line)) return true;
+    return OWN.test(line) && ++count <= MAX_ADDRESSES;
+  });
+  return lines.join('\n');
+}
+
+/** Bytes per second and burst, below the limits of docs/rooms.md; least bytes that a signal counts for. */
+const [RATE, BURST, MIN] = [24_576, 12_288, 64] as const;
+/** Greatest number of queued signals. */
+const MAX_WAITING = 64;
+
+/** Queue of signals that respects the rate limit of a room. */
+export interface Outbox {
+  send(user: number, payload: Uint8Array): void;
+  /** Discards queued signals. */
+  clear(): void;
+}
+
+export function createOutbox(send: (user: number, payload: Uint8Array) => void, clock: Clock): Outbox {
+  const bucket = createBucket(RATE, BURST, clock.now);
+  let waiting: (readonly [user: number, payload: Uint8Array])[] = [];
+  let isWaiting = false;
+
+  function flush(): void {
+    for (let next = waiting[0]; next; next = waiting[0]) {
+      const [user, payload] = next;
+      const size = Math.min(Math.max(payload.length, MIN), BURST);
+      if (!bucket.take(size)) {
+        isWaiting = true;
+        clock.later(bucket.secondsTo(size) + 0.01, () => {
+          isWaiting = false;
+          flush();
+        });
+        return;
+      }
+      waiting = waiting.slice(1);
+      send(user, payload);
+    }
+  }
+
+  return {
+    send(user, payload) {
+      if (waiting.length >= MAX_WAITING) return;
+      waiting.push([user, payload]);
+      if (!isWaiting) flush();
+    },
+    clear() {
+      waiting = [];
     },
   };
 }

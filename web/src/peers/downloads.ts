@@ -1,7 +1,7 @@
 /** Files requested from another page. Time is counted in ticks, so that a suspended page does not blame others. */
-import type { Described } from '../bundle/manifest';
+import type { FileEntry } from '../bundle/manifest';
 import type { Received } from '../bundle/source';
-import { sha256 } from '../hex';
+import { sha256 } from '../base/bytes';
 import { type Message, PART } from './messages';
 
 /** Seconds per tick. */
@@ -12,7 +12,7 @@ const MAX_OPEN = 32;
 /** Content of a file, or why it is missing: the page lacks it, has stopped sending, or has sent wrong data. */
 export type Answer = ArrayBuffer | 'none' | 'silent' | 'wrong';
 
-export interface Wanted extends Described {
+export interface Wanted extends FileEntry {
   /** Timeout in seconds without a received byte. */
   readonly patience: number;
   /** Timeout in seconds for the whole request, in addition to the time for its bytes. */
@@ -42,7 +42,7 @@ interface Download {
   data: Uint8Array<ArrayBuffer> | null;
   size: number;
   /** Number of bytes that the other page reports to have while it waits for the file itself. */
-  told: number;
+  reported: number;
   /** Ticks since the last byte; ticks since the request. */
   quiet: number;
   age: number;
@@ -89,7 +89,7 @@ export function createDownloads(send: (message: Message) => void, refuse: (sente
   async function check(download: Download, data: ArrayBuffer): Promise<void> {
     const isRight = (await sha256(data)) === download.file.sha256;
     give(download, isRight ? data : 'wrong');
-    if (!isRight) refuse('a file is another one than was asked for');
+    if (!isRight) refuse('a file has the wrong content');
   }
 
   return {
@@ -111,7 +111,7 @@ export function createDownloads(send: (message: Message) => void, refuse: (sente
           signal.removeEventListener('abort', stopped);
           done(answer);
         };
-        const counts = { size: 0, told: -1, quiet: 0, age: 0 };
+        const counts = { size: 0, reported: -1, quiet: 0, age: 0 };
         const download: Download = { file, received, done: ended, data: null, isOver: false, ...counts };
         downloads.set(request, download);
         signal.addEventListener('abort', stopped, { once: true });
@@ -121,12 +121,12 @@ export function createDownloads(send: (message: Message) => void, refuse: (sente
     hear(message) {
       const { request } = message;
       const download = downloads.get(request);
-      if (!download) return 'a message answers nothing that was asked for';
+      if (!download) return 'a message answers no open request';
       if (message.kind === 'part') return part(request, download, message.data);
       if (message.kind === 'wait') {
-        if (message.bytes > download.file.bytes) return 'more of a file is there than it has';
-        if (message.bytes > download.told) download.quiet = 0;
-        download.told = Math.max(download.told, message.bytes);
+        if (message.bytes > download.file.bytes) return 'more bytes are reported than the file has';
+        if (message.bytes > download.reported) download.quiet = 0;
+        download.reported = Math.max(download.reported, message.bytes);
         return null;
       }
       downloads.delete(request);

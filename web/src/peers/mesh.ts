@@ -1,12 +1,10 @@
 /** Connections between users: each connects to its nearest neighbours, and the smaller number sends the offer. */
 import { FrameError } from '../rooms/bytes';
-import type { Clock } from '../rooms/clock';
+import { type Clock, createBucket } from '../rooms/clock';
 import type { FromServer } from '../rooms/frames';
-import { createBucket } from './bucket';
-import type { Call, CallEvents } from './call';
+import { type Call, type CallEvents, readSignal, type Signal } from './call';
 import { TICK } from './downloads';
 import type { Line } from './peer';
-import { readSignal, type Signal } from './signals';
 
 /** Neighbours on each side in the circle of numbers; greatest number of connections. */
 const [REACH, MAX_CALLS] = [6, 16] as const;
@@ -68,7 +66,7 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
   let own: number | null = null;
   let isOn: boolean | null = null;
   /** Number of present users that the server has not announced yet. */
-  let untold: number | null = null;
+  let unannounced: number | null = null;
   let settle = (): void => undefined;
   const ready = new Promise<void>((done) => (settle = done));
   let [hasEntered, ticks, isLate] = [false, FIRST, false];
@@ -81,9 +79,9 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
   clock.later(TICK, wait);
 
   /** Ends waiting if no neighbour is left for which files wait. */
-  function look(): void {
+  function checkReady(): void {
     if (isOn === false) settle();
-    if (isOn === null || own === null || untold === null || untold > 0) return;
+    if (isOn === null || own === null || unannounced === null || unannounced > 0) return;
     const isOver = (user: number): boolean => failed.has(user) || dropped.has(user);
     if (neighbours().every((user) => isOver(user) || places.get(user)?.hasGreeted)) settle();
   }
@@ -102,7 +100,7 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
     const place = places.get(user);
     if (place) remove(user, place);
     failed.add(user);
-    look();
+    checkReady();
   }
 
   function remove(user: number, { call, stop, isOpen }: Place): void {
@@ -115,7 +113,7 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
   /** Begins a connection; null if the browser creates none. */
   function open(user: number, attempt: number): Place | null {
     try {
-      return begun(user, attempt);
+      return createPlace(user, attempt);
     } catch {
       // Browsers allow a few hundred connections per page.
       fail(user);
@@ -123,7 +121,7 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
     }
   }
 
-  function begun(user: number, attempt: number): Place {
+  function createPlace(user: number, attempt: number): Place {
     const isCurrent = (): boolean => places.get(user) === place;
     const call = create({
       opened(line) {
@@ -156,7 +154,7 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
   /** Sends offers to neighbours with greater numbers. */
   function offer(): void {
     // Before all users are known, other users may be neighbours than later, and would not answer.
-    if (!isOn || own === null || untold === null || untold > 0) return;
+    if (!isOn || own === null || unannounced === null || unannounced > 0) return;
     for (const user of neighbours()) {
       const isOther = user > own && !places.has(user) && !failed.has(user) && !dropped.has(user);
       if (!isOther || places.size >= MAX_CALLS) continue;
@@ -184,23 +182,23 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
     return isOn === true && user < (own ?? 0) && hasPlace && neighbours().includes(user);
   }
 
-  function takeSignal(user: number, said: Signal): void {
+  function takeSignal(user: number, message: Signal): void {
     const place = places.get(user);
-    if (said.kind === 'no') {
+    if (message.kind === 'no') {
       if (!place?.isOpen) fail(user);
-    } else if (said.kind === 'answer') {
-      if (!place || place.isOpen || place.attempt !== said.attempt || user < (own ?? 0)) return;
-      place.call.take(said.sdp).catch(() => places.get(user) === place && drop(user, 'its answer is none'));
+    } else if (message.kind === 'answer') {
+      if (!place || place.isOpen || place.attempt !== message.attempt || user < (own ?? 0)) return;
+      place.call.take(message.sdp).catch(() => places.get(user) === place && drop(user, 'its answer is invalid'));
     } else if (isOn === null) {
-      early.set(user, said);
+      early.set(user, message);
     } else if (isAnswered(user) && calls.take(1)) {
-      answer(user, said, place);
+      answer(user, message, place);
     } else {
       refuse(user);
     }
   }
 
-  function answer(user: number, said: Signal, before: Place | undefined): void {
+  function answer(user: number, message: Signal, before: Place | undefined): void {
     const count = (offers.get(user) ?? 0) + 1;
     offers.set(user, count);
     if (count > MAX_OFFERS) {
@@ -209,8 +207,8 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
     }
     if (before) remove(user, before);
     failed.delete(user);
-    const place = open(user, said.attempt);
-    if (place) describe(user, place, 'answer', place.call.answer(said.sdp));
+    const place = open(user, message.attempt);
+    if (place) describe(user, place, 'answer', place.call.answer(message.sdp));
   }
 
   function refuse(user: number): void {
@@ -239,7 +237,7 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
 
   function forget(): void {
     for (const user of [...users]) leave(user);
-    own = untold = null;
+    own = unannounced = null;
   }
 
   function drop(user: number, sentence: string): void {
@@ -257,7 +255,7 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
     greeted(user) {
       const place = places.get(user);
       if (place) place.hasGreeted = true;
-      look();
+      checkReady();
     },
     clear() {
       forget();
@@ -268,12 +266,12 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
         forget();
         own = frame.user;
         if (!hasEntered) [hasEntered, ticks] = [true, FIRST];
-        untold = frame.others;
+        unannounced = frame.others;
       } else if (frame.kind === 'joined') {
         // A returning user has a new page.
         leave(frame.user);
         users.add(frame.user);
-        if (untold !== null && untold > 0) untold -= 1;
+        if (unannounced !== null && unannounced > 0) unannounced -= 1;
         if (isOn === false) refuse(frame.user);
       } else if (frame.kind === 'left') {
         leave(frame.user);
@@ -283,7 +281,7 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
         return;
       }
       offer();
-      look();
+      checkReady();
     },
     begin(on) {
       isOn = on;
@@ -292,9 +290,9 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
         for (const user of users) refuse(user);
       }
       offer();
-      if (on) for (const [user, said] of early) takeSignal(user, said);
+      if (on) for (const [user, message] of early) takeSignal(user, message);
       early.clear();
-      look();
+      checkReady();
     },
   };
 }

@@ -1,5 +1,5 @@
 /** Binary messages between two pages. docs/peers.md has a table of every field. */
-import { bytesOf, hexOf } from '../hex';
+import { bytesOf, hexOf } from '../base/bytes';
 import { FrameError, Reader, Writer } from '../rooms/bytes';
 
 /** Bytes per part of a file; the last part may be shorter. */
@@ -11,7 +11,7 @@ const KEY = 32;
 /** Bytes of the header: message kind and request number. */
 const HEAD = 5;
 /** Greatest size of a message, bytes. */
-export const MAX_BYTES = HEAD + PART;
+const MAX_BYTES = HEAD + PART;
 
 /** State of a file on a page: present, being received from the server, or neither. */
 export type Holding = 'here' | 'coming' | 'gone';
@@ -42,7 +42,7 @@ function readBody(kind: number, reader: Reader): Message {
   switch (kind) {
     case KINDS.tell: {
       const holding = HOLDINGS[reader.u8()];
-      if (!holding) throw new FrameError('a file is held in no way that there is');
+      if (!holding) throw new FrameError('a file has an unknown state');
       const keys: string[] = [];
       while (!reader.isAtEnd && keys.length <= MAX_FILES_PER_MESSAGE) keys.push(hexOf(reader.take(KEY)));
       return { kind: 'tell', holding, keys };
@@ -58,7 +58,7 @@ function readBody(kind: number, reader: Reader): Message {
     case KINDS.cancel:
       return { kind: 'cancel', request: reader.u32() };
     default:
-      throw new FrameError('a message is of no kind that there is');
+      throw new FrameError('a message has an unknown kind');
   }
 }
 

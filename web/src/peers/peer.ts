@@ -1,18 +1,17 @@
 /** Page with an open channel: its files, its requests and the requests to it. */
 import type { Received } from '../bundle/source';
 import { FrameError } from '../rooms/bytes';
-import type { Clock } from '../rooms/clock';
-import { type Bucket, createBucket } from './bucket';
+import { type Bucket, type Clock, createBucket } from '../rooms/clock';
 import { type Answer, createDownloads, type Wanted } from './downloads';
-import { type Holding, type Message, MAX_FILES_PER_MESSAGE, readMessage, writeMessage } from './messages';
+import { type Holding, MAX_FILES_PER_MESSAGE, type Message, readMessage, writeMessage } from './messages';
 import { createUploads, type Shelf } from './uploads';
 
 /** Rate per second and burst of messages except parts; number of listed files that count as one message. */
-const [RATE, BURST, TOLD] = [512, 2048, 50] as const;
+const [RATE, BURST, KEYS_PER_MESSAGE] = [512, 2048, 50] as const;
 /** Number of times with unanswered requests before a page gets no more; simultaneous ones count once. */
 const MAX_TIMEOUTS = 3;
 /** Rate per second and burst of this page's requests: below the limits of those who answer. */
-const [ASKED_RATE, ASKED_BURST] = [80, 300] as const;
+const [REQUEST_RATE, REQUEST_BURST] = [80, 300] as const;
 /** Greatest number of files remembered per page; more are ignored. */
 const MAX_KNOWN_FILES = 8192;
 /** Threshold of buffered bytes below which the browser asks for more. */
@@ -61,7 +60,7 @@ export interface Peer {
 export function createPeer({ number, line, shelf, budget, now, sent, greeted, refuse }: PeerSettings): Peer {
   const known = new Map<string, Holding>();
   const messages = createBucket(RATE, BURST, now);
-  const asked = createBucket(ASKED_RATE, ASKED_BURST, now);
+  const requests = createBucket(REQUEST_RATE, REQUEST_BURST, now);
   let [isOver, hasGreeted, ticks] = [false, false, 0];
   /** Ticks in which requests remained unanswered. */
   const silences = new Set<number>();
@@ -93,8 +92,8 @@ export function createPeer({ number, line, shelf, budget, now, sent, greeted, re
   }
 
   function follow(message: Message): string | null {
-    const cost = message.kind === 'part' ? 0 : message.kind === 'tell' ? 1 + message.keys.length / TOLD : 1;
-    if (!messages.take(cost)) return 'it sends more than it may';
+    const cost = message.kind === 'part' ? 0 : message.kind === 'tell' ? 1 + message.keys.length / KEYS_PER_MESSAGE : 1;
+    if (!messages.take(cost)) return 'it sends too many messages';
     switch (message.kind) {
       case 'tell':
         learn(message.holding, message.keys);
@@ -119,7 +118,7 @@ export function createPeer({ number, line, shelf, budget, now, sent, greeted, re
   line.onmessage = ({ data }: MessageEvent<unknown>) => {
     if (isOver) return;
     try {
-      if (!(data instanceof ArrayBuffer)) throw new FrameError('a message is a text');
+      if (!(data instanceof ArrayBuffer)) throw new FrameError('a message is text instead of bytes');
       const sentence = follow(readMessage(new Uint8Array(data)));
       if (sentence !== null) refuse(sentence);
     } catch (error) {
@@ -134,7 +133,7 @@ export function createPeer({ number, line, shelf, budget, now, sent, greeted, re
       return downloads.open;
     },
     get isFree() {
-      return !isOver && silences.size < MAX_TIMEOUTS && downloads.isFree && asked.secondsTo(1) === 0;
+      return !isOver && silences.size < MAX_TIMEOUTS && downloads.isFree && requests.secondsTo(1) === 0;
     },
     holds: (key) => known.get(key) ?? 'gone',
     tell(holding, keys) {
@@ -145,7 +144,7 @@ export function createPeer({ number, line, shelf, budget, now, sent, greeted, re
       } while (at < keys.length);
     },
     async ask(file, signal, received) {
-      asked.take(1);
+      requests.take(1);
       const answer = await downloads.ask(file, signal, received);
       if (answer === 'silent') silences.add(ticks);
       if (answer === 'none') known.delete(file.sha256);

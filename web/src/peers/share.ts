@@ -3,14 +3,14 @@
  * connected pages that want a file requests it from the server. There is no circular waiting: a page asks another one
  * only if that one has the file, is receiving it from the server, or precedes it by weight.
  */
-import type { Described } from '../bundle/manifest';
+import { LruCache } from '../base/cache';
+import { abortable } from '../base/errors';
+import type { FileEntry } from '../bundle/manifest';
 import type { Received, Serve } from '../bundle/source';
-import { sha256 } from '../hex';
+import { sha256 } from '../base/bytes';
 import type { Answer } from './downloads';
 import type { Peer } from './peer';
-import type { Store } from './store';
 import type { Shelf } from './uploads';
-import { isBefore } from './weights';
 
 /**
  * Timeouts for another page: for the first picture, and later. Pages with software rendering answer about once a
@@ -22,8 +22,9 @@ const LATER = { patience: 4, longest: 10, slowest: 65_536 } as const;
 const MAX_TIMED_OUT_USERS = 2;
 
 export interface ShareSettings {
-  readonly store: Store;
-  readonly described: (name: string) => Described | undefined;
+  /** Contents that the page can give to others, by key; browsers may keep blobs on disk. */
+  readonly store: LruCache<Blob>;
+  readonly described: (name: string) => FileEntry | undefined;
   /** Names of the files that the page shows or will show. */
   readonly wanted: () => Iterable<string>;
   /** Whether the first picture is still missing. */
@@ -56,17 +57,17 @@ export function createShare(settings: ShareSettings): Share {
   const { store, described, wanted, isFirst, own, peers, ready, fetch } = settings;
   const counts: Counts = { others: { bytes: 0, files: 0 }, server: { bytes: 0, files: 0 } };
   /** Received bytes of each file in transfer; files requested from the server. */
-  const coming = new Map<string, number>();
-  const asked = new Set<string>();
+  const arriving = new Map<string, number>();
+  const requested = new Set<string>();
   /** Users that timed out during the first picture. */
   const late = new Set<number>();
 
   /** Returns the page to request a file from; null for the server. */
   function choosePeer(key: string, tried: ReadonlySet<number>): Peer | null {
     const number = own();
-    const isHasty = isFirst();
-    if (number === null || (isHasty && late.size >= MAX_TIMED_OUT_USERS)) return null;
-    const isPassed = (user: number): boolean => tried.has(user) || (isHasty && late.has(user));
+    const isUrgent = isFirst();
+    if (number === null || (isUrgent && late.size >= MAX_TIMED_OUT_USERS)) return null;
+    const isPassed = (user: number): boolean => tried.has(user) || (isUrgent && late.has(user));
     const free = peers().filter((peer) => peer.isFree && !peer.awaits(key) && !isPassed(peer.number));
     const byLoad = (a: Peer, b: Peer): number => a.open - b.open || (isBefore(a.number, b.number, key) ? -1 : 1);
     const [holder] = free.filter((peer) => peer.holds(key) === 'here').sort(byLoad);
@@ -77,9 +78,10 @@ export function createShare(settings: ShareSettings): Share {
     return before.sort((a, b) => (isBefore(a.number, b.number, key) ? -1 : 1))[0] ?? null;
   }
 
-  async function fromOthers(file: Described, signal: AbortSignal, received: Received): Promise<ArrayBuffer | null> {
+  async function fromOthers(file: FileEntry, signal: AbortSignal, received: Received): Promise<ArrayBuffer | null> {
     const { sha256: key } = file;
-    if (!peers().some((peer) => peer.holds(key) !== 'gone')) await waitFor(ready, signal);
+    const isKnown = peers().some((peer) => peer.holds(key) !== 'gone');
+    if (!isKnown) await abortable<void>(signal, (done, failed) => void ready.then(done, failed));
     const tried = new Set<number>();
     for (let peer = choosePeer(key, tried); peer; peer = choosePeer(key, tried)) {
       tried.add(peer.number);
@@ -95,7 +97,7 @@ export function createShare(settings: ShareSettings): Share {
   }
 
   async function fromServer(key: string, serve: () => Promise<ArrayBuffer>): Promise<ArrayBuffer> {
-    asked.add(key);
+    requested.add(key);
     for (const peer of peers()) peer.tell('coming', [key]);
     try {
       const data = await serve();
@@ -103,27 +105,27 @@ export function createShare(settings: ShareSettings): Share {
       if ((await sha256(data)) === key) keep(key, data);
       return data;
     } finally {
-      asked.delete(key);
+      requested.delete(key);
       if (!store.has(key)) for (const peer of peers()) peer.tell('gone', [key]);
     }
   }
 
   function keep(key: string, data: ArrayBuffer): void {
-    const gone = store.add(key, data);
+    const gone = data.byteLength > store.maxBytes ? [] : store.add(key, new Blob([data]), data.byteLength);
     for (const peer of peers()) {
       if (gone.length > 0) peer.tell('gone', gone);
       if (store.has(key)) peer.tell('here', [key]);
     }
   }
 
-  async function come(
-    file: Described,
+  async function load(
+    file: FileEntry,
     signal: AbortSignal,
     received: Received,
     serve: (received: Received) => Promise<ArrayBuffer>,
   ): Promise<ArrayBuffer> {
     const counted = (count: { bytes: number }): Received => (bytes) => {
-      coming.set(file.sha256, (coming.get(file.sha256) ?? 0) + bytes);
+      arriving.set(file.sha256, (arriving.get(file.sha256) ?? 0) + bytes);
       count.bytes += bytes;
       received(bytes);
     };
@@ -145,28 +147,28 @@ export function createShare(settings: ShareSettings): Share {
       // The server's path reports files that are not listed.
       if (!file || file.bytes === 0) return serve(name, signal, received);
       const { sha256: key } = file;
-      const held = await store.find(key)?.arrayBuffer().catch(() => null);
+      const held = await store.get(key)?.arrayBuffer().catch(() => null);
       if (held) {
         received(held.byteLength);
         return held;
       }
-      coming.set(key, 0);
+      arriving.set(key, 0);
       try {
-        return await come(file, signal, received, (told) => serve(name, signal, told));
+        return await load(file, signal, received, (told) => serve(name, signal, told));
       } finally {
-        coming.delete(key);
+        arriving.delete(key);
         for (const peer of peers()) peer.settle(key);
       }
     },
     greet(peer) {
-      peer.tell('coming', [...asked]);
+      peer.tell('coming', [...requested]);
       peer.tell('here', store.keys);
     },
     shelf: {
-      find: store.find,
-      sizeOf: (key) => Math.max(coming.get(key) ?? 0, 0),
+      find: (key) => store.get(key) ?? null,
+      sizeOf: (key) => Math.max(arriving.get(key) ?? 0, 0),
       obtain(key) {
-        if (coming.has(key)) return true;
+        if (arriving.has(key)) return true;
         for (const name of wanted()) {
           if (described(name)?.sha256 !== key) continue;
           fetch(name, new AbortController().signal).catch(() => {
@@ -180,17 +182,24 @@ export function createShare(settings: ShareSettings): Share {
   };
 }
 
-/** Waits for a promise, or until the signal aborts. */
-async function waitFor(awaited: Promise<void>, signal: AbortSignal): Promise<void> {
-  signal.throwIfAborted();
-  let stop = (): void => undefined;
-  const stopped = new Promise<never>((_, failed) => {
-    stop = () => failed(signal.reason as Error);
-    signal.addEventListener('abort', stop, { once: true });
-  });
-  try {
-    await Promise.race([awaited, stopped]);
-  } finally {
-    signal.removeEventListener('abort', stop);
-  }
+/**
+ * Weight of a user for a file in rendezvous hashing, by which all users agree on the one that requests the file from the
+ * server. The key is a SHA-256 in hexadecimal digits; the greatest weight wins.
+ */
+function weightOf(user: number, key: string): number {
+  return mixed(mixed(user + 1) ^ parseInt(key.slice(0, 8), 16));
+}
+
+/** Whether one user precedes another one for a file. */
+export function isBefore(a: number, b: number, key: string): boolean {
+  const difference = weightOf(a, key) - weightOf(b, key);
+  return difference > 0 || (difference === 0 && a < b);
+}
+
+/** Finalizer of MurmurHash3: each bit of the result depends on each bit of the number. */
+function mixed(number: number): number {
+  let hash = number >>> 0;
+  hash = Math.imul(hash ^ (hash >>> 16), 0x85ebca6b);
+  hash = Math.imul(hash ^ (hash >>> 13), 0xc2b2ae35);
+  return (hash ^ (hash >>> 16)) >>> 0;
 }

@@ -1,21 +1,20 @@
 /** Exchange of files between pages of a room; the server relays signals and sends files that no page has. */
-import type { Described } from '../bundle/manifest';
+import { LruCache } from '../base/cache';
+import type { FileEntry } from '../bundle/manifest';
 import type { Files } from '../bundle/source';
-import type { Ask } from '../rooms/about';
 import { CLOCK } from '../rooms/clock';
 import type { FromServer } from '../rooms/frames';
-import { refusalHere, refusalThere, UNWANTED } from './allowed';
-import { createCall } from './call';
-import { createChoice } from './choice';
+import type { Ask } from '../rooms/server';
+import { createCall, createOutbox, writeSignal } from './call';
+import { createChoice, refusalHere, refusalThere, UNWANTED } from './choice';
 import { TICK } from './downloads';
 import { createMesh } from './mesh';
-import { createOutbox } from './outbox';
 import { createPeer, type Peer } from './peer';
 import { type Counts, createShare } from './share';
-import { writeSignal } from './signals';
-import { createStore } from './store';
 import { createBudget } from './uploads';
 
+/** Greatest number of bytes of contents for others. */
+const MAX_STORED_BYTES = 64 * 2 ** 20;
 /** Ticks per second. */
 const SECOND = Math.round(1 / TICK);
 
@@ -58,7 +57,7 @@ export interface Peers {
 export function startPeers({ query, ask, files, wanted, isFirst, signal }: PeersSettings): Peers {
   const clock = CLOCK;
   const peers = new Map<number, Peer>();
-  const store = createStore();
+  const store = new LruCache<Blob>(MAX_STORED_BYTES);
   const outbox = createOutbox(signal, clock);
   const budget = createBudget(clock.now);
   const choice = createChoice();
@@ -68,7 +67,7 @@ export function startPeers({ query, ask, files, wanted, isFirst, signal }: Peers
   const mesh = createMesh({
     clock,
     create: (events) => createCall(events, clock.later),
-    signal: (user, said) => outbox.send(user, writeSignal(said)),
+    signal: (user, message) => outbox.send(user, writeSignal(message)),
     opened(number, line) {
       const peer = createPeer({
         number,
@@ -90,7 +89,7 @@ export function startPeers({ query, ask, files, wanted, isFirst, signal }: Peers
   });
   const share = createShare({
     store,
-    described: (name): Described | undefined => files.described(name),
+    described: (name): FileEntry | undefined => files.described(name),
     wanted,
     isFirst,
     own: () => mesh.own,
@@ -111,7 +110,7 @@ export function startPeers({ query, ask, files, wanted, isFirst, signal }: Peers
     refusal = reason;
     mesh.begin(reason === null);
     if (reason === null) tick();
-    else files.goBy(null);
+    else files.setRoute(null);
   }
 
   const ownSwitch: Switch = {
@@ -126,7 +125,7 @@ export function startPeers({ query, ask, files, wanted, isFirst, signal }: Peers
 
   const here = refusalHere(query, choice);
   if (here === null) {
-    files.goBy(share.get);
+    files.setRoute(share.get);
     void ask().then((about) => begin(refusalThere(about)));
   } else {
     begin(here);

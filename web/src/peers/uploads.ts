@@ -1,6 +1,5 @@
 /** Files that another page requests: sent one after the other, limited by the channel's buffer. */
-import type { Clock } from '../rooms/clock';
-import { type Bucket, createBucket } from './bucket';
+import { type Bucket, type Clock, createBucket } from '../rooms/clock';
 import { type Message, PART } from './messages';
 
 /** Limit of buffered bytes in the browser; bytes of a file that are read at once. */
@@ -63,7 +62,7 @@ export function createUploads(outlet: Outlet, shelf: Shelf, budget: Bucket, now:
   let resume = (): void => undefined;
 
   /** Returns the file if the limits of the page and the budget allow it, else null. */
-  function granted(key: string, found: Blob | null): Blob | null {
+  function grant(key: string, found: Blob | null): Blob | null {
     const count = (times.get(key) ?? 0) + 1;
     if (!found || count > MAX_SENDS_PER_PAGE || !budget.take(found.size)) return null;
     times.set(key, count);
@@ -110,13 +109,13 @@ export function createUploads(outlet: Outlet, shelf: Shelf, budget: Bucket, now:
 
   return {
     want(request, key) {
-      if (request <= last) return 'a request has a number that was used';
+      if (request <= last) return 'a request reuses a number';
       last = request;
-      if (ready.size + waiting.size >= MAX_OPEN) return 'too much is asked for at once';
+      if (ready.size + waiting.size >= MAX_OPEN) return 'too many requests are open';
       const isFast = !rate.take(1);
       const found = isFast ? null : shelf.find(key);
       if (found) {
-        queue(request, granted(key, found));
+        queue(request, grant(key, found));
         return null;
       }
       // Recorded before `obtain`, so that the file is not requested from the page that waits for it.
@@ -139,7 +138,7 @@ export function createUploads(outlet: Outlet, shelf: Shelf, budget: Bucket, now:
       for (const [request, wanted] of waiting) {
         if (wanted !== key) continue;
         waiting.delete(request);
-        queue(request, granted(key, found));
+        queue(request, grant(key, found));
       }
     },
     tick() {

@@ -1,16 +1,24 @@
-/** Drawing of a user: a head with a name above it, hands, and a pointer. */
-import { type BufferGeometry, Matrix4, Quaternion, type Texture, Vector3, Vector4 } from 'three';
+/** Drawing of a user: a head with a label above it, hands, and a pointer. */
+import {
+  type BufferGeometry,
+  CanvasTexture,
+  type Color,
+  LinearFilter,
+  LinearMipmapLinearFilter,
+  Matrix4,
+  Quaternion,
+  SRGBColorSpace,
+  type Texture,
+  Vector3,
+  Vector4,
+} from 'three';
 import type { Point } from '../bundle/manifest';
-import { minus } from '../control/vector';
-import { NEAR_VERTEX } from '../shaders/near';
+import { subtract } from '../control/pose';
+import { NEAR_VERTEX } from '../shaders/scene';
 import type { Shared } from '../show/materials';
-import { colorOf } from './color';
-import { type Drawn, createMesh, paint, setPoint } from './drawn';
-import { createLabel } from './label';
+import { colorOf, createMesh, createRay, type Drawn, paint, setPoint, type Shapes } from './meshes';
 import type { Body, Placed } from './pose';
-import { createRay } from './ray';
 import { NAME_VERTEX } from './shaders';
-import type { Shapes } from './shapes';
 
 /** Metres from the eyes up to the name. */
 const ABOVE = 0.2;
@@ -75,7 +83,7 @@ export function createAvatar(shapes: Shapes, shared: Shared): Avatar {
     place(center) {
       if (!body) return;
       const { head, left, right } = body;
-      const [x, y, z] = minus(head.position, center);
+      const [x, y, z] = subtract(head.position, center);
       for (const [part, placed] of [['head', head], ['visor', head], ['left', left], ['right', right]] as const) {
         if (placed) compose(parts[part], placed, center);
       }
@@ -91,6 +99,43 @@ export function createAvatar(shapes: Shapes, shared: Shared): Avatar {
 
 function compose({ material }: Drawn, { position, rotation }: Placed, center: Point): void {
   const matrix = material.uniforms['placement']?.value as Matrix4;
-  const place = new Vector3(...minus(position, center));
+  const place = new Vector3(...subtract(position, center));
   matrix.compose(place, new Quaternion(...rotation).normalize(), new Vector3(1, 1, 1));
+}
+
+/** Height of the label, height of the letters and horizontal padding, pixels. */
+const [HEIGHT, LETTERS, BESIDE] = [64, 40, 22] as const;
+/** Greatest number of letters, and greatest width in pixels: some letters are as wide as words. */
+const [MAX, WIDEST] = [24, 640] as const;
+
+export interface Label {
+  readonly texture: CanvasTexture;
+  /** Width divided by height. */
+  readonly ratio: number;
+}
+
+function createLabel(name: string, color: Color): Label {
+  const canvas = document.createElement('canvas');
+  const pen = canvas.getContext('2d');
+  const letters = [...name];
+  const text = letters.length > MAX ? `${letters.slice(0, MAX - 1).join('')}…` : name;
+  const font = `600 ${LETTERS}px system-ui, sans-serif`;
+  if (pen) pen.font = font;
+  const width = Math.min(Math.ceil(pen?.measureText(text).width ?? 0), WIDEST);
+  canvas.width = width + 2 * BESIDE;
+  canvas.height = HEIGHT;
+  if (pen) {
+    pen.beginPath();
+    pen.roundRect(0, 0, canvas.width, HEIGHT, HEIGHT / 2);
+    pen.fillStyle = `#${color.getHexString()}`;
+    pen.fill();
+    // Setting the width has reset the context.
+    Object.assign(pen, { font, textAlign: 'center', textBaseline: 'middle', fillStyle: '#0b0e12' });
+    pen.fillText(text, canvas.width / 2, HEIGHT / 2 + 2, width);
+  }
+  const texture = new CanvasTexture(canvas);
+  texture.colorSpace = SRGBColorSpace;
+  texture.minFilter = LinearMipmapLinearFilter;
+  texture.magFilter = LinearFilter;
+  return { texture, ratio: canvas.width / HEIGHT };
 }

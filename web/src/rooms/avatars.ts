@@ -2,14 +2,12 @@
 import { type Camera, Scene, Vector4, type WebGLRenderer } from 'three';
 import type { Point } from '../bundle/manifest';
 import type { Shared } from '../show/materials';
-import type { Guests } from '../show/picture';
+import type { Guests } from '../show/painter';
 import { shownName } from './address';
 import { type Avatar, createAvatar } from './avatar';
-import { type Drawn, paint } from './drawn';
+import { createRay, createShapes, type Drawn, paint } from './meshes';
 import type { Body } from './pose';
 import type { Seen } from './presence';
-import { createRay } from './ray';
-import { createShapes } from './shapes';
 
 /** Greatest number of unused avatars that are kept for new users. */
 const SPARE = 16;

@@ -116,3 +116,12 @@ export class Writer {
     for (let index = 0; index < count; index++) this.bytes.push(this.view.getUint8(index));
   }
 }
+
+/** Decodes UTF-8; throws an error with a sentence for anything else. */
+export function textOf(bytes: Uint8Array, sentence: string): string {
+  try {
+    return new TextDecoder('utf-8', { fatal: true, ignoreBOM: true }).decode(bytes);
+  } catch {
+    throw new FrameError(sentence);
+  }
+}

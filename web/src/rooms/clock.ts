@@ -1,4 +1,4 @@
-/** Clock of the browser, replaceable by tests. */
+/** Clock of the browser, replaceable by tests, and a rate limit that runs on it. */
 
 export interface Clock {
   /** Seconds since an arbitrary origin. */
@@ -14,3 +14,35 @@ export const CLOCK: Clock = {
     return () => clearTimeout(timer);
   },
 };
+
+/** Token bucket: a rate with a burst. */
+export interface Bucket {
+  /** Takes an amount; returns false if less is available. */
+  take(amount: number): boolean;
+  /** Seconds until an amount is available, which is at most the burst. */
+  secondsTo(amount: number): number;
+}
+
+/** Creates a bucket of `rate` units per second with a burst of `most`. */
+export function createBucket(rate: number, most: number, now: Clock['now']): Bucket {
+  let [level, since] = [most, now()];
+
+  function fill(): void {
+    const time = now();
+    level = Math.min(level + rate * Math.max(time - since, 0), most);
+    since = time;
+  }
+
+  return {
+    take(amount) {
+      fill();
+      if (level < amount) return false;
+      level -= amount;
+      return true;
+    },
+    secondsTo(amount) {
+      fill();
+      return Math.max(Math.min(amount, most) - level, 0) / rate;
+    },
+  };
+}

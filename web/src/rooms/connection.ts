@@ -4,9 +4,7 @@ import { FrameError } from './bytes';
 import { CLOCK, type Clock } from './clock';
 import { type Audience, type FromServer, type FromUser, readMessage, writeFrame } from './frames';
 import type { Body } from './pose';
-import { type End, endOf, endOfCode } from './reasons';
-import { createRoundTrips, type RoundTrips } from './round_trips';
-import { CLOSING, type Open, openSocket, type Socket } from './socket';
+import { CLOSING, type End, endOf, endOfCode, type Open, openSocket, type Socket } from './server';
 
 /** First and greatest delay before a reconnection, seconds. */
 const [FIRST, LONGEST] = [1, 30] as const;
@@ -29,7 +27,7 @@ export interface ConnectionSettings {
   /** Ticket from an earlier connection; empty by default. */
   readonly ticket?: Uint8Array;
   /** Called with a frame of the server and its time of arrival; `welcome` resets all known users. */
-  readonly heard: (frame: FromServer, now: number) => void;
+  readonly onFrame: (frame: FromServer, now: number) => void;
   readonly changed: (state: State) => void;
   /** Opens a socket; a WebSocket by default. */
   readonly open?: Open;
@@ -54,7 +52,7 @@ export interface Connection {
 }
 
 export function connect(settings: ConnectionSettings): Connection {
-  const { address, page, heard, changed, open = openSocket, clock = CLOCK } = settings;
+  const { address, page, onFrame, changed, open = openSocket, clock = CLOCK } = settings;
   const { now, later } = clock;
   const roundTrips = createRoundTrips();
   let state: State = { kind: 'joining' };
@@ -90,7 +88,7 @@ export function connect(settings: ConnectionSettings): Connection {
       opened() {
         if (socket === own) send({ kind: 'hello', group: address.group, name: address.name, ticket });
       },
-      came(data) {
+      received(data) {
         if (socket === own) take(data);
       },
       closed(code) {
@@ -109,7 +107,7 @@ export function connect(settings: ConnectionSettings): Connection {
 
   function take(data: unknown): void {
     try {
-      if (!(data instanceof ArrayBuffer)) throw new FrameError('a message is a text');
+      if (!(data instanceof ArrayBuffer)) throw new FrameError('a message is text instead of bytes');
       const time = now();
       for (const frame of readMessage(new Uint8Array(data))) if (socket) follow(frame, time);
     } catch (error) {
@@ -147,11 +145,11 @@ export function connect(settings: ConnectionSettings): Connection {
     } else if (frame.kind === 'pose' && frame.pose.isAcknowledged) {
       send({ kind: 'ack', user: frame.user, sequence: frame.pose.sequence }, !frame.pose.stops);
     }
-    if (frame.kind !== 'pose' || isNews(frame.user, frame.pose.sequence)) heard(frame, time);
+    if (frame.kind !== 'pose' || isNewest(frame.user, frame.pose.sequence)) onFrame(frame, time);
   }
 
   /** Whether a pose is newer than all others of a present user: datagrams overtake each other and the stream. */
-  function isNews(user: number, sequence: number): boolean {
+  function isNewest(user: number, sequence: number): boolean {
     const known = newest.get(user);
     if (known === undefined || sequence <= known) return false;
     newest.set(user, sequence);
@@ -220,6 +218,58 @@ export function connect(settings: ConnectionSettings): Connection {
       if (state.kind === 'here') send({ kind: 'bye' });
       drop(isAtOnce);
       set({ kind: 'ended', words: 'You have left the room.' });
+    },
+  };
+}
+
+/** Seconds between two poses to be acknowledged; greatest number of open ones. */
+const [EVERY, MAX_OPEN] = [0.25, 64] as const;
+/** Number of round trips for the median. */
+const KEPT = 32;
+
+/** Round trips by the paper's Eq. 3: from the sending of a pose until all others of the group have acknowledged it. */
+export interface RoundTrips {
+  /** Median of the last round trips, seconds; null before the first. */
+  readonly median: number | null;
+  /**
+   * Records a pose that is about to be sent; returns whether it is to be acknowledged. The last pose before a pause is
+   * if another one is open, because that one may be lost and would be settled only after the pause.
+   */
+  send(sequence: number, now: number, isLast: boolean): boolean;
+  /** Records that all others have acknowledged this pose or a later one. */
+  settle(sequence: number, now: number): void;
+  /** Discards open round trips, because the connection is a new one. */
+  forget(): void;
+}
+
+function createRoundTrips(): RoundTrips {
+  const open = new Map<number, number>();
+  let last = -Infinity;
+  let kept: number[] = [];
+
+  return {
+    get median() {
+      const sorted = [...kept].sort((a, b) => a - b);
+      return sorted[sorted.length >> 1] ?? null;
+    },
+    send(sequence, now, isLast) {
+      if (now - last < EVERY && !(isLast && open.size > 0)) return false;
+      last = now;
+      const [oldest] = open.keys();
+      if (open.size >= MAX_OPEN && oldest !== undefined) open.delete(oldest);
+      open.set(sequence, now);
+      return true;
+    },
+    settle(sequence, now) {
+      for (const [sent, time] of open) {
+        if (sent > sequence) continue;
+        open.delete(sent);
+        kept = [...kept, now - time].slice(-KEPT);
+      }
+    },
+    forget() {
+      open.clear();
+      last = -Infinity;
     },
   };
 }

@@ -1,6 +1,6 @@
 /** WebTransport for frames: a stream for reliable frames, datagrams for those that a later one replaces. */
-import type { Datagrams } from './about';
-import { CLOSING, type Listener, type Socket } from './socket';
+import { joined } from '../base/bytes';
+import { BROKEN, CLOSING, type Datagrams, type Listener, type Socket } from './server';
 
 /** Timeout for a connection, seconds: networks that drop UDP report nothing. */
 const READY = 3;
@@ -8,8 +8,6 @@ const READY = 3;
 const [WAITING, OLDEST] = [4, 50] as const;
 /** Bytes of a frame's header; the last two are the length of the body. */
 const HEAD = 3;
-/** WebSocket close code of a broken connection. */
-const BROKEN = 1006;
 
 /** Connects to the server's port for datagrams. Rejects on failure; the listener is not called before it resolves. */
 export async function openDatagrams(relay: string, to: Datagrams, listener: Listener): Promise<Socket> {
@@ -26,8 +24,8 @@ export async function openDatagrams(relay: string, to: Datagrams, listener: List
     // Nothing is reported of a session that fails, as in browsers with another version of WebTransport.
     const socket = sending(transport, stream.writable, closed);
     void closed.then((code) => listener.closed(code));
-    void readAll(stream.readable, splitter((frames) => listener.came(frames)));
-    void readAll(transport.datagrams.readable, (datagram) => listener.came(datagram.slice().buffer));
+    void readAll(stream.readable, splitter((frames) => listener.received(frames)));
+    void readAll(transport.datagrams.readable, (datagram) => listener.received(datagram.slice().buffer));
     return socket;
   } catch (error) {
     transport.close();
@@ -87,7 +85,7 @@ export function gatherer(write: (frames: Uint8Array) => void): (frame: Uint8Arra
   let length = 0;
   function flush(): void {
     if (length === 0) return;
-    const all = join(frames, length);
+    const all = joined(frames);
     [frames, length] = [[], 0];
     write(all);
   }
@@ -103,7 +101,7 @@ export function gatherer(write: (frames: Uint8Array) => void): (frame: Uint8Arra
 export function splitter(give: (frames: ArrayBuffer) => void): (piece: Uint8Array) => void {
   let rest: Uint8Array = new Uint8Array();
   return (piece) => {
-    const all = join([rest, piece], rest.length + piece.length);
+    const all = joined([rest, piece]);
     const view = new DataView(all.buffer);
     let whole = 0;
     while (whole + HEAD <= all.length) {
@@ -114,16 +112,6 @@ export function splitter(give: (frames: ArrayBuffer) => void): (piece: Uint8Arra
     rest = all.slice(whole);
     if (whole > 0) give(all.buffer.slice(0, whole));
   };
-}
-
-function join(parts: readonly Uint8Array[], length: number): Uint8Array<ArrayBuffer> {
-  const all = new Uint8Array(length);
-  let at = 0;
-  for (const part of parts) {
-    all.set(part, at);
-    at += part.length;
-  }
-  return all;
 }
 
 /** Reads to the end, which the session reports itself. Errors of `take` are reported and do not end the reading. */

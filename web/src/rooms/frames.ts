@@ -1,5 +1,5 @@
 /** Binary frames of rooms: kind, length of the body, and body. docs/rooms.md has a table of every field. */
-import { FrameError, Reader, Writer } from './bytes';
+import { FrameError, Reader, textOf, Writer } from './bytes';
 import { type Pose, readPose, writePose } from './pose';
 
 /** Protocol version of all frames. */
@@ -79,9 +79,9 @@ function readBody(kind: number, body: Reader): FromServer {
     case SERVER.left:
       return { kind: 'left', user: body.u16() };
     case SERVER.refused:
-      return { kind: 'refused', reason: body.u8(), sentence: textOf(body.rest(SAY), 'a sentence is no text') };
+      return { kind: 'refused', reason: body.u8(), sentence: textOf(body.rest(SAY), 'a sentence is not UTF-8') };
     default:
-      throw new FrameError('a frame is of no kind that the server sends');
+      throw new FrameError('a frame has an unknown kind');
   }
 }
 
@@ -93,7 +93,7 @@ export function writeFrame(frame: FromUser): Uint8Array<ArrayBuffer> {
   if (frame.kind === 'hello') {
     body.u8(VERSION);
     body.u16(frame.group);
-    const name = new TextEncoder().encode(checkedName(frame.name));
+    const name = new TextEncoder().encode(checkName(frame.name));
     for (const bytes of [name, frame.ticket]) {
       if (bytes.length > 0xff) throw new FrameError('a ticket is too long');
       body.u8(bytes.length);
@@ -127,22 +127,14 @@ function readTo(body: Reader): Audience {
 }
 
 function readName(body: Reader): string {
-  return checkedName(textOf(body.take(body.u8()), 'a name is no text'));
+  return checkName(textOf(body.take(body.u8()), 'a name is not UTF-8'));
 }
 
 /** Characters forbidden in names: control characters, and format characters, which are invisible or reorder text. */
 export const HIDDEN = /[\p{Cc}\p{Cf}]/u;
 
-function checkedName(name: string): string {
+function checkName(name: string): string {
   if (new TextEncoder().encode(name).length > NAME) throw new FrameError('a name is too long');
   if (HIDDEN.test(name)) throw new FrameError('a name has characters that control or format text');
   return name;
-}
-
-function textOf(bytes: Uint8Array, sentence: string): string {
-  try {
-    return new TextDecoder('utf-8', { fatal: true, ignoreBOM: true }).decode(bytes);
-  } catch {
-    throw new FrameError(sentence);
-  }
 }

@@ -1,5 +1,5 @@
 /** Pointing by a held key or button, and the pointed place of the picture. */
-import { isElsewhere } from '../control/keys';
+import { isElsewhere } from '../control/drive';
 
 /** Code of the key, by its position; number of a mouse's middle button. */
 const [KEY, MIDDLE_BUTTON] = ['KeyE', 1] as const;

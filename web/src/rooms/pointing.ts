@@ -1,14 +1,15 @@
-/** The user's body in each frame, with its pointer. */
-import type { Pose } from '../control/pose';
-import type { Vector } from '../control/vector';
+/** The user's body in each frame, as others see it, and the point of the world at which its pointer ends. */
+import type { WebGLRenderer } from 'three';
+import { directionTo } from '../control/floor';
+import { addScaled, ahead, type Pose, rightOf, subtract, type Vector } from '../control/pose';
+import type { Shared } from '../show/materials';
+import type { Guests } from '../show/painter';
 import type { Viewer } from '../show/viewer';
 import type { HandRay } from '../xr/hands';
-import type { Activity } from './activity';
-import { NOTHING_HIT, targetAt } from './aim';
-import type { Hold } from './hold';
-import { atScreen, inHeadset } from './own';
-import type { Body } from './pose';
-import { createSeldom } from './seldom';
+import type { FromServer } from './frames';
+import type { Hold, Place } from './hold';
+import { type Body, FARTHEST, type Placed, rotationAlong, rotationOf } from './pose';
+import { type Morph, pointShownAt } from './unmorph';
 
 /** Seconds between two updates of the pointer's target: each waits for the GPU. */
 const EVERY = 1 / 36;
@@ -21,7 +22,7 @@ export function createPointing(
   hands: () => readonly HandRay[] | null,
   activity: () => Activity | null,
 ): (pose: Pose, now: number) => Body {
-  const [targets, lengths] = [createSeldom<Vector>(EVERY), createSeldom<number>(EVERY)];
+  const [targets, lengths] = [createThrottled<Vector>(EVERY), createThrottled<number>(EVERY)];
 
   function targetOf(pose: Pose, now: number): Vector | null {
     const { place } = hold;
@@ -38,5 +39,153 @@ export function createPointing(
     return inHeadset(pose, found, hold.isAlways, ({ origin, direction }) =>
       lengths.at(now, () => viewer.along(origin, direction) ?? NOTHING_HIT),
     );
+  };
+}
+
+/** Shared task, which draws its meshes like those of guests. */
+export interface Activity extends Guests {
+  /** Whether users point even without holding a button. */
+  readonly isPointing: boolean;
+  /** Handles a frame of the server. */
+  hear(frame: FromServer, now: number): void;
+  /** Updates the task before each frame with the user's pose and the body that others see. */
+  frame(pose: Pose, body: Body, now: number): void;
+  /** Returns the world point at a place of the picture; null if the scene determines it. */
+  targetAt(pose: Pose, place: Place): Vector | null;
+}
+
+/** Metres right, down and ahead from the eyes of a user at a screen to the pointing hand. */
+const [RIGHT, DOWN, AHEAD] = [0.22, 0.28, 0.4] as const;
+
+/** Body of a user at a screen: a head, and a right hand with a pointer to the target while pointing. */
+function atScreen(pose: Pose, target: Vector | null): Body {
+  const head: Placed = { position: pose.position, rotation: rotationOf(pose.yaw, pose.pitch) };
+  if (!target) return { head, left: null, right: null, pointer: null };
+  const side = addScaled(pose.position, rightOf(pose.yaw), RIGHT);
+  const position = addScaled(addScaled(side, ahead({ yaw: pose.yaw, pitch: 0 }), AHEAD), [0, -1, 0], DOWN);
+  const way = subtract(target, position);
+  const right: Placed = { position, rotation: rotationAlong(way) };
+  return { head, left: null, right, pointer: { begin: 'right', length: Math.min(Math.hypot(...way), FARTHEST) } };
+}
+
+/**
+ * Body of a user in a headset: a head, the tracked hands, and a pointer from the first pointing hand; if the user
+ * always points, from the right hand or any other.
+ */
+function inHeadset(
+  pose: Pose,
+  hands: readonly HandRay[],
+  isAlways: boolean,
+  lengthOf: (hand: HandRay) => number,
+): Body {
+  const placed = (side: HandRay['side']): Placed | null => {
+    const hand = hands.find((each) => each.side === side);
+    return hand ? { position: hand.origin, rotation: rotationAlong(hand.direction) } : null;
+  };
+  const other = isAlways ? (hands.find(({ side }) => side === 'right') ?? hands[0]) : undefined;
+  const pointing = hands.find((each) => each.isPointing) ?? other;
+  return {
+    head: { position: pose.position, rotation: rotationOf(pose.yaw, pose.pitch) },
+    left: placed('left'),
+    right: placed('right'),
+    pointer: pointing ? { begin: pointing.side, length: Math.min(lengthOf(pointing), FARTHEST) } : null,
+  };
+}
+
+/** Metres to points without a range, from the centre, and length of a pointer that hits nothing. */
+const NOTHING_HIT = 100;
+/** Multiple of the morph's radius within which the map shows nothing. */
+const BEYOND = 2;
+
+/** Current morph of the picture, and the centre that it is relative to. */
+export function morphOf(
+  { facts }: Viewer,
+  nearShare: number,
+  pose: Pose,
+): { readonly center: Vector; readonly morph: Morph } {
+  const { radius, strength } = facts.shown?.grown ?? { radius: 0, strength: 0 };
+  const center: Vector = facts.entry?.center ?? pose.position;
+  return { center, morph: { user: subtract(pose.position, center), inner: nearShare * radius, radius, strength } };
+}
+
+/**
+ * Computes the world point behind a place of the picture: a point of near geometry, with the morph inverted except left
+ * of the divider, where nothing is morphed; or a point of the map, by its range from the centre.
+ */
+function targetAt(viewer: Viewer, nearShare: number, pose: Pose, [x, y]: Place): Vector {
+  const { center, morph } = morphOf(viewer, nearShare, pose);
+  const seen = viewer.pointAt(x, y);
+  if (seen && !viewer.isMorphedAt(x)) return seen;
+  if (seen) {
+    const found = pointShownAt(subtract(seen, pose.position), morph);
+    return found ? addScaled(center, found, 1) : seen;
+  }
+  const { camera, renderer, shared } = viewer;
+  const direction = directionTo(pose, [x, y], camera);
+  const range = rangeIn(renderer, shared, direction) ?? Math.max(NOTHING_HIT, BEYOND * morph.radius);
+  return addScaled(center, direction, range);
+}
+
+/** Code of pixels without a range. */
+const NOTHING = 65535;
+
+export interface Texel {
+  readonly face: number;
+  readonly x: number;
+  readonly y: number;
+}
+
+/** Returns the texel of a cube map that GL samples for a direction. */
+export function texelOf([x, y, z]: Vector, size: number): Texel {
+  const [ax, ay, az] = [Math.abs(x), Math.abs(y), Math.abs(z)];
+  const longest = Math.max(ax, ay, az);
+  const [face, across, down] =
+    ax === longest ? (x > 0 ? [0, -z, -y] : [1, z, -y])
+    : ay === longest ? (y > 0 ? [2, x, z] : [3, x, -z])
+    : z > 0 ? [4, x, -y] : [5, -x, -y];
+  const place = (value: number): number => Math.min(Math.floor((value / longest + 1) * 0.5 * size), size - 1);
+  return { face, x: place(across), y: place(down) };
+}
+
+/** Returns the range in metres from the centre in the last picture's map; null if there is none. */
+function rangeIn(renderer: WebGLRenderer, { codes, coding }: Shared, direction: Vector): number | null {
+  const { x: least, y: step, z: size, w: hasRange } = coding.value;
+  const { __webglTexture: texture } = renderer.properties.get(codes.value) as { __webglTexture?: WebGLTexture };
+  if (hasRange === 0 || !texture) return null;
+  const gl = renderer.getContext() as WebGL2RenderingContext;
+  const { face, x, y } = texelOf(direction, size);
+  const frame = gl.createFramebuffer();
+  const code = new Uint32Array(4);
+  renderer.state.bindFramebuffer(gl.FRAMEBUFFER, frame);
+  gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_CUBE_MAP_POSITIVE_X + face, texture, 0);
+  gl.readPixels(x, y, 1, 1, gl.RGBA_INTEGER, gl.UNSIGNED_INT, code);
+  renderer.state.bindFramebuffer(gl.FRAMEBUFFER, null);
+  gl.deleteFramebuffer(frame);
+  const [found = NOTHING] = code;
+  return found === NOTHING ? null : least * Math.exp(found * step);
+}
+
+/** Cache of a value that is computed less often than frames are drawn. */
+export interface Throttled<Found> {
+  /** Returns the cached value; calls `look` if it is too old or was discarded. */
+  at(now: number, look: () => Found): Found;
+  /** Discards the cached value. */
+  forget(): void;
+}
+
+/** Creates the cache; `every` is the interval between two updates, seconds. */
+export function createThrottled<Found>(every: number): Throttled<Found> {
+  let [found, next]: [{ readonly value: Found } | null, number] = [null, 0];
+  return {
+    at(now, look) {
+      if (!found || now >= next) {
+        found = { value: look() };
+        next = now + every;
+      }
+      return found.value;
+    },
+    forget() {
+      found = null;
+    },
   };
 }

@@ -1,5 +1,5 @@
-/** Binary poses of a user's head, hands and pointer: the second table of docs/rooms.md. */
-import type { Vector } from '../control/vector';
+/** Binary poses of a user's head, hands and pointer (the second table of docs/rooms.md), and their interpolation. */
+import type { Vector } from '../control/pose';
 import { FrameError, type Reader, type Writer } from './bytes';
 
 /** Unit quaternion (x, y, z, w). */
@@ -12,7 +12,7 @@ export interface Placed {
 }
 
 /** Origins of a pointer's ray, in the order of their codes. */
-export const BEGINS = ['head', 'left', 'right'] as const;
+const BEGINS = ['head', 'left', 'right'] as const;
 export type Begin = (typeof BEGINS)[number];
 
 /** Pointer along −z of its origin. */
@@ -54,13 +54,13 @@ const [POINTER, KNOWN] = [4, 0b11_1111] as const;
 /** Reads a pose that fills the whole body. */
 export function readPose(body: Reader): Pose {
   const [sequence, clock, flags] = [body.u32(), body.u64(), body.u8()];
-  if ((flags & ~KNOWN) !== 0) throw new FrameError('a pose has flags without a meaning');
+  if ((flags & ~KNOWN) !== 0) throw new FrameError('a pose has unknown flags');
   const head = readPlaced(body);
   const left = flags & FLAGS.left ? readPlaced(body) : null;
   const right = flags & FLAGS.right ? readPlaced(body) : null;
   const begin = BEGINS[(flags >> POINTER) - 1];
   const hands = { head, left, right };
-  if (begin && !hands[begin]) throw new FrameError('a pointer begins at no hand');
+  if (begin && !hands[begin]) throw new FrameError('a pointer begins at a missing hand');
   const pointer = begin ? { begin, length: readLength(body) } : null;
   body.end('a pose is too long');
   const [isAcknowledged, stops] = [(flags & FLAGS.acknowledged) !== 0, (flags & FLAGS.stops) !== 0];
@@ -92,11 +92,11 @@ function readPlaced(body: Reader): Placed {
   const position = [body.f32(), body.f32(), body.f32()] as const;
   const parts = [body.i16(), body.i16(), body.i16(), body.i16()] as const;
   // NaN fails the test, too.
-  if (!isWithin(position)) throw new FrameError('a position is none');
+  if (!isWithin(position)) throw new FrameError('a position is out of range');
   const rotation = parts.map((part) => Math.fround(part / ONE)) as unknown as Rotation;
   // Sum in float32, like the server's.
   const square = rotation.reduce((sum, part) => Math.fround(sum + Math.fround(part * part)), 0);
-  if (!(square >= SHORTEST && square <= LONGEST)) throw new FrameError('a rotation is no unit quaternion');
+  if (!(square >= SHORTEST && square <= LONGEST)) throw new FrameError('a rotation is not a unit quaternion');
   return { position, rotation };
 }
 
@@ -107,6 +107,65 @@ function writePlaced(out: Writer, { position, rotation }: Placed): void {
 
 function readLength(body: Reader): number {
   const length = body.f32();
-  if (!(length >= 0 && length <= FARTHEST)) throw new FrameError("a pointer's length is none");
+  if (!(length >= 0 && length <= FARTHEST)) throw new FrameError("a pointer's length is out of range");
   return length;
+}
+
+/** Cosine of half an angle above which rotations are interpolated linearly. */
+const NEARLY = 0.9995;
+
+/** Rotation of a view with a yaw and a pitch. */
+export function rotationOf(yaw: number, pitch: number): Rotation {
+  const [sy, cy, sp, cp] = [Math.sin(yaw / 2), Math.cos(yaw / 2), Math.sin(pitch / 2), Math.cos(pitch / 2)];
+  return [cy * sp, sy * cp, -sy * sp, cy * cp];
+}
+
+/** Upright rotation whose −z points along a direction of any length. */
+export function rotationAlong([x, y, z]: Vector): Rotation {
+  return rotationOf(Math.atan2(-x, -z), Math.atan2(y, Math.hypot(x, z)));
+}
+
+/** Applies a rotation to a vector. */
+export function rotate([x, y, z, w]: Rotation, [a, b, c]: Vector): Vector {
+  const [tx, ty, tz] = [2 * (y * c - z * b), 2 * (z * a - x * c), 2 * (x * b - y * a)];
+  return [a + w * tx + y * tz - z * ty, b + w * ty + z * tx - x * tz, c + w * tz + x * ty - y * tx];
+}
+
+/** Interpolates spherically along the shorter arc; shares beyond 1 extrapolate. */
+export function slerp(from: Rotation, to: Rotation, share: number): Rotation {
+  const dot = from.reduce((sum, part, axis) => sum + part * (to[axis] ?? 0), 0);
+  const sign = dot < 0 ? -1 : 1;
+  let [a, b] = [1 - share, share];
+  if (Math.abs(dot) < NEARLY) {
+    const angle = Math.acos(Math.abs(dot));
+    [a, b] = [Math.sin((1 - share) * angle) / Math.sin(angle), Math.sin(share * angle) / Math.sin(angle)];
+  }
+  const mixed = from.map((part, axis) => a * part + sign * b * (to[axis] ?? 0));
+  const size = Math.hypot(...mixed) || 1;
+  return mixed.map((part) => part / size) as unknown as Rotation;
+}
+
+/** Interpolates between two bodies; shares beyond 1 extrapolate, except hands and pointers. */
+export function between(from: Body, to: Body, share: number): Body {
+  const later = share < 0.5 ? from : to;
+  const hand = (side: 'left' | 'right'): Placed | null => {
+    const [a, b] = [from[side], to[side]];
+    return a && b ? placedBetween(a, b, Math.min(share, 1)) : later[side];
+  };
+  return {
+    head: placedBetween(from.head, to.head, share),
+    left: hand('left'),
+    right: hand('right'),
+    pointer: pointerBetween(from.pointer, to.pointer, Math.min(share, 1)),
+  };
+}
+
+function placedBetween(from: Placed, to: Placed, share: number): Placed {
+  const position = from.position.map((value, axis) => value + share * ((to.position[axis] ?? 0) - value));
+  return { position: position as unknown as Vector, rotation: slerp(from.rotation, to.rotation, share) };
+}
+
+function pointerBetween(from: Pointer | null, to: Pointer | null, share: number): Pointer | null {
+  if (from?.begin !== to?.begin || !from || !to) return share < 0.5 ? from : to;
+  return { begin: to.begin, length: from.length + share * (to.length - from.length) };
 }

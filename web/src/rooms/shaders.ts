@@ -1,5 +1,5 @@
 /** Vertex shaders of billboards: pointers and names. They use the fragment shader of near geometry. */
-import { SHARED, SHOWN_AT } from '../shaders/shared';
+import { SHARED, SHOWN_AT } from '../shaders/scene';
 
 /** Axes of an upright square that faces the viewer. */
 const FACING = /* glsl */ `
@@ -25,7 +25,7 @@ out vec3 v_shown;
 /** Pointer: a ribbon along the ray, morphed piece by piece, and a spot at its end. */
 export const POINTER_VERTEX = /* glsl */ `
 ${HEAD}
-// Share of the way, 2 for the spot; and how far to the side and up, in parts of the half width.
+// Share of the pointer's length, 2 for the spot; offsets to the side and up, in half widths.
 in vec3 position;
 uniform vec3 begin;
 uniform vec3 end;
@@ -34,9 +34,9 @@ uniform float pixel;
 // Half widths: the least, metres, in pixels, so that no gaps are seen, and of the spot as the tangent of an angle.
 const vec2 RIBBON = vec2(0.003, 0.75);
 const vec3 SPOT = vec3(0.02, 2.5, 0.004);
-// Part of the way to the spot by which it is drawn nearer, in front of the surface that it lies on.
+// Share of its distance at which the spot is drawn, in front of the surface that it lies on.
 const float BEFORE = 0.985;
-// Share of the way to the point that tells which way the ribbon goes on.
+// Step along the pointer, as a share of its length, that gives the ribbon's direction.
 const float ONWARDS = 0.004;
 
 void main() {
@@ -47,7 +47,7 @@ void main() {
   float away = length(at);
   if (is_spot) {
     mat3 axes = facing(at);
-    // From the centre, too, whose ranges the map holds.
+    // Also relative to the centre, because the map stores ranges from there.
     v_point *= BEFORE;
     v_shown = BEFORE * at;
     v_shown += (axes[0] * position.y + axes[1] * position.z) * max(SPOT.x, max(SPOT.y * pixel, SPOT.z) * away);

@@ -2,8 +2,8 @@
  * Ticket of a room across a reload of the page, in the tab's session storage. It is stored only from the end of a page
  * to the begin of the next one: browsers copy the storage into a duplicated tab, which is another user.
  */
-
-import { bytesOf, hexOf } from '../hex';
+import { bytesOf, hexOf } from '../base/bytes';
+import type { Connection } from './connection';
 
 export interface TicketStore {
   /** Removes and returns the ticket of the previous page; empty if there is none. */
@@ -11,29 +11,47 @@ export interface TicketStore {
   put(ticket: Uint8Array): void;
 }
 
+/** Acts on a storage; returns null where the browser forbids it, and where it is full. */
+export function onStorage<Result>(storage: () => Storage, action: (storage: Storage) => Result): Result | null {
+  try {
+    return action(storage());
+  } catch {
+    return null;
+  }
+}
+
 /** Creates the store for a room, keyed by its relay's address without a token. */
 export function createTicketStore(relay: string, storage: () => Storage = () => sessionStorage): TicketStore {
   const { origin, pathname } = new URL(relay);
   const key = `nearfar ticket ${origin}${pathname}`;
 
-  /** Accesses the storage, which browsers may forbid and which may be full; a ticket is optional. */
-  function attempt<Result>(action: (storage: Storage) => Result): Result | null {
-    try {
-      return action(storage());
-    } catch {
-      return null;
-    }
-  }
-
   return {
     take() {
-      const text = attempt((found) => found.getItem(key)) ?? '';
-      attempt((found) => found.removeItem(key));
+      const text = onStorage(storage, (found) => found.getItem(key)) ?? '';
+      onStorage(storage, (found) => found.removeItem(key));
       return /^(?:[\da-f]{2}){1,255}$/.test(text) ? bytesOf(text) : new Uint8Array();
     },
     put(ticket) {
       if (ticket.length === 0) return;
-      attempt((found) => found.setItem(key, hexOf(ticket)));
+      onStorage(storage, (found) => found.setItem(key, hexOf(ticket)));
     },
   };
+}
+
+/** On hiding, says bye and stores the ticket; on return from the browser's cache, joins again. */
+export function followPage(connection: Connection, tickets: TicketStore, page: EventTarget = window): void {
+  let isAway = false;
+  page.addEventListener('pagehide', () => {
+    if (connection.state.kind === 'ended') return;
+    tickets.put(connection.ticket);
+    connection.leave(true);
+    isAway = true;
+  });
+  page.addEventListener('pageshow', () => {
+    if (!isAway) return;
+    isAway = false;
+    // The connection still has the ticket.
+    tickets.take();
+    connection.retry();
+  });
 }

@@ -3,8 +3,7 @@
  * drawn with a delay: the jitter of its poses plus the interval between two of them. If that is too little, the
  * movement is extrapolated for a moment and stops. Times are in seconds.
  */
-import { between } from './between';
-import type { Body, Pose } from './pose';
+import { between, type Body, type Pose } from './pose';
 
 /** Number of stored poses: more than half a second. */
 const KEPT = 48;

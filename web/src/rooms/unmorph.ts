@@ -1,5 +1,5 @@
 /** CPU version of the morph in shaders/near.ts, and its inverse: the world point that is shown at a place. */
-import { minus, type Vector } from '../control/vector';
+import { subtract, type Vector } from '../control/pose';
 
 /** Parameters of the morph; positions are relative to the centre, in metres. */
 export interface Morph {
@@ -16,7 +16,7 @@ const [STEPS, SLOPE, FOUND] = [40, 1e-5, 1e-7] as const;
 
 /** Returns the shown position of a point relative to the eye. */
 export function shownAt(p: Vector, { user, inner, radius, strength }: Morph): Vector {
-  const away = minus(p, user);
+  const away = subtract(p, user);
   const rho = Math.hypot(p[0], p[2]);
   if (strength === 1 && rho <= inner) return away;
   const w = strength * (radius > inner ? Math.min(Math.max((radius - rho) / (radius - inner), 0), 1) : 0);
@@ -36,23 +36,23 @@ export function pointShownAt(q: Vector, morph: Morph): Vector | null {
   // Starts at the point that either view alone would give, the one with the smaller error first.
   const starts = [near, q].sort((a, b) => size(shownAt(a, morph), q) - size(shownAt(b, morph), q));
   for (const start of starts) {
-    const found = sought(start, q, morph);
+    const found = solveFrom(start, q, morph);
     if (found) return found;
   }
   return null;
 }
 
 /** Newton's method with step halving while the error grows. */
-function sought(start: Vector, q: Vector, morph: Morph): Vector | null {
+function solveFrom(start: Vector, q: Vector, morph: Morph): Vector | null {
   const most = FOUND * Math.max(Math.hypot(...q), 1);
   let p = start;
-  let error = minus(q, shownAt(p, morph));
+  let error = subtract(q, shownAt(p, morph));
   for (let step = 0; step < STEPS && Math.hypot(...error) > most; step++) {
-    const move = solved(slopes(p, morph), error);
+    const move = solve(jacobian(p, morph), error);
     if (!move) return null;
     for (let share = 1; share > 1e-3; share /= 2) {
       const next: Vector = [p[0] + share * move[0], p[1] + share * move[1], p[2] + share * move[2]];
-      const left = minus(q, shownAt(next, morph));
+      const left = subtract(q, shownAt(next, morph));
       if (Math.hypot(...left) >= Math.hypot(...error) && share > 2e-3) continue;
       [p, error] = [next, left];
       break;
@@ -62,18 +62,18 @@ function sought(start: Vector, q: Vector, morph: Morph): Vector | null {
 }
 
 /** Jacobian of the shown position by central differences, in columns. */
-function slopes(p: Vector, morph: Morph): readonly [Vector, Vector, Vector] {
+function jacobian(p: Vector, morph: Morph): readonly [Vector, Vector, Vector] {
   const length = SLOPE * Math.max(Math.hypot(...p), 1);
   const along = (axis: number): Vector => {
     const moved = (by: number): Vector => p.map((value, at) => (at === axis ? value + by : value)) as unknown as Vector;
-    const [x, y, z] = minus(shownAt(moved(length), morph), shownAt(moved(-length), morph));
+    const [x, y, z] = subtract(shownAt(moved(length), morph), shownAt(moved(-length), morph));
     return [x / (2 * length), y / (2 * length), z / (2 * length)];
   };
   return [along(0), along(1), along(2)];
 }
 
 /** Solves a linear system by Cramer's rule; null if it is singular. */
-function solved([a, b, c]: readonly [Vector, Vector, Vector], right: Vector): Vector | null {
+function solve([a, b, c]: readonly [Vector, Vector, Vector], right: Vector): Vector | null {
   const whole = determinant(a, b, c);
   if (!(Math.abs(whole) > 1e-9)) return null;
   return [determinant(right, b, c) / whole, determinant(a, right, c) / whole, determinant(a, b, right) / whole];
@@ -86,5 +86,5 @@ function determinant(a: Vector, b: Vector, c: Vector): number {
 }
 
 function size(a: Vector, b: Vector): number {
-  return Math.hypot(...minus(a, b));
+  return Math.hypot(...subtract(a, b));
 }

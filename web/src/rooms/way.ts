@@ -1,15 +1,12 @@
 /** Choice of the transport to rooms: datagrams if both sides support them, else a WebSocket. */
-import type { Ask, Datagrams } from './about';
 import { CLOCK, type Clock } from './clock';
 import { openDatagrams } from './datagrams';
-import { type Listener, type Open, openSocket, type Socket } from './socket';
+import { type Ask, BROKEN, type Datagrams, type Listener, type Open, openSocket, type Socket } from './server';
 
 /** Seconds for which datagrams are not tried again after a failure. */
 const FORGETS = 60;
-/** WebSocket close code of a broken connection. */
-const BROKEN = 1006;
 
-export interface Ways {
+export interface Transports {
   /** Returns the server's endpoint for datagrams; null for none. */
   readonly datagrams: () => Promise<Datagrams | null>;
   readonly openDatagrams: (relay: string, to: Datagrams, listener: Listener) => Promise<Socket>;
@@ -20,7 +17,7 @@ export interface Ways {
  * Opens sockets by a transport that the server supports. A failed endpoint for datagrams is not tried again for a
  * minute.
  */
-export function createOpen(ask: Ask, isOff: boolean, ways: Ways = browserWays(ask), clock: Clock = CLOCK): Open {
+export function createOpen(ask: Ask, isOff: boolean, ways: Transports = browserTransports(ask), clock: Clock = CLOCK): Open {
   let failed = '';
   let failedAt = -Infinity;
 
@@ -37,7 +34,7 @@ export function createOpen(ask: Ask, isOff: boolean, ways: Ways = browserWays(as
     return { socket: ways.openSocket(url, listener), isOpen: false };
   }
 
-  return (url, listener) => later(find(url, listener), listener);
+  return (url, listener) => deferredSocket(find(url, listener), listener);
 }
 
 interface Found {
@@ -49,7 +46,7 @@ function nameOf({ port, hashes }: Datagrams): string {
   return `${port} ${hashes.join(' ')}`;
 }
 
-function browserWays(ask: Ask): Ways {
+function browserTransports(ask: Ask): Transports {
   return {
     async datagrams() {
       if (typeof WebTransport === 'undefined') return null;
@@ -61,15 +58,15 @@ function browserWays(ask: Ask): Ways {
 }
 
 /** Socket that is resolved later; earlier data are discarded. */
-function later(found: Promise<Found>, listener: Listener): Socket {
+function deferredSocket(opening: Promise<Found>, listener: Listener): Socket {
   let socket: Socket | null = null;
   let isClosed = false;
-  function use(one: Found): void {
-    socket = one.socket;
+  function adopt(found: Found): void {
+    socket = found.socket;
     if (isClosed) socket.close(true);
-    else if (one.isOpen) listener.opened();
+    else if (found.isOpen) listener.opened();
   }
-  found.then(use, () => listener.closed(BROKEN));
+  opening.then(adopt, () => listener.closed(BROKEN));
   return {
     get bufferedAmount() {
       return socket?.bufferedAmount ?? 0;

@@ -36,6 +36,30 @@ vec3 irradiance(vec3 n) {
 }
 `;
 
+/** Normal towards the viewer: that of the vertices, on the visible side of the face; without one, that of the face. */
+export const SHADING_NORMAL = /* glsl */ `
+vec3 shading_normal(vec3 face, vec3 toward, vec3 own) {
+  float size = length(face);
+  face = size > 0.0 ? face / size : toward;
+  face = dot(face, toward) < 0.0 ? -face : face;
+  float own_size = length(own);
+  if (own_size == 0.0) {
+    return face;
+  }
+  vec3 n = own / own_size;
+  return dot(n, face) < 0.0 ? -n : n;
+}
+`;
+
+/** Mip level at which a texel is as large as a pixel, by areas, from the changes of texture coordinates by a pixel. */
+export const LEVEL_OF = /* glsl */ `
+float level_of(ivec2 size, vec2 right, vec2 down) {
+  vec2 dx = right * vec2(size);
+  vec2 dy = down * vec2(size);
+  return 0.5 * log2(max(abs(dx.x * dy.y - dx.y * dy.x), 1e-30));
+}
+`;
+
 /** Sky colour in a direction without a hit. */
 export const BACKGROUND = /* glsl */ `
 ${glsl(SKY)}

@@ -1,15 +1,14 @@
 /** Open regions: their loaded data, and the picture that each would show. */
-import type { Coming } from '../bundle/coming';
-import { bytesOf, filesOfRegion } from '../bundle/contents';
+import { abortable } from '../base/errors';
+import { type ArrivingRegion, bytesOf, filesOfRegion } from '../bundle/contents';
 import type { RingEntry } from '../bundle/manifest';
 import type { Kept } from '../decode/messages';
-import type { Grown } from './growth';
-import type { Regions } from './journey';
 import type { Loading } from './job';
+import type { Regions } from './journey';
 import { loadRegion } from './loader';
+import { markTimeline } from './meter';
 import { createRegion, type Region } from './region';
-import { createStage, type Manner, type Shown, type Stage } from './stage';
-import { tell } from './told';
+import { createStage, type Manner, type MorphState, type Shown, type Stage } from './stage';
 import type { World } from './world';
 
 export interface AtlasSettings {
@@ -21,7 +20,7 @@ export interface AtlasSettings {
 }
 
 /** Region that is open. */
-export interface Open {
+export interface OpenRegion {
   readonly number: number;
   readonly region: Region;
   readonly stage: Stage;
@@ -44,7 +43,7 @@ export interface Open {
 interface Pending {
   readonly stop: AbortController;
   /** State to begin with; null if the region is not to be shown. */
-  from: Grown | null;
+  from: MorphState | null;
   hasFailed: boolean;
 }
 
@@ -57,7 +56,7 @@ export interface Holding {
 }
 
 export interface Atlas extends Regions {
-  find(region: number): Open | null;
+  find(region: number): OpenRegion | null;
   /** Advances a region by some seconds; radii smaller than `least` would fold. */
   advance(region: number, seconds: number, least: number): Shown | null;
   /** Reloads what failed. */
@@ -69,42 +68,41 @@ export interface Atlas extends Regions {
 export function createAtlas({ world, loading, manner, failed }: AtlasSettings): Atlas {
   const { renderer, store } = loading;
   const { nearShare } = world;
-  const opens = new Map<number, Open>();
+  const opens = new Map<number, OpenRegion>();
   const pendings = new Map<number, Pending>();
   let order: readonly number[] = [];
   let waiting: { region: number; done: () => void }[] = [];
   let kept: readonly Kept[] = [];
 
   /** Resumes the first region that is not complete. */
-  function call(): void {
+  function resumeNext(): void {
     const next = order.find((region) => isLoading(opens.get(region)));
     const called = waiting.filter(({ region }) => region === next);
     waiting = waiting.filter(({ region }) => region !== next);
     for (const { done } of called) done();
   }
 
-  function turn(region: number, signal: AbortSignal): Promise<void> {
-    return new Promise((done, refuse) => {
-      signal.addEventListener('abort', () => refuse(signal.reason as Error), { once: true });
+  function waitForTurn(region: number, signal: AbortSignal): Promise<void> {
+    return abortable<void>(signal, (done) => {
       waiting.push({ region, done });
-      call();
+      resumeNext();
     });
   }
 
   /** Waits until a ring can be fetched and it is the region's turn. */
-  async function ready(open: Open, coming: Coming, ring: number, signal: AbortSignal): Promise<RingEntry> {
+  async function ready(open: OpenRegion, coming: ArrivingRegion, ring: number, signal: AbortSignal): Promise<RingEntry> {
     const entry = coming.ring(ring);
     if (entry instanceof Promise) {
       open.isIdle = true;
-      call();
+      resumeNext();
       await entry;
       open.isIdle = false;
     }
-    await turn(open.number, signal);
+    await waitForTurn(open.number, signal);
     return entry;
   }
 
-  function ask(number: number): void {
+  function request(number: number): void {
     const pending: Pending = { stop: new AbortController(), from: null, hasFailed: false };
     const { signal } = pending.stop;
     pendings.set(number, pending);
@@ -123,12 +121,12 @@ export function createAtlas({ world, loading, manner, failed }: AtlasSettings): 
     );
   }
 
-  function begin(number: number, coming: Coming, stop: AbortController): void {
+  function begin(number: number, coming: ArrivingRegion, stop: AbortController): void {
     const { entry, manifest } = coming;
     const radii = entry.rings.slice(1).map((ring) => ring.radius);
     const stage = createStage({ ...manifest.growth, radii, nearShare }, manner);
     const region = createRegion(renderer, entry, manifest.map.face_size, store, loading.shared);
-    const open: Open = {
+    const open: OpenRegion = {
       number,
       region,
       stage,
@@ -144,9 +142,9 @@ export function createAtlas({ world, loading, manner, failed }: AtlasSettings): 
       needed: () => filesOfRegion(manifest, entry),
     };
     opens.set(number, open);
-    const ended = (state: Open['state']): void => {
+    const ended = (state: OpenRegion['state']): void => {
       open.state = state;
-      call();
+      resumeNext();
     };
     loadRegion(loading, {
       manifest,
@@ -154,7 +152,7 @@ export function createAtlas({ world, loading, manner, failed }: AtlasSettings): 
       number,
       arrived(ring) {
         open.arrived = ring;
-        tell('arrived', number, ring);
+        markTimeline('arrived', number, ring);
         stage.arrive(ring);
       },
       received: (bytes) => {
@@ -173,7 +171,7 @@ export function createAtlas({ world, loading, manner, failed }: AtlasSettings): 
     );
   }
 
-  function end(open: Open): void {
+  function end(open: OpenRegion): void {
     opens.delete(open.number);
     open.stop.abort();
     open.region.dispose();
@@ -189,13 +187,13 @@ export function createAtlas({ world, loading, manner, failed }: AtlasSettings): 
     );
   }
 
-  function again(number: number, from: Grown | null): void {
-    ask(number);
+  function reopen(number: number, from: MorphState | null): void {
+    request(number);
     const pending = pendings.get(number);
     if (pending) pending.from = from;
   }
 
-  function requireOpen(region: number): Open {
+  function requireOpen(region: number): OpenRegion {
     const open = opens.get(region);
     if (!open) throw new Error(`region ${region} is not open`);
     return open;
@@ -204,7 +202,7 @@ export function createAtlas({ world, loading, manner, failed }: AtlasSettings): 
   return {
     find: (region) => opens.get(region) ?? null,
     open(region) {
-      if (!opens.has(region) && !pendings.has(region)) ask(region);
+      if (!opens.has(region) && !pendings.has(region)) request(region);
     },
     close(region) {
       pendings.get(region)?.stop.abort();
@@ -214,7 +212,7 @@ export function createAtlas({ world, loading, manner, failed }: AtlasSettings): 
     },
     prefer(next) {
       order = next;
-      call();
+      resumeNext();
     },
     offer: (region, from) => opens.get(region)?.stage.offer(from) ?? null,
     isComplete: (region) => opens.get(region)?.state === 'complete',
@@ -234,7 +232,7 @@ export function createAtlas({ world, loading, manner, failed }: AtlasSettings): 
       open?.stage.leave();
       if (open) open.shown = null;
     },
-    grown: (region): Grown | null => opens.get(region)?.shown?.grown ?? null,
+    grown: (region): MorphState | null => opens.get(region)?.shown?.grown ?? null,
     advance(region, seconds, least) {
       const open = opens.get(region);
       // Its manifest is not loaded yet.
@@ -242,17 +240,17 @@ export function createAtlas({ world, loading, manner, failed }: AtlasSettings): 
       const before = lastOf(open.shown);
       open.shown = open.stage.advance(seconds, least);
       const ring = lastOf(open.shown);
-      if (ring > before) tell('shown', region, ring);
+      if (ring > before) markTimeline('shown', region, ring);
       return open.shown;
     },
     retry() {
       for (const open of [...opens.values()].filter(({ state }) => state === 'failed')) {
         const { grown } = open.shown ?? {};
         end(open);
-        again(open.number, grown ?? null);
+        reopen(open.number, grown ?? null);
       }
       for (const [number, { hasFailed, from }] of pendings) {
-        if (hasFailed) again(number, from);
+        if (hasFailed) reopen(number, from);
       }
     },
     get holding() {
@@ -269,7 +267,7 @@ export function createAtlas({ world, loading, manner, failed }: AtlasSettings): 
 }
 
 /** Whether a region can proceed. */
-function isLoading(open: Open | undefined): boolean {
+function isLoading(open: OpenRegion | undefined): boolean {
   return open?.state === 'loading' && !open.isIdle;
 }
 

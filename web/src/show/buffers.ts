@@ -1,5 +1,5 @@
-/** GPU buffers of arrays that are uploaded in steps. */
-import { GLBufferAttribute } from 'three';
+/** GPU buffers of arrays that are uploaded in steps, and the resources that regions share. */
+import { GLBufferAttribute, type Texture } from 'three';
 import { type Step, STEP_BYTES } from './uploads';
 
 export type Numbers = Float32Array | Uint16Array | Uint32Array;
@@ -33,7 +33,7 @@ export function createBuffers<Name extends string>(
   return {
     attributes,
     *steps() {
-      for (const parts of bundled(found.flatMap(({ rows, attribute }) => [...partsOf(rows, attribute.buffer)]))) {
+      for (const parts of groupParts(found.flatMap(({ rows, attribute }) => [...partsOf(rows, attribute.buffer)]))) {
         const bytes = parts.reduce((sum, { data }) => sum + data.byteLength, 0);
         yield {
           kind: 'arrays',
@@ -86,13 +86,13 @@ function bytesEach(rows: Numbers): 2 | 4 {
 }
 
 /** Part of an array, and its byte offset in the buffer. */
-interface Sent {
+interface BufferPart {
   readonly buffer: WebGLBuffer;
   readonly data: Numbers;
   readonly start: number;
 }
 
-function* partsOf(rows: Numbers, buffer: WebGLBuffer): Generator<Sent> {
+function* partsOf(rows: Numbers, buffer: WebGLBuffer): Generator<BufferPart> {
   const count = STEP_BYTES / rows.BYTES_PER_ELEMENT;
   for (let first = 0; first < rows.length; first += count) {
     yield { buffer, data: rows.subarray(first, first + count), start: first * rows.BYTES_PER_ELEMENT };
@@ -100,16 +100,73 @@ function* partsOf(rows: Numbers, buffer: WebGLBuffer): Generator<Sent> {
 }
 
 /** Combines parts up to the size of a step. */
-function* bundled(parts: Iterable<Sent>): Generator<Sent[]> {
-  let some: Sent[] = [];
+function* groupParts(parts: Iterable<BufferPart>): Generator<BufferPart[]> {
+  let group: BufferPart[] = [];
   let bytes = 0;
   for (const part of parts) {
-    if (some.length > 0 && bytes + part.data.byteLength > STEP_BYTES) {
-      yield some;
-      [some, bytes] = [[], 0];
+    if (group.length > 0 && bytes + part.data.byteLength > STEP_BYTES) {
+      yield group;
+      [group, bytes] = [[], 0];
     }
-    some.push(part);
+    group.push(part);
     bytes += part.data.byteLength;
   }
-  if (some.length > 0) yield some;
+  if (group.length > 0) yield group;
+}
+
+/** Arrays of a mesh without its placements. */
+export type MeshArrays = Buffers<'position' | 'normal' | 'uv' | 'color' | 'index'>;
+
+export interface Store {
+  /** Textures by file name. */
+  readonly textures: Map<string, Texture>;
+  /** Names of the files in the geometry worker: shared buffers, and the file of dynamic objects. */
+  readonly buffers: Set<string>;
+  /** Returns the arrays of a mesh, shared with other meshes of the same name; counts a user. */
+  take(name: string | null, make: () => MeshArrays): MeshArrays;
+  /** Releases a mesh's arrays; returns true if no other mesh uses them. */
+  give(name: string | null): boolean;
+  /** Frees all files but these; returns the buffers that the worker must free. */
+  keep(files: ReadonlySet<string>): string[];
+  /** Number of arrays that several meshes share. */
+  readonly shared: number;
+}
+
+export function createStore(): Store {
+  const textures = new Map<string, Texture>();
+  const buffers = new Set<string>();
+  const held = new Map<string, { arrays: MeshArrays; users: number }>();
+
+  return {
+    textures,
+    buffers,
+    take(name, make) {
+      if (name === null) return make();
+      const entry = held.get(name) ?? { arrays: make(), users: 0 };
+      held.set(name, entry);
+      entry.users += 1;
+      return entry.arrays;
+    },
+    give(name) {
+      const entry = name === null ? undefined : held.get(name);
+      if (!entry || name === null) return true;
+      entry.users -= 1;
+      if (entry.users > 0) return false;
+      held.delete(name);
+      return true;
+    },
+    keep(files) {
+      for (const [name, texture] of textures) {
+        if (files.has(name)) continue;
+        texture.dispose();
+        textures.delete(name);
+      }
+      const gone = [...buffers].filter((name) => !files.has(name));
+      for (const name of gone) buffers.delete(name);
+      return gone;
+    },
+    get shared() {
+      return [...held.values()].filter(({ users }) => users > 1).length;
+    },
+  };
 }

@@ -23,13 +23,13 @@ export interface Decoder {
   (request: ForgetRequest): Promise<Kept>;
 }
 
-export interface Worked {
+export interface DecoderWorker {
   readonly decode: Decoder;
   dispose(): void;
 }
 
 /** Starts a worker that answers requests in order; `spend` is called with the milliseconds spent on answers. */
-export function startDecoder(script: URL, spend: (milliseconds: number) => void): Worked {
+export function startDecoder(script: URL, spend: (milliseconds: number) => void): DecoderWorker {
   const worker = new Worker(script, { type: 'module' });
   const waiting = new Map<number, { done: (value: never) => void; failed: (reason: Error) => void }>();
   let last = 0;
@@ -39,10 +39,10 @@ export function startDecoder(script: URL, spend: (milliseconds: number) => void)
     const start = performance.now();
     // Browsers may deserialize a message only when its data are accessed.
     const { data } = event;
-    const asked = waiting.get(data.id);
+    const pending = waiting.get(data.id);
     waiting.delete(data.id);
-    if ('error' in data) asked?.failed(new BundleError(data.error));
-    else asked?.done(data.result as never);
+    if ('error' in data) pending?.failed(new BundleError(data.error));
+    else pending?.done(data.result as never);
     spend(performance.now() - start);
   };
   worker.onerror = (event) => {

@@ -1,15 +1,14 @@
-/** Types of a region's loading: resources, parameters and file requests. */
+/** Types of a region's loading, and its requests for files, some of which are prefetched. */
 import type { WebGLRenderer } from 'three';
-import type { Described, Manifest, RingEntry } from '../bundle/manifest';
+import type { FileEntry, Manifest, RingEntry } from '../bundle/manifest';
 import type { Fetch, Received } from '../bundle/source';
 import type { FileData } from '../decode/messages';
-import type { Ahead } from './ahead';
+import type { Store } from './buffers';
 import type { Decoder } from './decoder';
 import type { Shared } from './materials';
 import type { PieceMesh } from './pieces';
 import type { Programs } from './programs';
 import type { Region } from './region';
-import type { Store } from './store';
 import type { Uploads } from './uploads';
 
 export interface Loading {
@@ -26,7 +25,7 @@ export interface Loading {
 }
 
 /** Loading of one region. */
-export interface Course {
+export interface RegionLoading {
   /** Manifest of the region's bundle. */
   readonly manifest: Manifest;
   readonly region: Region;
@@ -43,10 +42,10 @@ export interface Course {
   readonly signal: AbortSignal;
 }
 
-export interface Job extends Loading, Course {
-  readonly ahead: Ahead;
+export interface Job extends Loading, RegionLoading {
+  readonly ahead: Prefetch;
   /** Names of parts that the region has requested, or shares with other regions. */
-  readonly had: Set<string>;
+  readonly requested: Set<string>;
 }
 
 export function filesOf(job: Job, names: string | readonly string[] | null): Promise<FileData[]> {
@@ -55,7 +54,49 @@ export function filesOf(job: Job, names: string | readonly string[] | null): Pro
 }
 
 export async function fileOf({ ahead, manifest, signal }: Job, name: string): Promise<FileData> {
-  const described: Described | undefined = manifest.files[name];
+  const described: FileEntry | undefined = manifest.files[name];
   if (!described) throw new Error(`${name} is not listed in the manifest`);
   return { name, data: await ahead.fetch(name, signal), bytes: described.bytes, sha256: described.sha256 };
+}
+
+/** Greatest number of prefetched bytes that are not requested yet. */
+const MAX_PREFETCH_BYTES = 16 * 2 ** 20;
+
+/** Prefetched files, so that the network does not wait for decoding and uploads. */
+export interface Prefetch {
+  /** Returns the content of a file, possibly prefetched. */
+  readonly fetch: Fetch;
+  /** Prefetches files that will be requested next. */
+  want(names: readonly string[], signal: AbortSignal): void;
+  /** Number of prefetched bytes. */
+  readonly bytes: number;
+}
+
+/** Creates the prefetcher; `sizeOf` returns the bytes of a file. */
+export function createPrefetch(fetch: Fetch, sizeOf: (name: string) => number, most: number = MAX_PREFETCH_BYTES): Prefetch {
+  const prefetched = new Map<string, Promise<ArrayBuffer>>();
+  let bytes = 0;
+
+  return {
+    fetch(name, signal) {
+      const found = prefetched.get(name);
+      if (!found) return fetch(name, signal);
+      prefetched.delete(name);
+      bytes -= sizeOf(name);
+      return found;
+    },
+    want(names, signal) {
+      for (const name of names) {
+        if (prefetched.has(name) || bytes + sizeOf(name) > most) continue;
+        const coming = fetch(name, signal);
+        // A request for the file reports the error.
+        coming.catch(() => undefined);
+        prefetched.set(name, coming);
+        bytes += sizeOf(name);
+      }
+    },
+    get bytes() {
+      return bytes;
+    },
+  };
 }

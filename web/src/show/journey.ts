@@ -3,11 +3,10 @@
  * replaces another one by a cross-fade, and only where neither picture folds; until then the user is confined to the
  * area where the current picture does not fold.
  */
-import { type Bounds, distance, FREE, type Limit, clampToLimit } from '../control/limit';
-import type { Pose } from '../control/pose';
-import type { Vector } from '../control/vector';
-import { type Grown, NOTHING_NEAR } from './growth';
-import { apartOf, type Places } from './places';
+import { type Bounds, clampToLimit, distance, FREE, type Limit } from '../control/limit';
+import type { Pose, Vector } from '../control/pose';
+import { type MorphState, NOTHING_NEAR } from './stage';
+import { distanceBetween, type Places } from './world';
 
 /** Hysteresis: another centre must be nearer by this share of the centres' distance, at most this many metres. */
 const [GAP_SHARE, GAP_MAX] = [0.1, 2] as const;
@@ -28,17 +27,17 @@ export interface Regions {
   /** Sets the order of loading; later regions wait for earlier ones. */
   prefer(order: readonly number[]): void;
   /** Returns its first state after one of another region; null before its ring 0 is loaded. */
-  offer(region: number, from: Grown): Grown | null;
+  offer(region: number, from: MorphState): MorphState | null;
   /** Whether all rings are loaded. */
   isComplete(region: number): boolean;
   /** Whether its maps are coarse and finer ones are to come. */
   isCoarse(region: number): boolean;
   /** Shows it from now on, in a state as similar as possible to that of another region. */
-  enter(region: number, from: Grown): void;
+  enter(region: number, from: MorphState): void;
   /** Stops showing it. */
   leave(region: number): void;
   /** Radius and strength of its picture; null while it cannot be shown. */
-  grown(region: number): Grown | null;
+  grown(region: number): MorphState | null;
 }
 
 export interface JourneySettings {
@@ -87,19 +86,19 @@ export function createJourney(settings: JourneySettings, regions: Regions, first
   const { places } = settings;
 
   /** Area without folds for a state of a region: its whole margin while nothing is near yet. */
-  function limitOf(region: number, grown: Grown | null): Limit {
+  function limitOf(region: number, grown: MorphState | null): Limit {
     const { center, fold_margin } = places.of(region);
     return { center, metres: grown && grown.strength > 0 ? settings.marginShare * grown.radius : fold_margin };
   }
 
-  function room(limit: Limit, place: Vector): number {
+  function marginAt(limit: Limit, place: Vector): number {
     return limit.metres - distance(place, limit);
   }
 
-  const far = (region: number, place: Vector): number => apartOf(places.of(region).center, place);
+  const distanceTo = (region: number, place: Vector): number => distanceBetween(places.of(region).center, place);
 
   /** Returns the state in which a region would begin now; null if it cannot take over. */
-  function offered(region: number): Grown | null {
+  function offerOf(region: number): MorphState | null {
     const from = regions.grown(current);
     const offer = from && regions.offer(region, from);
     // Visible geometry does not become part of a map again.
@@ -109,20 +108,20 @@ export function createJourney(settings: JourneySettings, regions: Regions, first
 
   /** Whether a region takes over. */
   function mayCross(next: number, place: Vector): boolean {
-    const [from, offer] = [regions.grown(current), offered(next)];
+    const [from, offer] = [regions.grown(current), offerOf(next)];
     if (!from || !offer) return false;
-    const gap = Math.min(GAP_SHARE * far(next, places.of(current).center), GAP_MAX);
+    const gap = Math.min(GAP_SHARE * distanceTo(next, places.of(current).center), GAP_MAX);
     const [here, there] = [limitOf(current, from), limitOf(next, offer)];
-    const isNearer = far(next, place) + gap <= far(current, place);
+    const isNearer = distanceTo(next, place) + gap <= distanceTo(current, place);
     const isAsLarge = offer.radius >= from.radius && !regions.isCoarse(next);
     const isAlike = from.strength === 0 || isAsLarge || regions.isComplete(next);
-    if (isNearer && isAlike && room(there, place) >= ROOM_SHARE * there.metres) return true;
+    if (isNearer && isAlike && marginAt(there, place) >= ROOM_SHARE * there.metres) return true;
     // At its edge the picture is replaced even by one that is less similar.
-    const isAtEdge = room(here, place) < (1 - FREE) * here.metres;
-    return isAtEdge && room(there, place) >= Math.max(room(here, place), 0) + gap;
+    const isAtEdge = marginAt(here, place) < (1 - FREE) * here.metres;
+    return isAtEdge && marginAt(there, place) >= Math.max(marginAt(here, place), 0) + gap;
   }
 
-  function take(region: number, from: Grown, pose: Pose | null): void {
+  function take(region: number, from: MorphState, pose: Pose | null): void {
     leaving = { region: current, pose, since: 0 };
     if (region !== current) {
       regions.enter(region, from);
@@ -131,7 +130,7 @@ export function createJourney(settings: JourneySettings, regions: Regions, first
   }
 
   /** Returns the pose at which the user lands if the region begins with a state. */
-  function landing(region: number, grown: Grown, target: Pose): Pose {
+  function landing(region: number, grown: MorphState, target: Pose): Pose {
     const { center, metres } = limitOf(region, grown);
     return { ...target, position: clampToLimit(target.position, { center, metres: LANDING * metres }) };
   }
@@ -145,7 +144,7 @@ export function createJourney(settings: JourneySettings, regions: Regions, first
     const offer = isHere ? from : regions.offer(region, from ?? NOTHING_NEAR);
     if (!offer) return;
     // Its picture must leave the user room; otherwise it begins with nothing near.
-    const fits = isHere || room(limitOf(region, offer), target.position) > (1 - FREE) * limitOf(region, offer).metres;
+    const fits = isHere || marginAt(limitOf(region, offer), target.position) > (1 - FREE) * limitOf(region, offer).metres;
     const place = landing(region, fits ? offer : NOTHING_NEAR, target);
     going = null;
     take(region, fits && from ? from : NOTHING_NEAR, from ? pose : null);
@@ -163,7 +162,7 @@ export function createJourney(settings: JourneySettings, regions: Regions, first
     const other = leaving ? ahead : (goal ?? ahead);
     const wanted = [...new Set([current, other ?? current])];
     const isAwaited = goal !== null && !leaving;
-    if (other !== null && (isAwaited || far(other, place) < far(current, place))) wanted.reverse();
+    if (other !== null && (isAwaited || distanceTo(other, place) < distanceTo(current, place))) wanted.reverse();
     for (const region of opened) {
       if (!wanted.includes(region)) regions.close(region);
     }
@@ -198,7 +197,7 @@ export function createJourney(settings: JourneySettings, regions: Regions, first
       const region = places.nearest(target.position);
       const here = limitOf(current, regions.grown(current));
       // Near the centre the current region serves at once; a nearer one takes over later.
-      const isHere = room(here, target.position) >= HERE_SHARE * here.metres;
+      const isHere = marginAt(here, target.position) >= HERE_SHARE * here.metres;
       going = { region: isHere ? current : region, target };
     },
     failed(region) {
@@ -208,7 +207,7 @@ export function createJourney(settings: JourneySettings, regions: Regions, first
       const here = limitOf(current, regions.grown(current));
       // A picture with its own pose stays there.
       const shown = leaving && !leaving.pose ? [here, limitOf(leaving.region, regions.grown(leaving.region))] : [here];
-      const offer = !leaving && ahead !== null ? offered(ahead) : null;
+      const offer = !leaving && ahead !== null ? offerOf(ahead) : null;
       return { shown, open: offer && ahead !== null ? [here, limitOf(ahead, offer)] : [here] };
     },
     get region() {

@@ -1,17 +1,18 @@
-/** Loading of a region ring by ring; each ring is shown when all of it is on the GPU. */
+/** Loading of a region ring by ring: maps and geometry. Each ring is shown when all of it is on the GPU. */
 import { filesOfRing } from '../bundle/contents';
+import type { MapEntry, MapLayout, RangeScale, Sharper } from '../bundle/manifest';
 import type { Fetch } from '../bundle/source';
-import { createAhead } from './ahead';
-import { type Course, fileOf, type Job, type Loading } from './job';
-import { loadFirstMap, loadMap, loadSharper } from './maps';
-import { receiveParts } from './receive';
+import type { FileData, FirstMapRequest, Geometry, MapUpdate } from '../decode/messages';
+import { createPrefetch, fileOf, filesOf, type Job, type Loading, type RegionLoading } from './job';
+import { complete, partSteps, turnOf } from './region';
+import { createCube, createPictures, cubeSteps } from './textures';
 
 /** Loads all rings; while one is decoded and uploaded, files of the next one are prefetched. */
-export async function loadRegion(loading: Loading, course: Course): Promise<void> {
+export async function loadRegion(loading: Loading, course: RegionLoading): Promise<void> {
   const { manifest, region, received, signal, turn } = course;
   const sizeOf = (name: string): number => manifest.files[name]?.bytes ?? 0;
   const fetch: Fetch = (name, own) => loading.fetch(name, own, received);
-  const job: Job = { ...loading, ...course, ahead: createAhead(fetch, sizeOf), had: new Set() };
+  const job: Job = { ...loading, ...course, ahead: createPrefetch(fetch, sizeOf), requested: new Set() };
   const { rings } = region.entry;
   const { map } = await turn(0, signal);
   if (map) await loadFirstMap(job, map);
@@ -26,7 +27,7 @@ export async function loadRegion(loading: Loading, course: Course): Promise<void
     if (described.geometry !== null) jobs.push(loadGeometry(job, ring, described.geometry, described.parts));
     // Requested after the files of this ring.
     const next = rings[ring + 1];
-    const isNew = (name: string): boolean => !isHere(loading, name) && !job.had.has(name);
+    const isNew = (name: string): boolean => !isLoaded(loading, name) && !job.requested.has(name);
     if (next) job.ahead.want(filesOfRing(next).filter(isNew), signal);
     await Promise.all(jobs);
     course.arrived(ring);
@@ -34,17 +35,17 @@ export async function loadRegion(loading: Loading, course: Course): Promise<void
 }
 
 /** Whether a file's content is on the GPU or in the worker. */
-function isHere({ store }: Loading, name: string): boolean {
+function isLoaded({ store }: Loading, name: string): boolean {
   return store.textures.has(name) || store.buffers.has(name);
 }
 
 async function loadGeometry(job: Job, ring: number, name: string, partNames: readonly string[]): Promise<void> {
   const { manifest, region, signal, store } = job;
-  const wanted = partNames.filter((part) => !isHere(job, part));
+  const wanted = partNames.filter((part) => !isLoaded(job, part));
   for (const part of partNames) {
     // Loaded for another region.
-    if (isHere(job, part) && !job.had.has(part)) job.received(manifest.files[part]?.bytes ?? 0);
-    job.had.add(part);
+    if (isLoaded(job, part) && !job.requested.has(part)) job.received(manifest.files[part]?.bytes ?? 0);
+    job.requested.add(part);
   }
   const isKept = store.buffers.has(name);
   if (isKept) job.received(manifest.files[name]?.bytes ?? 0);
@@ -70,5 +71,103 @@ async function loadGeometry(job: Job, ring: number, name: string, partNames: rea
     if (part.endsWith('.bin')) store.buffers.add(part);
   }
   if (ring === 0) store.buffers.add(name);
-  await receiveParts(job, region, ring, geometry, signal);
+  await receiveParts(job, ring, geometry);
+}
+
+async function loadFirstMap(job: Job, map: MapEntry): Promise<void> {
+  const { manifest, region, renderer, signal, uploads } = job;
+  const update = await job.maps(firstRequest(job, manifest.map, region.entry.range, await filesOf(job, map.color)));
+  signal.throwIfAborted();
+  await uploads.add(cubeSteps(renderer, region.cubes[0], update, 0, manifest.map), signal);
+}
+
+/** Loads a ring's changes of the previous map, or a whole map. */
+async function loadMap(job: Job, ring: number, { tiles, color, range }: MapEntry): Promise<void> {
+  const { manifest, maps, number, region, renderer, signal, uploads } = job;
+  const [pictures, codes] = await Promise.all([filesOf(job, color), filesOf(job, range)]);
+  const isWhole = Array.isArray(color);
+  const cube = region.cubes[turnOf(ring)];
+  await job.mayReplace(ring);
+  signal.throwIfAborted();
+  if (isWhole) await maps(firstRequest(job, manifest.map, region.entry.range, pictures));
+  signal.throwIfAborted();
+  const since = cube.holds !== null && cube.hasRange ? cube.holds : null;
+  const update = await maps({
+    kind: 'next-map',
+    region: number,
+    // Whole ranges are encoded like those of the first ring.
+    ring: isWhole ? 1 : ring,
+    tiles,
+    color: isWhole ? null : (pictures[0] ?? null),
+    range: codes,
+    since,
+  });
+  signal.throwIfAborted();
+  await uploads.add(cubeSteps(renderer, cube, update, ring, manifest.map), signal);
+}
+
+function firstRequest(
+  { number, signal }: Job,
+  { face_size: faceSize, tile, across }: MapLayout,
+  { step }: RangeScale,
+  color: FileData[],
+): FirstMapRequest {
+  signal.throwIfAborted();
+  return { kind: 'first-map', region: number, faceSize, tile, across, step, color };
+}
+
+/** Replaces coarse maps by full-size ones: the worker composes the last ring's map, which is then uploaded. */
+async function loadSharper(job: Job, ring: number, { layout, maps, range }: Sharper): Promise<void> {
+  const { region, renderer, signal, uploads } = job;
+  const [first, ...changes] = maps;
+  if (!first || changes.length === 0) throw new Error('maps of full size: expected those of all rings');
+  let update = await job.maps(firstRequest(job, layout, range, await filesOf(job, first.color)));
+  for (const [order, change] of changes.entries()) {
+    const isLast = order === changes.length - 1;
+    update = await applyChange(job, order + 1, change, isLast);
+  }
+  await job.mayReplace(ring);
+  signal.throwIfAborted();
+  const turn = turnOf(ring);
+  region.cubes[turn].dispose();
+  region.cubes[turn] = createCube(renderer, layout.face_size, range);
+  await uploads.add(cubeSteps(renderer, region.cubes[turn], update, ring, layout), signal);
+}
+
+/** Applies a ring's changes; the whole map is requested only for the last ring. */
+async function applyChange(job: Job, ring: number, { tiles, color, range }: MapEntry, isLast: boolean): Promise<MapUpdate> {
+  const [[picture], codes] = await Promise.all([filesOf(job, color), filesOf(job, range)]);
+  job.signal.throwIfAborted();
+  const since = isLast ? null : ring - 1;
+  return job.maps({ kind: 'next-map', region: job.number, ring, tiles, color: picture ?? null, range: codes as FileData[], since });
+}
+
+/** Adds geometry to the group of a ring; it is shown when complete. */
+async function receiveParts(job: Job, ring: number, { number, parts, samples, triangles }: Geometry): Promise<void> {
+  const { renderer, region, store, uploads, geometry, programs, signal, warm } = job;
+  const resources = { gl: renderer.getContext() as WebGL2RenderingContext, store, warm };
+  const pictures = createPictures(renderer, (name, texture) => {
+    // Another region may have loaded it meanwhile.
+    if (store.textures.has(name)) texture.dispose();
+    else store.textures.set(name, texture);
+  });
+  try {
+    signal.throwIfAborted();
+    await programs.ready(samples);
+    let before = Promise.resolve();
+    for (let next = 0; next < parts; next++) {
+      const part = await geometry({ kind: 'part', of: number, part: next });
+      const sent = uploads.add(partSteps(region, ring, part, resources, pictures), signal);
+      // Awaiting the promise reports the error.
+      sent.catch(() => undefined);
+      await before;
+      before = sent;
+    }
+    await before;
+    complete(region, ring, triangles);
+  } finally {
+    pictures.dispose();
+    // The error of a stopped worker is reported to its pending requests.
+    geometry({ kind: 'drop', of: number }).catch(() => undefined);
+  }
 }

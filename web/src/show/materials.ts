@@ -1,7 +1,7 @@
 /** Materials of near geometry and of the map. All share one set of uniforms, set before a picture is drawn. */
 import {
-  CustomBlending,
   type CubeTexture,
+  CustomBlending,
   DoubleSide,
   GLSL3,
   type IUniform,
@@ -15,8 +15,7 @@ import {
   Vector4,
 } from 'three';
 import type { Material, Piece } from '../decode/messages';
-import { FAR_FRAGMENT, FAR_VERTEX } from '../shaders/far';
-import { NEAR_FRAGMENT, NEAR_VERTEX } from '../shaders/near';
+import { FAR_FRAGMENT, FAR_VERTEX, NEAR_FRAGMENT, NEAR_VERTEX } from '../shaders/scene';
 
 /** Uniforms of a picture; see the shaders. */
 export interface Shared extends Record<string, IUniform> {

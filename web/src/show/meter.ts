@@ -1,4 +1,4 @@
-/** Measurements for the panel: bytes, their rate, and frame times. */
+/** Measurements for the panel, and marks of the loading on the browser's timeline. */
 
 /** Window in seconds of the rate and the frame times. */
 const WINDOW = 1;
@@ -46,4 +46,9 @@ export function createMeter(now: () => number = () => performance.now() / 1000):
       };
     },
   };
+}
+
+/** Marks that a ring of a region can be shown, or is in the current frame. */
+export function markTimeline(event: 'arrived' | 'shown', region: number, ring: number): void {
+  performance.mark(`nearfar:${event}`, { detail: { region, ring } });
 }

@@ -1,10 +1,10 @@
-/** Picking of the point of near geometry at a pixel. */
+/** Picking of the point of near geometry at a pixel, or along a ray. */
 import {
   DepthTexture,
   GLSL3,
   Mesh,
   NoBlending,
-  type PerspectiveCamera,
+  PerspectiveCamera,
   RawShaderMaterial,
   Scene,
   UnsignedIntType,
@@ -12,7 +12,8 @@ import {
   type WebGLRenderer,
   WebGLRenderTarget,
 } from 'three';
-import { covering } from './veil';
+import type { Vector } from '../control/pose';
+import { covering } from './painter';
 
 const VERTEX = /* glsl */ `
 in vec3 position;
@@ -87,4 +88,29 @@ export function createPicker(renderer: WebGLRenderer): Picker {
       for (const held of [mesh.geometry, material, depth, target, result]) held.dispose();
     },
   };
+}
+
+/** Field of view of the single pixel, degrees; least and greatest distance, metres. */
+const [ANGLE, NEAR, FAR] = [0.5, 0.05, 30_000] as const;
+
+/** Returns the distance along a ray in metres, in the frame of `draw`; null without a hit. */
+export function castRay(
+  renderer: WebGLRenderer,
+  picker: Picker,
+  origin: Vector,
+  direction: Vector,
+  draw: (eye: PerspectiveCamera) => void,
+): number | null {
+  const eye = new PerspectiveCamera(ANGLE, 1, NEAR, FAR);
+  eye.position.set(...origin);
+  eye.lookAt(new Vector3(...origin).add(new Vector3(...direction)));
+  eye.updateMatrixWorld(true);
+  // In a headset three.js would draw for its eyes.
+  const { enabled } = renderer.xr;
+  renderer.xr.enabled = false;
+  try {
+    return picker.pick(eye, [0.5, 0.5], () => draw(eye))?.distanceTo(eye.position) ?? null;
+  } finally {
+    renderer.xr.enabled = enabled;
+  }
 }

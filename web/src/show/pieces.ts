@@ -10,8 +10,7 @@ import {
   type RawShaderMaterial,
 } from 'three';
 import type { Piece } from '../decode/messages';
-import { type Buffers, createBuffers } from './buffers';
-import type { MeshArrays, Store } from './store';
+import { type Buffers, createBuffers, type MeshArrays, type Store } from './buffers';
 import type { Step } from './uploads';
 
 export type PieceMesh = Mesh<BufferGeometry, RawShaderMaterial>;
@@ -20,7 +19,7 @@ export type PieceMesh = Mesh<BufferGeometry, RawShaderMaterial>;
 const PLACEMENT = 12;
 
 /** Resources for making meshes. */
-export interface Making {
+export interface MeshResources {
   readonly gl: WebGL2RenderingContext;
   readonly store: Store;
   /** Makes three.js initialize meshes. */
@@ -46,7 +45,7 @@ export interface Prepared {
   free(): void;
 }
 
-export function prepare(piece: Piece, { gl, store }: Making): Prepared {
+export function prepare(piece: Piece, { gl, store }: MeshResources): Prepared {
   const { same } = piece;
   let isNew = false;
   const arrays = store.take(same, () => {

@@ -25,9 +25,9 @@ export function createPrograms(renderer: WebGLRenderer, camera: Camera, shared: 
     };
     await uploads.add([{ kind: 'program', bytes: 0, run: begin }], new AbortController().signal, true);
     await compiled;
-    await idle(renderer);
+    await waitForIdle(renderer);
     const start = performance.now();
-    look(renderer, material);
+    checkProgram(renderer, material);
     uploads.spend(performance.now() - start);
   }
 
@@ -52,7 +52,7 @@ export function createPrograms(renderer: WebGLRenderer, camera: Camera, shared: 
 }
 
 /** Milliseconds between two polls of the GPU's progress; greatest number of attempts to find it idle. */
-const [LOOK, LOOKS] = [10, 3] as const;
+const [POLL_MS, MAX_POLLS] = [10, 3] as const;
 
 /** Compiles the programs of a scene; resolves when a frame that uses them need not wait. */
 async function compile(renderer: WebGLRenderer, scene: Scene, camera: Camera): Promise<void> {
@@ -62,33 +62,33 @@ async function compile(renderer: WebGLRenderer, scene: Scene, camera: Camera): P
   }
   // Other browsers compile in the order of all commands, so that a fence reports completion.
   renderer.compile(scene, camera);
-  await passed(renderer);
+  await waitForGpu(renderer);
 }
 
 /** Resolves when the GPU has finished all commands up to now. */
-async function passed(renderer: WebGLRenderer): Promise<void> {
+async function waitForGpu(renderer: WebGLRenderer): Promise<void> {
   const gl = renderer.getContext() as WebGL2RenderingContext;
   const after = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
   gl.flush();
   while (after && !gl.isContextLost() && gl.getSyncParameter(after, gl.SYNC_STATUS) !== gl.SIGNALED) {
-    await new Promise((done) => setTimeout(done, LOOK));
+    await new Promise((done) => setTimeout(done, POLL_MS));
   }
   gl.deleteSync(after);
 }
 
 /** Resolves when the GPU is idle, so that queries do not block; gives up after a few attempts. */
-async function idle(renderer: WebGLRenderer): Promise<void> {
-  for (let n = 0; n < LOOKS; n++) {
+async function waitForIdle(renderer: WebGLRenderer): Promise<void> {
+  for (let n = 0; n < MAX_POLLS; n++) {
     const { frame } = renderer.info.render;
-    await passed(renderer);
+    await waitForGpu(renderer);
     if (renderer.info.render.frame === frame) return;
   }
 }
 
 /** Lets three.js query a material's program, which waits for the GPU; throws an error if the program is invalid. */
-function look(renderer: WebGLRenderer, material: RawShaderMaterial): void {
+function checkProgram(renderer: WebGLRenderer, material: RawShaderMaterial): void {
   const gl = renderer.getContext() as WebGL2RenderingContext;
-  const { currentProgram: made } = renderer.properties.get(material) as { currentProgram?: Made };
+  const { currentProgram: made } = renderer.properties.get(material) as { currentProgram?: ThreeProgram };
   if (!made || gl.isContextLost()) return;
   if (gl.getProgramParameter(made.program, gl.LINK_STATUS) !== true) {
     const logs = [made.vertexShader, made.fragmentShader].map((shader) => gl.getShaderInfoLog(shader));
@@ -99,7 +99,7 @@ function look(renderer: WebGLRenderer, material: RawShaderMaterial): void {
 }
 
 /** Program of three.js. */
-interface Made {
+interface ThreeProgram {
   readonly program: WebGLProgram;
   readonly vertexShader: WebGLShader;
   readonly fragmentShader: WebGLShader;

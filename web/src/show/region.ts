@@ -2,11 +2,10 @@
 import { Group, type WebGLRenderer } from 'three';
 import type { RegionEntry } from '../bundle/manifest';
 import type { Part, Piece, Triangles } from '../decode/messages';
-import { type Cube, createCube } from './cubes';
+import type { Store } from './buffers';
 import { createMaterials, type Materials, type Shared, texturesOf } from './materials';
-import type { Pictures } from './pictures';
-import { disposeMesh, type Making, type PieceMesh, prepare, type Prepared } from './pieces';
-import type { Store } from './store';
+import { disposeMesh, type MeshResources, type PieceMesh, prepare, type Prepared } from './pieces';
+import { createCube, type Cube, type Pictures } from './textures';
 import type { Step } from './uploads';
 
 /** Meshes per step: three.js takes about 0.1 ms to begin a picture, and half as long for each mesh. */
@@ -55,7 +54,7 @@ export function createRegion(
 /** Returns the cube with a ring's map. */
 export function cubeOf(region: Region, ring: number): Cube {
   const found = region.cubes.find((cube) => cube.holds === ring);
-  if (!found) throw new Error(`the map of ring ${ring} is not there`);
+  if (!found) throw new Error(`the map of ring ${ring} is missing`);
   return found;
 }
 
@@ -75,7 +74,7 @@ export function meshesOf(group: Group): PieceMesh[] {
 }
 
 /** Returns the group of a ring. */
-export function groupOf(region: Region, ring: number): Group {
+function groupOf(region: Region, ring: number): Group {
   const group = region.groups[ring];
   if (!group) throw new Error(`there is no ring ${ring}`);
   return group;
@@ -102,7 +101,7 @@ export function* partSteps(
   region: Region,
   ring: number,
   { bands, pieces }: Part,
-  making: Making,
+  resources: MeshResources,
   pictures: Pictures,
 ): Generator<Step> {
   // Dynamic objects, in ring 0, also appear beyond the cut.
@@ -111,16 +110,16 @@ export function* partSteps(
   const ready: { piece: Piece; prepared: Prepared }[] = [];
   const make = (): void => {
     const meshes = ready.splice(0).map(({ piece, prepared }) => {
-      const textures = texturesOf(piece.material, (uri) => making.store.textures.get(uri) ?? null);
+      const textures = texturesOf(piece.material, (uri) => resources.store.textures.get(uri) ?? null);
       return prepared.make(region.materials.of(piece, textures, cut));
     });
-    making.warm(meshes);
+    resources.warm(meshes);
     group.add(...meshes);
   };
   try {
     for (const band of bands) yield* pictures.steps(band);
     for (const [number, piece] of pieces.entries()) {
-      const prepared = prepare(piece, making);
+      const prepared = prepare(piece, resources);
       ready.push({ piece, prepared });
       yield* prepared.steps();
       if (ready.length === TOGETHER || number === pieces.length - 1) yield { kind: 'mesh', bytes: 0, run: make };

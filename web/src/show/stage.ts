@@ -1,8 +1,10 @@
 /**
  * Sequence of a region's pictures: a ring that has arrived fades in over the one before, and the morph grows. Nothing
- * jumps, regardless of the arrival times.
+ * jumps, regardless of the arrival times. The four strategies of CloVR (2024) differ in this sequence.
  */
-import { grow, type Grown, type GrowthSettings, NOTHING_NEAR } from './growth';
+import { orderByFootprint } from '../bundle/contents';
+import { BundleError } from '../bundle/error';
+import type { Manifest } from '../bundle/manifest';
 
 /** Ways in which pictures appear. */
 export interface Manner {
@@ -15,7 +17,7 @@ export interface Manner {
 /** Current picture, or two during a fade. */
 export interface Shown {
   readonly ring: number;
-  readonly grown: Grown;
+  readonly grown: MorphState;
   /** Ring that fades in, and its opacity; null for none. */
   readonly fading: { readonly ring: number; readonly share: number } | null;
 }
@@ -24,9 +26,9 @@ export interface Stage {
   /** Records that a ring is loaded; rings arrive in order. Until the stage is entered, each replaces the one before. */
   arrive(ring: number): void;
   /** Returns the first state after a transition from another region; null before ring 0. */
-  offer(from: Grown): Grown | null;
+  offer(from: MorphState): MorphState | null;
   /** Shows the region from now on, in a state as similar to the other region's as the loaded rings allow. */
-  enter(from: Grown): void;
+  enter(from: MorphState): void;
   /** Stops showing it. */
   leave(): void;
   /** Advances by some seconds; radii smaller than `least` would fold. */
@@ -44,19 +46,19 @@ export function createStage(settings: GrowthSettings & { readonly fade: number }
   let grown = NOTHING_NEAR;
   let waiting: { ring: number; done: () => void }[] = [];
 
-  function isThere(): boolean {
+  function isShowable(): boolean {
     return ring >= (isWhole ? settings.radii.length : 0);
   }
 
-  function offer(from: Grown): Grown | null {
+  function offer(from: MorphState): MorphState | null {
     const [first, last] = [settings.radii[0], settings.radii[ring - 1]];
-    if (!isThere()) return null;
+    if (!isShowable()) return null;
     if (first === undefined || last === undefined) return NOTHING_NEAR;
     return { radius: Math.min(Math.max(from.radius, first), last), strength: from.radius > 0 ? from.strength : 0 };
   }
 
   /** Without smoothness everything is shown at once, as soon as it does not fold. */
-  function atOnce(least: number): Grown {
+  function immediate(least: number): MorphState {
     const radius = settings.radii[ring - 1];
     if (radius === undefined) return NOTHING_NEAR;
     return { radius, strength: grown.strength === 1 || radius >= least ? 1 : 0 };
@@ -91,8 +93,8 @@ export function createStage(settings: GrowthSettings & { readonly fade: number }
       release();
     },
     advance(seconds, least = 0) {
-      if (!isThere()) return null;
-      grown = isSmooth ? grow(grown, ring, isFading ? 0 : seconds, settings, least) : atOnce(least);
+      if (!isShowable()) return null;
+      grown = isSmooth ? grow(grown, ring, isFading ? 0 : seconds, settings, least) : immediate(least);
       if (!isFading && arrived > ring) {
         isFading = true;
         since = 0;
@@ -114,4 +116,81 @@ export function createStage(settings: GrowthSettings & { readonly fade: number }
       });
     },
   };
+}
+
+export interface GrowthSettings {
+  /** Radii of the rings 1 to n, metres, ascending. */
+  readonly radii: readonly number[];
+  /** Degrees per second. */
+  readonly speed: number;
+  /** Distance in metres of the user whose picture turns at `speed`. */
+  readonly reach: number;
+  readonly nearShare: number;
+}
+
+/** State of the growth (nf.stream.Growth): the first ring grows by its strength, the others by their radius. */
+export interface MorphState {
+  /** R, metres. */
+  readonly radius: number;
+  /** Strength of the morph, 0 to 1. */
+  readonly strength: number;
+}
+
+/** Least near share for the growth of the strength: nearer points turn faster. */
+const MIN_SHARE = 0.05;
+
+/** State before ring 1. */
+export const NOTHING_NEAR: MorphState = { radius: 0, strength: 0 };
+
+/**
+ * Advances the growth by some seconds, with the rings up to `ring`; the inverse of the radius falls linearly. Pictures with a radius below `least` would fold:
+ * until a ring reaches it, the strength stays 0, which gives the same picture at any radius.
+ */
+export function grow(now: MorphState, ring: number, seconds: number, settings: GrowthSettings, least = 0): MorphState {
+  const goal = settings.radii[ring - 1];
+  if (goal === undefined) return NOTHING_NEAR;
+  const rate = (settings.speed * Math.PI) / 180 / settings.reach;
+  let left = seconds;
+  let strength = now.radius === 0 ? 0 : now.strength;
+  const begins = settings.radii.find((each) => each >= least) ?? Number.POSITIVE_INFINITY;
+  if (strength === 0 && begins > goal) return { radius: goal, strength };
+  const radius = strength === 0 ? begins : now.radius;
+  if (strength < 1) {
+    const whole = 1 / (Math.max(settings.nearShare, MIN_SHARE) * radius * rate);
+    const needed = (1 - strength) * whole;
+    strength = left >= needed ? 1 : strength + left / whole;
+    left = Math.max(0, left - needed);
+  }
+  if (strength < 1 || radius >= goal) return { radius: Math.min(radius, goal), strength };
+  const inverse = 1 / radius - (1 - settings.nearShare) * rate * left;
+  return { radius: inverse <= 1 / goal ? goal : 1 / inverse, strength };
+}
+
+export interface Strategy extends Manner {
+  /** Returns the manifest in the order of loading. */
+  readonly arrange: (manifest: Manifest) => Manifest;
+  /** Whether it loads the rings of the bundle, as servers make them on demand. */
+  readonly isByRings: boolean;
+}
+
+const asItIs = (manifest: Manifest): Manifest => manifest;
+
+/** Strategies to load near geometry, compared in CloVR (2024). */
+const STRATEGIES: Readonly<Record<string, Strategy>> = {
+  clovr: { isSmooth: true, isWhole: false, arrange: asItIs, isByRings: true },
+  // Shows rings at once instead of smoothly.
+  clovrd: { isSmooth: false, isWhole: false, arrange: asItIs, isByRings: true },
+  // Shows nothing until everything that the centre sees is loaded.
+  vis0: { isSmooth: false, isWhole: true, arrange: orderByFootprint, isByRings: false },
+  // Shows objects as they arrive, the largest footprints first.
+  vis1: { isSmooth: false, isWhole: false, arrange: orderByFootprint, isByRings: false },
+};
+
+/** Returns the strategy of a name in an address; clovr by default. */
+export function strategyOf(name: string | null): Strategy {
+  const found = Object.hasOwn(STRATEGIES, name ?? 'clovr') ? STRATEGIES[name ?? 'clovr'] : undefined;
+  if (!found) {
+    throw new BundleError(`strategy: expected ${Object.keys(STRATEGIES).join(', ')}, got ${name ?? ''}`, 'address');
+  }
+  return found;
 }

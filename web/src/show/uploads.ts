@@ -1,6 +1,4 @@
-/** Queue of main-thread work in steps that fit into frames. */
-import { createCosts, type StepKind } from './costs';
-import { createFlight, type Flight } from './flight';
+/** Queue of main-thread work in steps that fit into frames, and into the room that browsers have for uploads. */
 
 /** Greatest number of bytes that a step sends to the GPU. */
 export const STEP_BYTES = 2 ** 18;
@@ -50,7 +48,7 @@ export function createUploads(now: () => number = () => performance.now(), fligh
     for (let job = jobs[0]; job; job = jobs[0]) {
       try {
         job.signal.throwIfAborted();
-        job.next ??= following(job);
+        job.next ??= nextStep(job);
         if (job.next) return { job, step: job.next };
         end(job);
         job.done();
@@ -113,7 +111,104 @@ export function createUploads(now: () => number = () => performance.now(), fligh
   };
 }
 
-function following(job: Job): Step | null {
+function nextStep(job: Job): Step | null {
   const { done, value } = job.steps.next() as IteratorResult<Step, undefined>;
   return done ? null : value;
+}
+
+/** Kind of a step; its duration is a constant plus a term proportional to its bytes. */
+export type StepKind = 'map' | 'picture' | 'arrays' | 'mesh' | 'program';
+
+interface Sized {
+  readonly kind: StepKind;
+  readonly bytes: number;
+}
+
+/** Prediction of the duration of steps from earlier ones of the same kind. */
+export interface Costs {
+  /** Expected duration of a step, milliseconds. */
+  expected(step: Sized): number;
+  /** Learns from the duration of a step. */
+  learn(step: Sized, milliseconds: number): void;
+}
+
+/** Number of bytes whose upload takes as long as an empty step. */
+const UNIT = 2 ** 16;
+/** Initial milliseconds per unit: those of a slow computer. */
+const FIRST: Readonly<Record<StepKind, number>> = { map: 0.2, picture: 0.2, arrays: 0.1, mesh: 0.5, program: 2.5 };
+/** Learning rate of the estimate. */
+const LEARNT = 0.15;
+/** Greatest ratio to the estimate that is learned: longer steps were interrupted. */
+const MAX = 4;
+
+function createCosts(): Costs {
+  const known = new Map<StepKind, number>();
+  const unit = (kind: StepKind): number => known.get(kind) ?? FIRST[kind];
+  const units = (bytes: number): number => 1 + bytes / UNIT;
+  return {
+    expected: ({ kind, bytes }) => unit(kind) * units(bytes),
+    learn({ kind, bytes }, milliseconds) {
+      const before = unit(kind);
+      const seen = Math.min(milliseconds / units(bytes), MAX * before);
+      known.set(kind, before + LEARNT * (seen - before));
+    },
+  };
+}
+
+/** Greatest number of bytes in flight; Chromium blocks from 16 MiB on. */
+export const MAX_IN_FLIGHT = 2 ** 23;
+
+/**
+ * Counter of bytes that were sent to the GPU and not consumed. Browsers have little room for them: once it is full, a
+ * call blocks until the GPU has finished all before it, which can take many frames with software rendering.
+ */
+export interface Flight {
+  /** Adds sent bytes. */
+  send(bytes: number): void;
+  /** Whether this many more bytes may be sent. */
+  hasRoom(bytes: number): boolean;
+  /** Inserts a fence: bytes sent before it count as consumed when the GPU passes it. */
+  mark(): void;
+  /** Resets the counter after the graphics were lost. */
+  forget(): void;
+}
+
+/** Creates the counter; `gl` is null if nothing needs to be counted. */
+export function createFlight(gl: WebGL2RenderingContext | null): Flight {
+  let marks: { readonly sync: WebGLSync; readonly bytes: number }[] = [];
+  let sent = 0;
+
+  /** Removes fences that the GPU has passed. */
+  function settle(context: WebGL2RenderingContext): void {
+    for (let first = marks[0]; first; first = marks[0]) {
+      if (context.getSyncParameter(first.sync, context.SYNC_STATUS) !== context.SIGNALED) return;
+      context.deleteSync(first.sync);
+      marks.shift();
+    }
+  }
+
+  return {
+    send(bytes) {
+      sent += bytes;
+    },
+    hasRoom(bytes) {
+      if (!gl || bytes === 0) return true;
+      settle(gl);
+      const flying = marks.reduce((sum, mark) => sum + mark.bytes, sent);
+      // An idle GPU takes any amount.
+      return flying === 0 || flying + bytes <= MAX_IN_FLIGHT;
+    },
+    mark() {
+      if (gl && sent > 0) {
+        const sync = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+        if (sync) marks.push({ sync, bytes: sent });
+        gl.flush();
+      }
+      sent = 0;
+    },
+    forget() {
+      marks = [];
+      sent = 0;
+    },
+  };
 }

@@ -1,39 +1,29 @@
 /** Viewer: draws the picture on the screen, frame by frame. */
-import { type Group, type PerspectiveCamera, Scene, WebGLRenderer } from 'three';
-import { BundleError } from '../bundle/error';
-import type { RegionEntry } from '../bundle/manifest';
+import { type Group, type PerspectiveCamera, Scene, type WebGLRenderer } from 'three';
 import type { Fetch } from '../bundle/source';
 import type { Floor } from '../control/floor';
-import type { Bounds } from '../control/limit';
-import type { Pose } from '../control/pose';
-import { minus, type Vector } from '../control/vector';
-import type { Triangles } from '../decode/messages';
-import { castRay } from './along';
-import { createAtlas, type Holding } from './atlas';
-import { createComposer, type MapLayer } from './composer';
-import { createCube } from './cubes';
-import { startDecoder, type Worked } from './decoder';
-import { createFlight } from './flight';
-import { createJourney, type Journey, type Leg } from './journey';
+import { type Pose, subtract, type Vector } from '../control/pose';
+import { createAtlas } from './atlas';
+import { createStore } from './buffers';
+import { createComposer, createViewpoint, type MapLayer } from './composer';
+import { type DecoderWorker, startDecoder } from './decoder';
 import type { Loading } from './job';
-import { watchLoss } from './loss';
+import { type Facts, factsOf } from './facts';
+import { createJourney, type Journey, type Leg } from './journey';
 import { createShared, type Shared } from './materials';
-import { createPicker } from './pick';
-import { createPainter, type Guests, type Picture } from './picture';
+import { createPainter, createVeil, type Guests, type Picture } from './painter';
+import { castRay, createPicker } from './pick';
 import { createPrograms } from './programs';
-import { trianglesShown } from './region';
-import { resolveOnce } from './samples';
-import type { Manner, Shown } from './stage';
-import { createStore } from './store';
-import { createUploads, type Uploads } from './uploads';
-import { createVeil } from './veil';
-import { createViewpoint } from './viewpoint';
+import { createRenderer, resolveOnce, watchLoss } from './renderer';
+import type { Manner } from './stage';
+import { createCube } from './textures';
+import { createFlight, createUploads, type Uploads } from './uploads';
 import type { World } from './world';
 
 /** Omitted parts when a picture serves to locate near geometry. */
 const NEAR_ALONE = { map: true, guests: true } as const;
 /** Budget in milliseconds per frame for uploads and answers of workers: docs/view.md. */
-export const UPLOAD_BUDGET = 3;
+const UPLOAD_BUDGET = 3;
 export interface Settings extends Manner {
   readonly world: World;
   readonly fetch: Fetch;
@@ -44,7 +34,7 @@ export interface Settings extends Manner {
   readonly failed: (reason: Error) => void;
   /** Called when the user was moved to another place, for which frames are drawn from then on. */
   readonly moved: (pose: Pose) => void;
-  /** Called when the browser has taken the graphics away, or restored them. */
+  /** Called when the graphics context is lost, or restored them. */
   readonly lost: (isLost: boolean) => void;
 }
 
@@ -91,29 +81,6 @@ export interface Viewer {
   dispose(): void;
 }
 
-/** Facts of the picture for the panel. */
-export interface Facts extends Holding {
-  readonly region: number;
-  /** Entry of the region; null before its manifest is loaded. */
-  readonly entry: RegionEntry | null;
-  /** Region that the user is moving to; null for none. */
-  readonly goal: number | null;
-  readonly shown: Shown | null;
-  readonly arrived: number;
-  /** Received bytes of the region's files, and bytes of all of them. */
-  readonly received: number;
-  readonly expected: number;
-  readonly triangles: Triangles;
-  /** Milliseconds spent on uploads and answers of workers in the last frame. */
-  readonly upload: number;
-  /** Area where the user may be. */
-  readonly bounds: Bounds | null;
-  /** Region whose picture fades out; null for none. */
-  readonly leaving: number | null;
-  /** Number of arrays that several meshes share. */
-  readonly shared: number;
-}
-
 export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Viewer {
   const { faceSize, fade, marginShare, nearShare, places } = settings.world;
   const renderer = createRenderer(canvas, settings.antialias);
@@ -128,8 +95,8 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
   const shared = createShared(blank.color, blank.codes);
   const flight = createFlight(renderer.getContext() as WebGL2RenderingContext);
   const uploads = createUploads(() => performance.now(), flight);
-  const start = (): Worked => startDecoder(settings.worker, uploads.spend);
-  const workers: Worked[] = [start(), start()];
+  const start = (): DecoderWorker => startDecoder(settings.worker, uploads.spend);
+  const workers: DecoderWorker[] = [start(), start()];
   const painter = createPainter(renderer, shared, nearShare, () => blank, viewpoint.place);
   painter.prepare(camera);
   const picker = createPicker(renderer);
@@ -141,8 +108,8 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
     shared,
     store,
     uploads,
-    geometry: (workers[0] as Worked).decode,
-    maps: (workers[1] as Worked).decode,
+    geometry: (workers[0] as DecoderWorker).decode,
+    maps: (workers[1] as DecoderWorker).decode,
     fetch: settings.fetch,
     programs,
     warm(meshes) {
@@ -251,7 +218,7 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
       const open = leg && atlas.find(leg.region);
       if (!open?.shown) return null;
       const { region, shown } = open;
-      return castRay(renderer, picker, minus(origin, region.entry.center), direction, (eye) => {
+      return castRay(renderer, picker, subtract(origin, region.entry.center), direction, (eye) => {
         painter.draw({ region, ring: shown.ring, radius: shown.grown.radius, strength: null }, eye, 1, NEAR_ALONE);
       });
     },
@@ -279,35 +246,18 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
     setDivider: composer.setDivider,
     isMorphedAt: composer.isMorphedAt,
     photo() {
-      if (renderer.xr.isPresenting) return Promise.reject(new Error('Pictures are saved outside the headset'));
+      if (renderer.xr.isPresenting) return Promise.reject(new Error('Leave the headset to save a picture'));
       if (loss.isLost || !leg || !atlas.find(leg.region)?.shown) {
         return Promise.reject(new Error('There is no picture yet'));
       }
       // In the same task as the drawing, because the canvas is cleared afterwards.
       composer.draw(leg, user);
       return new Promise((done, failed) => {
-        canvas.toBlob((blob) => (blob ? done(blob) : failed(new Error('The browser gives no picture'))), 'image/png');
+        canvas.toBlob((blob) => (blob ? done(blob) : failed(new Error('The browser cannot encode the picture'))), 'image/png');
       });
     },
     get facts() {
-      const region = journey?.region ?? 0;
-      const open = atlas.find(region);
-      const ring = open?.shown?.fading?.ring ?? open?.shown?.ring ?? 0;
-      return {
-        region,
-        entry: open?.region.entry ?? null,
-        goal: journey?.goal ?? null,
-        leaving: leg?.leaving?.region ?? null,
-        shown: open?.shown ?? null,
-        arrived: open?.arrived ?? -1,
-        received: open?.received ?? 0,
-        expected: open?.expected ?? 0,
-        triangles: open ? trianglesShown(open.region, ring) : { own: 0, drawn: 0 },
-        upload,
-        bounds: journey?.bounds ?? null,
-        ...atlas.holding,
-        shared: store.shared,
-      };
+      return factsOf(journey, leg, atlas, store, upload);
     },
     dispose() {
       atlas.dispose();
@@ -320,20 +270,4 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
       renderer.forceContextLoss();
     },
   };
-}
-
-function createRenderer(canvas: HTMLCanvasElement, antialias: boolean): WebGLRenderer {
-  let renderer: WebGLRenderer;
-  try {
-    renderer = new WebGLRenderer({ canvas, antialias, powerPreference: 'high-performance' });
-  } catch (error) {
-    throw new BundleError(error instanceof Error ? error.message : String(error), 'webgl');
-  }
-  renderer.autoClear = false;
-  // A composition layer of a headset lies below.
-  renderer.setClearAlpha(0);
-  renderer.sortObjects = false;
-  // Checks block on the GPU; `programs` checks when that takes no time.
-  renderer.debug.checkShaderErrors = false;
-  return renderer;
 }

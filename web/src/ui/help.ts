@@ -1,7 +1,6 @@
-/** Help: all keys, touch gestures and gamepad controls. */
-import { icon, make } from './dom';
-import { ICONS } from './icons';
-import { type Name, SHORTCUTS } from './shortcuts';
+/** Commands by key, which the panel runs, and the help with all keys, touch gestures and gamepad controls. */
+import { isElsewhere, isMoving } from '../control/drive';
+import { icon, ICONS, make } from './dom';
 
 /** Keys or gestures, and their effect. */
 export type Row = readonly [keys: readonly string[], does: string];
@@ -17,11 +16,11 @@ const WALK: readonly Row[] = [
 ];
 
 const ORBIT: readonly Row[] = [
-  [['Drag'], 'go around'],
+  [['Drag'], 'orbit'],
   [['Shift', 'Drag'], 'move; so does the right button'],
   [['Wheel'], 'nearer and farther'],
   [['W', 'S'], 'nearer and farther'],
-  [['A', 'D', '←', '→'], 'go around'],
+  [['A', 'D', '←', '→'], 'orbit'],
   [['Shift', 'WASD'], 'move'],
 ];
 
@@ -29,8 +28,8 @@ const TOUCH: readonly Row[] = [
   [['Left thumb'], 'walk'],
   [['Right thumb'], 'look around'],
   [['Two taps'], 'go to a place'],
-  [['One finger'], 'orbit: go around'],
-  [['Two fingers'], 'orbit: pinch for the distance, drag to move'],
+  [['One finger'], 'orbit mode: orbit'],
+  [['Two fingers'], 'orbit mode: pinch for the distance, drag to move'],
 ];
 
 const PAD: readonly Row[] = [
@@ -42,7 +41,6 @@ export interface Help {
   toggle(): void;
   /** Adds a section. */
   add(title: string, rows: readonly Row[]): void;
-  dispose(): void;
 }
 
 /** Creates a dialog in `root`; `absent` returns the names of unavailable commands. */
@@ -92,7 +90,6 @@ export function createHelp(root: HTMLElement, absent: () => readonly Name[]): He
     add(title, rows) {
       last.append(part(title, rows));
     },
-    dispose: () => dialog.remove(),
   };
 }
 
@@ -102,4 +99,43 @@ function part(title: string, rows: readonly Row[]): HTMLElement {
     list.append(make('dt', {}, ...keys.map((key) => make('kbd', {}, key))), make('dd', {}, does));
   }
   return make('section', {}, make('h2', {}, title), list);
+}
+
+export type Name = 'walk' | 'orbit' | 'split' | 'photo' | 'link' | 'home' | 'next' | 'look' | 'panel' | 'retry' | 'headset' | 'help';
+
+export interface Shortcut {
+  /** Key in lower case, and its label. */
+  readonly key: string;
+  readonly label: string;
+  readonly does: string;
+}
+
+/** Keys as labelled on the user's keyboard. */
+export const SHORTCUTS: Readonly<Record<Name, Shortcut>> = {
+  walk: { key: '1', label: '1', does: 'walk' },
+  orbit: { key: '2', label: '2', does: 'orbit around the point ahead' },
+  split: { key: 'c', label: 'C', does: 'compare with the conventional picture' },
+  photo: { key: 'p', label: 'P', does: 'save the picture' },
+  link: { key: 'l', label: 'L', does: 'copy a link to this view' },
+  home: { key: 'home', label: 'Home', does: 'go back to the centre' },
+  next: { key: 'n', label: 'N', does: 'go to the next place' },
+  look: { key: 'f', label: 'F', does: 'look around with the mouse without a button, until Esc' },
+  panel: { key: 'i', label: 'I', does: 'show or hide the figures' },
+  retry: { key: 'r', label: 'R', does: 'reload what failed' },
+  headset: { key: 'v', label: 'V', does: 'enter the headset, and leave it' },
+  help: { key: '?', label: '?', does: 'show or hide this help' },
+};
+
+/** Runs commands by key. */
+export function listen(run: (name: Name) => void, keys: EventTarget = window): void {
+  const names = new Map(Object.entries(SHORTCUTS).map(([name, { key }]) => [key, name as Name]));
+  keys.addEventListener('keydown', (event) => {
+    const pressed = event as KeyboardEvent;
+    // On some keyboards a command's letter is on a key that moves the user.
+    if (isElsewhere(pressed) || pressed.repeat || isMoving(pressed.code)) return;
+    const name = names.get(pressed.key.toLowerCase());
+    if (!name) return;
+    pressed.preventDefault();
+    run(name);
+  });
 }

@@ -1,6 +1,5 @@
 /** Error messages: over the whole page, or in a banner above the last valid picture. */
-import { icon, make } from './dom';
-import { ICONS } from './icons';
+import { button, icon, ICONS, make } from './dom';
 
 /** Greatest number of problems in a banner; the others are counted. */
 const MAX = 3;
@@ -22,11 +21,11 @@ export interface Message {
 export const FATAL = {
   scene: {
     title: 'The server cannot load the scene',
-    text: 'Tell whoever runs the server what stands below. The page shows the scene as soon as the server has it.',
+    text: 'Send the message below to whoever runs the server. The page shows the scene as soon as the server has loaded it.',
   },
   place: {
     title: 'The server cannot show this place',
-    text: 'Remove the place from the address of this page, or tell whoever sent you here what stands below.',
+    text: 'Remove the place from the address of this page, or send the message below to whoever gave you the link.',
   },
   webgl: {
     title: 'This browser cannot draw the scene',
@@ -36,23 +35,23 @@ export const FATAL = {
   },
   damaged: {
     title: 'The scene is damaged',
-    text: 'A file is not what the manifest says. Export the scene again, or tell whoever sent you here.',
+    text: 'A file does not match the manifest. Export the scene again, or tell whoever gave you the link.',
   },
   newer: {
     title: 'The scene needs a newer nearfar',
-    text: 'It was written in a later format than this page reads. Update nearfar and reload the page.',
+    text: 'It has a newer format than this page reads. Update nearfar and reload the page.',
   },
   network: {
     title: 'The scene cannot be reached',
-    text: 'The server does not answer, or does not have it. Check the connection and the address, and try again.',
+    text: 'The server does not answer, or does not have the scene. Check the connection and the address, and try again.',
   },
   address: {
-    title: 'The address asks for what is not there',
-    text: 'Mend or remove what stands behind the question mark in the address of this page.',
+    title: 'The address has an invalid parameter',
+    text: 'Correct or remove the parameters behind the question mark in the address of this page.',
   },
   other: {
     title: 'The scene cannot be shown',
-    text: 'Reload the page. If that does not help, tell whoever sent you here what stands below.',
+    text: 'Reload the page. If that does not help, send the message below to whoever gave you the link.',
   },
 } as const satisfies Readonly<Record<string, Message>>;
 
@@ -94,12 +93,6 @@ export function clearMessage(): void {
   place.replaceChildren();
   delete place.dataset['kind'];
   for (const other of document.querySelectorAll('canvas, [data-behind]')) other.removeAttribute('inert');
-}
-
-function button(label: string, kind: string, action: () => void): HTMLButtonElement {
-  const made = make('button', { type: 'button', class: kind }, label);
-  made.addEventListener('click', action);
-  return made;
 }
 
 /** Permanent element of the page, so that screen readers announce its changes. */

@@ -1,14 +1,20 @@
 /** Panel with its buttons and keys. */
+import { messageOf } from '../base/errors';
 import type { Mode } from '../control/controls';
-import { icon, make, write } from './dom';
-import { MIDDLE } from './divider';
-import { createFigures, isComplete, isHeld, madeOf, shortly } from './figures';
-import { createHelp, type Row } from './help';
-import { ICONS } from './icons';
+import { copyText, icon, ICONS, make, saveFile, write } from './dom';
+import { createHelp, listen, type Name, type Row, SHORTCUTS } from './help';
 import { showProblems } from './messages';
-import { copyText, saveFile } from './out';
-import { listen, type Name, SHORTCUTS } from './shortcuts';
-import type { Commands, HeadsetCommand, Status } from './status';
+import { MIDDLE } from './overlays';
+import {
+  type Commands,
+  createFigures,
+  type HeadsetCommand,
+  isComplete,
+  isHeld,
+  progressText,
+  type Status,
+  summaryOf,
+} from './status';
 
 /** Duration of a note, seconds. */
 const NOTE = 3;
@@ -24,19 +30,10 @@ export interface Panel {
   explain(title: string, rows: readonly Row[]): void;
   /** Shows a mode or divider that was changed outside the panel. */
   reflect(state: { readonly mode?: Mode; readonly isDivided?: boolean }): void;
-  dispose(): void;
-}
-
-export interface PanelSettings {
-  /** Target of key events: the window by default; in a notebook the element around the page. */
-  readonly keys?: EventTarget;
-  readonly isOpen?: boolean;
 }
 
 /** Builds the panel in an element that covers the picture; user actions call `commands`. */
-export function createPanel(root: HTMLElement, commands: Commands, settings: PanelSettings = {}): Panel {
-  const stop = new AbortController();
-  const { keys = window, isOpen = window.matchMedia(ROOMY).matches } = settings;
+export function createPanel(root: HTMLElement, commands: Commands): Panel {
   let isDivided = false;
   let wasRing = -1;
   let wasComplete = false;
@@ -90,14 +87,14 @@ export function createPanel(root: HTMLElement, commands: Commands, settings: Pan
     ...(problems ? [] : (['retry'] as const)),
     ...(commands.next ? [] : (['next'] as const)),
   ]);
-  panel.hidden = !isOpen;
+  panel.hidden = !window.matchMedia(ROOMY).matches;
   for (const [name, button] of Object.entries(buttons)) button.addEventListener('click', () => run(name as Name));
-  listen(keys, run, stop.signal);
+  listen(run);
   reflect({ mode: 'walk' });
 
   function run(name: Name): void {
     // Errors of a command are announced, and the next one works.
-    perform(name).catch((reason: unknown) => announce(reason instanceof Error ? reason.message : String(reason)));
+    perform(name).catch((reason: unknown) => announce(messageOf(reason)));
   }
 
   async function perform(name: Name): Promise<void> {
@@ -118,7 +115,7 @@ export function createPanel(root: HTMLElement, commands: Commands, settings: Pan
       if (await copyText(link)) announce('Link copied');
       else {
         history.replaceState(null, '', link);
-        announce('The link stands in the address bar');
+        announce('The link is in the address bar');
       }
     } else if (name === 'home') {
       commands.home();
@@ -179,21 +176,21 @@ export function createPanel(root: HTMLElement, commands: Commands, settings: Pan
     write(spoken, text);
   }
 
-  function tell(status: Status): void {
+  function announceChanges(status: Status): void {
     const complete = isComplete(status);
     if (complete && !wasComplete) speak('All rings are shown');
     else if (status.ring !== wasRing) speak(`Ring ${status.ring} of ${status.rings} is shown`);
     [wasRing, wasComplete] = [status.ring, complete];
-    const made = madeOf(status);
+    const made = progressText(status);
     // The wait depends on other users or the server.
-    if (made !== null && made !== wasMade && isHeld(status)) announce(`The place is not there yet: ${made}`);
+    if (made !== null && made !== wasMade && isHeld(status)) announce(`The place is not ready yet: ${made}`);
     wasMade = made;
     const texts = status.problems.join('\n');
     if (texts !== problems) showProblems(status.problems, () => run('retry'));
     problems = texts;
   }
 
-  function tellHeadset(): void {
+  function showHeadset(): void {
     const found = headsetOf(commands);
     headset.hidden = !found;
     label(headset, found?.isPresenting ? 'Leave VR' : 'Enter VR');
@@ -203,7 +200,7 @@ export function createPanel(root: HTMLElement, commands: Commands, settings: Pan
 
   return {
     update(status) {
-      tell(status);
+      announceChanges(status);
       figures.update(status);
       const none = status.making ? 0 : 1;
       const share = status.expected > 0 ? Math.min(status.received / status.expected, 1) : none;
@@ -211,19 +208,13 @@ export function createPanel(root: HTMLElement, commands: Commands, settings: Pan
       line.dataset['stuck'] = String(problems !== '');
       line.style.setProperty('--share', share.toFixed(4));
       line.setAttribute('aria-valuenow', String(Math.floor(100 * share)));
-      write(chip, shortly(status));
-      tellHeadset();
+      write(chip, summaryOf(status));
+      showHeadset();
       reflect({});
     },
     announce,
     explain: help.add,
     reflect,
-    dispose() {
-      stop.abort();
-      window.clearTimeout(noteEnds);
-      help.dispose();
-      for (const part of [line, layer, spoken]) part.remove();
-    },
   };
 }
 

@@ -1,9 +1,9 @@
 /** Source of files from Python, which may run on another machine that this page cannot reach. */
+import { abortable } from '../base/errors';
 import { BundleError } from '../bundle/error';
 import { parseManifest } from '../bundle/parse';
-import { createShared } from '../bundle/share';
-import { createSlots } from '../bundle/slots';
-import type { Received, Source } from '../bundle/source';
+import { createShared } from '../bundle/requests';
+import { type Received, serveListed, type Source } from '../bundle/source';
 import type { Model } from './model';
 
 /** Concurrent requests: Python answers them one after the other. */
@@ -19,7 +19,7 @@ interface Piece {
   readonly bytes: number;
 }
 
-interface Asked {
+interface PendingPiece {
   readonly done: (piece: Piece) => void;
   readonly failed: (reason: Error) => void;
 }
@@ -30,42 +30,33 @@ export interface KernelSource extends Source {
 
 /** Opens the bundle of a model; `received` is called with the bytes of all files. */
 export async function openKernel(model: Model, received: Received, signal: AbortSignal): Promise<KernelSource> {
-  const waiting = new Map<string, Asked>();
+  const waiting = new Map<string, PendingPiece>();
   // Answers reach every view of the model, so that ids must be unique.
   const own = Math.random().toString(36).slice(2);
   let last = 0;
 
-  const answered = (answer: Answer, buffers: readonly DataView[]): void => {
-    const asked = waiting.get(answer?.id);
-    if (!asked) return;
+  const onAnswer = (answer: Answer, buffers: readonly DataView[]): void => {
+    const pending = waiting.get(answer?.id);
+    if (!pending) return;
     waiting.delete(answer.id);
     const [buffer] = buffers;
-    if ('problem' in answer) asked.failed(new BundleError(answer.problem));
-    else if (!buffer) asked.failed(new BundleError('the kernel answers without a file'));
-    else asked.done({ data: bytesOf(buffer), bytes: answer.bytes });
+    if ('problem' in answer) pending.failed(new BundleError(answer.problem));
+    else if (!buffer) pending.failed(new BundleError('the kernel answers without a file'));
+    else pending.done({ data: bytesOf(buffer), bytes: answer.bytes });
   };
-  model.on('msg:custom', answered);
+  model.on('msg:custom', onAnswer);
 
   /** Requests a piece of a file, without a timeout, because a busy kernel answers later. */
   function ask(name: string, start: number, stop: AbortSignal): Promise<Piece> {
-    stop.throwIfAborted();
     const id = `${own}-${++last}`;
-    return new Promise((done, failed) => {
-      const leave = (): void => {
-        waiting.delete(id);
-        failed(stop.reason as Error);
-      };
-      stop.addEventListener('abort', leave, { once: true });
-      const free = (): void => stop.removeEventListener('abort', leave);
-      waiting.set(id, {
-        done: (piece) => (free(), done(piece)),
-        failed: (reason) => (free(), failed(reason)),
-      });
+    return abortable<Piece>(stop, (done, failed) => {
+      waiting.set(id, { done, failed });
       model.send({ kind: 'read', id, name, start });
+      return () => waiting.delete(id);
     });
   }
 
-  async function load(name: string, bytes: number | null, stop: AbortSignal, told: Received): Promise<ArrayBuffer> {
+  async function load(name: string, bytes: number | null, stop: AbortSignal, onBytes: Received): Promise<ArrayBuffer> {
     const parts: Uint8Array<ArrayBuffer>[] = [];
     let size = 0;
     for (;;) {
@@ -73,7 +64,7 @@ export async function openKernel(model: Model, received: Received, signal: Abort
       parts.push(piece.data);
       size += piece.data.length;
       received(piece.data.length);
-      told(piece.data.length);
+      onBytes(piece.data.length);
       if (bytes !== null && piece.bytes !== bytes) {
         throw new BundleError(`${name}: expected ${bytes} bytes, as the manifest lists it, got ${piece.bytes}`);
       }
@@ -84,19 +75,14 @@ export async function openKernel(model: Model, received: Received, signal: Abort
 
   const text = await load(MANIFEST, null, signal, () => undefined);
   const manifest = parseManifest(new TextDecoder().decode(text));
-  const slots = createSlots(AT_ONCE);
-  const shared = createShared((name: string, stop, told) => {
-    const bytes = manifest.files[name]?.bytes;
-    if (bytes === undefined) throw new BundleError(`${name}: the manifest does not list this file`);
-    return slots(stop, () => load(name, bytes, stop, told));
-  });
+  const shared = createShared(serveListed((name) => manifest.files[name], AT_ONCE, load));
   return {
     manifest,
-    fetch: (name, stop, told = () => undefined) => shared(name, stop, told),
+    fetch: (name, stop, onBytes = () => undefined) => shared(name, stop, onBytes),
     // No cache lies in between.
     distrust: () => undefined,
     dispose() {
-      model.off('msg:custom', answered);
+      model.off('msg:custom', onAnswer);
       waiting.clear();
     },
   };

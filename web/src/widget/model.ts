@@ -1,3 +1,5 @@
+/** The widget's state, which Python shares, synchronized without a message for each frame. */
+
 /** Interface of anywidget to the widget's state, which Python shares. */
 export interface Model {
   get(name: string): unknown;
@@ -8,4 +10,58 @@ export interface Model {
   off(event: string, callback: (...args: never[]) => void): void;
   /** Sends a custom message to Python. */
   send(content: unknown): void;
+}
+
+/** Least milliseconds between two messages to Python. */
+export const EVERY = 100;
+
+export interface Mirror {
+  /** Sends values that differ from Python's; called once per frame. */
+  tell(values: Readonly<Record<string, unknown>>, now: number): void;
+  /** Calls `changed` once for all values that Python or another view has set together. */
+  hear(names: readonly string[], changed: () => void): void;
+  dispose(): void;
+}
+
+export function createMirror(model: Model): Mirror {
+  const listeners: [event: string, callback: () => void][] = [];
+  let last = Number.NEGATIVE_INFINITY;
+  let isOwn = false;
+
+  return {
+    tell(values, now) {
+      const changed = Object.entries(values).filter(([name, value]) => !isSame(model.get(name), value));
+      if (changed.length === 0 || now - last < EVERY) return;
+      last = now;
+      isOwn = true;
+      for (const [name, value] of changed) model.set(name, value);
+      isOwn = false;
+      model.save_changes();
+    },
+    hear(names, changed) {
+      let isTold = false;
+      const callback = (): void => {
+        if (isOwn || isTold) return;
+        isTold = true;
+        queueMicrotask(() => {
+          isTold = false;
+          changed();
+        });
+      };
+      for (const name of names) {
+        listeners.push([`change:${name}`, callback]);
+        model.on(`change:${name}`, callback);
+      }
+    },
+    dispose() {
+      for (const [event, callback] of listeners) model.off(event, callback);
+      listeners.length = 0;
+    },
+  };
+}
+
+/** Compares numbers, texts and lists of them. */
+function isSame(a: unknown, b: unknown): boolean {
+  if (!Array.isArray(a) || !Array.isArray(b)) return Object.is(a, b);
+  return a.length === b.length && a.every((item, place) => isSame(item, b[place]));
 }

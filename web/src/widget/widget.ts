@@ -1,17 +1,14 @@
 /** View in a notebook, mounted by anywidget: a canvas and a line of text for each view of a model. */
-import WORKER from 'worker-text';
+import { messageOf } from '../base/errors';
 import { createControls } from '../control/controls';
 import type { Pose } from '../control/pose';
-import { strategyOf } from '../show/strategy';
+import { LONGEST_FRAME, LOST } from '../show/renderer';
+import { strategyOf } from '../show/stage';
 import { createViewer, type Viewer } from '../show/viewer';
 import { worldOf } from '../show/world';
 import { type KernelSource, openKernel } from './kernel';
-import { createMirror } from './mirror';
-import type { Model } from './model';
+import { createMirror, type Model } from './model';
 
-/** Greatest duration of a frame in seconds, as in the page. */
-const LONGEST_FRAME = 0.1;
-const LOST = 'The browser has taken the graphics away. The picture comes back as soon as they do.';
 const POSE = ['position', 'yaw', 'pitch'] as const;
 
 /** Element of a view, with the viewer for scripts and tests. */
@@ -27,14 +24,22 @@ interface View {
   complain(problem: string): void;
 }
 
-function render({ model, el }: { model: Model; el: HTMLElement }): () => void {
+/** A view for anywidget: an element with its model, and a function that ends it. */
+type Render = (context: { model: Model; el: HTMLElement }) => () => void;
+
+/** Creates the widget; `worker` is the script of the workers. */
+export function createWidget(worker: URL): { readonly render: Render } {
+  return { render: ({ model, el }) => render(model, el, worker) };
+}
+
+function render(model: Model, el: HTMLElement, worker: URL): () => void {
   const view = createView(model, el);
   const stop = new AbortController();
   let source: KernelSource | null = null;
   let end = (): void => undefined;
   const failed = (reason: unknown): void => {
     if (stop.signal.aborted) return;
-    const problem = reason instanceof Error ? reason.message : String(reason);
+    const problem = messageOf(reason);
     view.complain(problem);
     model.set('problem', problem);
     model.save_changes();
@@ -43,7 +48,7 @@ function render({ model, el }: { model: Model; el: HTMLElement }): () => void {
     .then((opened) => {
       source = opened;
       if (stop.signal.aborted) opened.dispose();
-      else end = show(model, view, opened, failed);
+      else end = show(model, view, opened, worker, failed);
     })
     .catch(failed);
   return () => {
@@ -76,17 +81,22 @@ function createView(model: Model, el: HTMLElement): View {
 }
 
 /** Draws frames until the returned function is called. */
-function show(model: Model, view: View, source: KernelSource, failed: (reason: Error) => void): () => void {
+function show(
+  model: Model,
+  view: View,
+  source: KernelSource,
+  worker: URL,
+  failed: (reason: Error) => void,
+): () => void {
   const { canvas, host } = view;
   const { arrange, isSmooth, isWhole } = strategyOf(String(model.get('strategy')));
   const world = worldOf(arrange(source.manifest));
-  const script = URL.createObjectURL(new Blob([WORKER], { type: 'text/javascript' }));
-  const asked = (): Pose => Object.fromEntries(POSE.map((name) => [name, model.get(name)])) as unknown as Pose;
-  const controls = createControls(canvas, { start: asked(), keys: canvas });
+  const requestedPose = (): Pose => Object.fromEntries(POSE.map((name) => [name, model.get(name)])) as unknown as Pose;
+  const controls = createControls(canvas, { start: requestedPose(), keys: canvas });
   const viewer = createViewer(canvas, {
     world,
     fetch: source.fetch,
-    worker: new URL(script),
+    worker,
     angle: Number(model.get('angle')),
     antialias: true,
     isSmooth,
@@ -98,7 +108,7 @@ function show(model: Model, view: View, source: KernelSource, failed: (reason: E
   host.nearfar = { viewer };
   const mirror = createMirror(model);
   mirror.hear(POSE, () => {
-    const target = asked();
+    const target = requestedPose();
     if (world.places.nearest(target.position) === viewer.facts.region) controls.setPose(target);
     else viewer.go(target);
   });
@@ -106,7 +116,7 @@ function show(model: Model, view: View, source: KernelSource, failed: (reason: E
     viewer.camera.fov = Number(model.get('angle'));
     viewer.camera.updateProjectionMatrix();
   });
-  viewer.open(world.places.nearest(asked().position));
+  viewer.open(world.places.nearest(requestedPose().position));
   let isSeen = true;
   // Notebooks outside the screen are not drawn.
   const watch = new IntersectionObserver((entries) => {
@@ -135,8 +145,5 @@ function show(model: Model, view: View, source: KernelSource, failed: (reason: E
     mirror.dispose();
     controls.dispose();
     viewer.dispose();
-    URL.revokeObjectURL(script);
   };
 }
-
-export default { render };

@@ -1,8 +1,7 @@
-/** Rays of a headset's hands in world space, with pointing. */
+/** Rays of a headset's hands in world space, with pointing by grip or gesture. */
 import { type Floor, worldOf } from '../control/floor';
-import type { Vector } from '../control/vector';
-import { isPointing } from './gesture';
-import type { Input } from './inputs';
+import type { Vector } from '../control/pose';
+import type { Input, Joints } from './inputs';
 
 export interface HandRay {
   readonly side: 'left' | 'right';
@@ -41,4 +40,29 @@ export function createHands(session: XRSession): Hands {
     },
     dispose: () => stop.abort(),
   };
+}
+
+/** Index of the first joint of each finger but the thumb, in the order of WebXR. */
+const [INDEX, OTHERS] = [6, [11, 16, 21]] as const;
+const [BONES, MATRIX] = [3, 16] as const;
+/** Thresholds of straightness to begin and to continue pointing (hysteresis). */
+const BEGINS = { straight: 0.9, bent: 0.75 } as const;
+const GOES_ON = { straight: 0.8, bent: 0.85 } as const;
+
+/** Whether a hand points, given its previous state; false without tracked joints. */
+export function isPointing(joints: Joints | null, before: boolean): boolean {
+  if (!joints) return false;
+  const { straight, bent } = before ? GOES_ON : BEGINS;
+  return straightness(joints, INDEX) > straight && OTHERS.every((finger) => straightness(joints, finger) < bent);
+}
+
+/** Straightness of a finger: distance from knuckle to tip divided by the length of the bones; 1 if straight. */
+function straightness({ matrices }: Joints, knuckle: number): number {
+  const between = (a: number, b: number): number => {
+    const along = (axis: number): number => (matrices[MATRIX * a + axis] ?? 0) - (matrices[MATRIX * b + axis] ?? 0);
+    return Math.hypot(along(12), along(13), along(14));
+  };
+  let bones = 0;
+  for (let joint = knuckle; joint < knuckle + BONES; joint++) bones += between(joint, joint + 1);
+  return bones > 0 ? between(knuckle, knuckle + BONES) / bones : 0;
 }

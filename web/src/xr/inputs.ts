@@ -1,7 +1,6 @@
-/** Input of a frame: rays of the hands, sticks, and tracked joints. */
-import type { Vector } from '../control/vector';
-import type { Stick } from './steer';
-import type { Ray } from './teleport';
+/** Input of a frame: rays of the hands, tracked joints, and sticks that walk and turn. */
+import { applyDeadZone, type Drive, REST } from '../control/drive';
+import type { Vector } from '../control/pose';
 
 declare global {
   interface XRFrame {
@@ -9,6 +8,12 @@ declare global {
     fillPoses?(spaces: Iterable<XRSpace>, base: XRSpace, transforms: Float32Array): boolean;
     fillJointRadii?(spaces: Iterable<XRJointSpace>, radii: Float32Array): boolean;
   }
+}
+
+export interface Ray {
+  readonly origin: Vector;
+  /** Unit vector. */
+  readonly direction: Vector;
 }
 
 export interface Input {
@@ -69,4 +74,52 @@ function jointsOf(hand: XRHand, frame: XRFrame, space: XRReferenceSpace): Joints
   const [matrices, radii] = [new Float32Array(MATRIX * spaces.length), new Float32Array(spaces.length)];
   const isTracked = frame.fillPoses?.(spaces, space, matrices) && frame.fillJointRadii?.(spaces, radii);
   return isTracked ? { matrices, radii } : null;
+}
+
+/** Stick position from −1 to 1, to the right and down, as the browser reports it, and whether it is pressed. */
+export interface Stick {
+  readonly x: number;
+  readonly y: number;
+  readonly isPressed: boolean;
+}
+
+export interface SteeringCommand {
+  /** Walking input relative to the head's direction. */
+  readonly drive: Drive;
+  /** Immediate turn to the left, radians. */
+  readonly turn: number;
+}
+
+/** Angle of a snap turn, radians: smooth turns cause sickness. */
+export const SNAP = Math.PI / 6;
+/** Dead zone of a stick; deflection that triggers a turn, and below which the next one is armed. */
+const DEAD_ZONE = 0.18;
+const [TURNS, REARMS] = [0.7, 0.35] as const;
+
+export interface Steering {
+  /** Reads the sticks of the left and the right hand; a hand without a stick leaves its part to the other. */
+  read(left: Stick | null, right: Stick | null): SteeringCommand;
+}
+
+export function createSteering(): Steering {
+  let isArmed = true;
+
+  function snap(x: number): number {
+    if (Math.abs(x) < REARMS) isArmed = true;
+    if (!isArmed || Math.abs(x) < TURNS) return 0;
+    isArmed = false;
+    return -Math.sign(x) * SNAP;
+  }
+
+  return {
+    read(left, right) {
+      const walks = left ?? right;
+      const turns = right ?? left;
+      const turn = snap(turns?.x ?? 0);
+      if (!walks) return { drive: REST, turn };
+      // A single stick walks only ahead and back.
+      const [x, y] = applyDeadZone(walks === turns ? 0 : walks.x, walks.y, DEAD_ZONE);
+      return { drive: { ...REST, right: x, ahead: 0 - y, isRunning: walks.isPressed }, turn };
+    },
+  };
 }

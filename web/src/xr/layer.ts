@@ -4,7 +4,7 @@
  */
 import type { WebGLRenderer } from 'three';
 import type { MapLayer } from '../show/composer';
-import { colorOf, type Cube, FACES } from '../show/cubes';
+import { colorOf, type Cube, FACES } from '../show/textures';
 
 /** Creates a layer below the picture of the current session; null if the browser supports none. */
 export function createMapLayer(renderer: WebGLRenderer, faceSize: number): MapLayer | null {

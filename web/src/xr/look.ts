@@ -14,17 +14,8 @@ import {
   RingGeometry,
   Vector3,
 } from 'three';
-import type { Vector } from '../control/vector';
 import type { Input } from './inputs';
-import { ARC_POINTS } from './teleport';
-
-/** Aim of a jump in the headset's space. */
-export interface Aim {
-  readonly arc: readonly Vector[];
-  readonly target: Vector;
-  /** Whether the target was clamped, because the aimed place lies beyond the limit. */
-  readonly isHeld: boolean;
-}
+import { type Aim, ARC_POINTS } from './teleport';
 
 export interface Look {
   /** Group to add to the rig. */
@@ -45,8 +36,8 @@ export function createLook(): Look {
   const body = new MeshLambertMaterial({ color: 0xd5dbe3 });
   // Without depth test: the ground may lie slightly before or behind the user's floor.
   const mark = new MeshBasicMaterial({ color: FREE, depthTest: false });
-  const joints = beads(HANDS * JOINTS, body);
-  const points = beads(ARC_POINTS, mark);
+  const joints = createSpheres(HANDS * JOINTS, body);
+  const points = createSpheres(ARC_POINTS, mark);
   const ring = new Mesh(new RingGeometry(...RING, 48).rotateX(-Math.PI / 2), mark);
   const controllers = Array.from({ length: HANDS }, () => {
     const mesh = new Mesh(new CapsuleGeometry(THICK, 2 * LONG, 4, 12).rotateX(Math.PI / 2), body);
@@ -109,7 +100,7 @@ export function createLook(): Look {
   };
 }
 
-function beads(count: number, material: Material): InstancedMesh {
+function createSpheres(count: number, material: Material): InstancedMesh {
   return new InstancedMesh(new IcosahedronGeometry(1, 2), material, count);
 }
 

@@ -1,30 +1,27 @@
-/** Immersive session: the picture for both eyes of a headset, and the movement of its user. */
+/** Immersive session: detection of a headset, the picture for both eyes, and the movement of its user. */
 import {
+  clampToBounds,
   EYE_HEIGHT,
   type Floor,
   floorUnder,
   type Head,
   headBounds,
   headOf,
-  clampToBounds,
-  inWorld,
   localOf,
   moveFloor,
   turnFloor,
   worldOf,
+  worldPose,
 } from '../control/floor';
 import type { Bounds } from '../control/limit';
-import type { Pose } from '../control/pose';
-import type { Vector } from '../control/vector';
+import type { Pose, Vector } from '../control/pose';
 import { createWalk } from '../control/walk';
 import type { Viewer } from '../show/viewer';
-import { type Aiming, createAiming } from './aiming';
 import { createHands, type HandRay, type Hands } from './hands';
-import { type Input, readInputs } from './inputs';
+import { createSteering, type Input, readInputs, type Steering } from './inputs';
 import { createMapLayer } from './layer';
 import { createLook, type Look } from './look';
-import { createSteering, type Steering } from './steer';
-import { createJump, type Jump } from './teleport';
+import { type Aiming, createAiming, createJump, type Jump } from './teleport';
 
 export interface Headset {
   readonly isPresenting: boolean;
@@ -50,7 +47,7 @@ export interface HeadsetSettings {
 }
 
 /** State of a session. */
-interface Visit {
+interface SessionState {
   readonly look: Look;
   readonly aiming: Aiming;
   readonly hands: Hands;
@@ -69,11 +66,11 @@ interface Visit {
 /** Speeds start and stop gently. */
 const glides = (): boolean => false;
 
-export function createHeadset(viewer: Viewer, xr: XRSystem, settings: HeadsetSettings): Headset {
+function createHeadset(viewer: Viewer, xr: XRSystem, settings: HeadsetSettings): Headset {
   const { renderer, rig } = viewer;
   // Bounds of the frame.
   let bounds: Bounds | null = null;
-  let visit: Visit | null = null;
+  let visit: SessionState | null = null;
   let hands: readonly HandRay[] = [];
   renderer.xr.enabled = true;
 
@@ -96,9 +93,9 @@ export function createHeadset(viewer: Viewer, xr: XRSystem, settings: HeadsetSet
     if (settings.isStatic) viewer.setMapLayer(createMapLayer(renderer, viewer.faceSize));
   }
 
-  function begin(session: XRSession): Visit {
+  function begin(session: XRSession): SessionState {
     const pose = settings.pose();
-    const made: Visit = {
+    const made: SessionState = {
       look: createLook(),
       aiming: createAiming(session, (target) => {
         const { floor, jump } = made;
@@ -132,14 +129,14 @@ export function createHeadset(viewer: Viewer, xr: XRSystem, settings: HeadsetSet
   }
 
   /** Returns the floor after a frame: the user has walked, turned or jumped, and stays within the bounds. */
-  function floorOf(of: Visit, head: Head, inputs: readonly Input[], seconds: number): Floor {
+  function floorOf(of: SessionState, head: Head, inputs: readonly Input[], seconds: number): Floor {
     const { position: [x, y, z], yaw } = of.pose;
     const ground: Vector = [x, of.floor?.position[1] ?? y - EYE_HEIGHT, z];
     let floor = of.floor && !of.isMoved ? of.floor : floorUnder(ground, yaw, head);
     of.isMoved = false;
     const { drive, turn } = of.steering.read(stickOf(inputs, 'left'), stickOf(inputs, 'right'));
     if (turn !== 0) floor = turnFloor(floor, head, turn);
-    of.walk.follow(inWorld(floor, head));
+    of.walk.follow(worldPose(floor, head));
     of.walk.update(seconds, drive);
     floor = moveFloor(floor, head, of.goal ?? of.walk.pose.position);
     of.goal = null;
@@ -173,7 +170,7 @@ export function createHeadset(viewer: Viewer, xr: XRSystem, settings: HeadsetSet
       viewer.setVeil(visit.jump.advance(seconds));
       const floor = floorOf(visit, head, inputs, seconds);
       visit.floor = floor;
-      visit.pose = inWorld(floor, head);
+      visit.pose = worldPose(floor, head);
       viewer.stand(floor);
       hands = visit.hands.update(inputs, floor);
       const allowed = (wanted: Vector): Vector => localOf(floor, clampToBounds(worldOf(floor, wanted), bounds));
@@ -185,4 +182,39 @@ export function createHeadset(viewer: Viewer, xr: XRSystem, settings: HeadsetSet
 
 function stickOf(inputs: readonly Input[], hand: XRHandedness): Input['stick'] {
   return inputs.find(({ source }) => source.handedness === hand)?.stick ?? null;
+}
+
+/** Detects the headset; `tell` is called with it, or with a sentence why there is none, now and on changes. */
+export function offerHeadset(
+  viewer: Viewer,
+  settings: HeadsetSettings,
+  tell: (found: Headset | string) => void,
+): void {
+  const { xr } = navigator;
+  let headset: Headset | null = null;
+
+  async function seek(): Promise<void> {
+    const reason = await whyNoHeadset(xr, window.isSecureContext);
+    if (reason !== null || !xr) {
+      tell(reason ?? '');
+      return;
+    }
+    headset ??= createHeadset(viewer, xr, settings);
+    tell(headset);
+  }
+
+  void seek();
+  xr?.addEventListener('devicechange', () => void seek());
+}
+
+/** Returns why no headset can be entered; null if one can. */
+export async function whyNoHeadset(xr: XRSystem | undefined, isSecure: boolean): Promise<string | null> {
+  if (!isSecure) return 'Headsets need a page that is served over https.';
+  if (!xr) return 'This browser does not support headsets.';
+  try {
+    return (await xr.isSessionSupported('immersive-vr')) ? null : 'No headset is connected.';
+  } catch {
+    // The page is in a frame without permission for headsets.
+    return 'This page may not use headsets.';
+  }
 }

@@ -1,5 +1,6 @@
-/** Ballistic arc of a jump and its fade. No WebXR calls. */
-import type { Vector } from '../control/vector';
+/** Jump to another place: aiming by the trigger or pinch, the ballistic arc, and the fade. */
+import type { Vector } from '../control/pose';
+import type { Input, Ray } from './inputs';
 
 /** Metres per second and per second²: aimed level from the hip, it reaches about 4 m; at 45° more than 7 m. */
 const [SPEED, GRAVITY] = [7.5, 9.81] as const;
@@ -7,12 +8,6 @@ const [SPEED, GRAVITY] = [7.5, 9.81] as const;
 export const ARC_POINTS = 24;
 /** Seconds in which the picture fades to black, and back. */
 const FADE = 0.12;
-
-export interface Ray {
-  readonly origin: Vector;
-  /** Unit vector. */
-  readonly direction: Vector;
-}
 
 /** Returns where an arc along a ray lands on the ground at height 0. A hand below the ground throws from it. */
 export function landing({ origin: [x, y, z], direction: [dx, dy, dz] }: Ray): Vector {
@@ -74,5 +69,63 @@ export function createJump(): Jump {
       }
       return 1 - Math.abs(since - FADE) / FADE;
     },
+  };
+}
+
+/** Aim of a jump in the headset's space. */
+export interface Aim {
+  readonly arc: readonly Vector[];
+  readonly target: Vector;
+  /** Whether the target was clamped, because the aimed place lies beyond the limit. */
+  readonly isHeld: boolean;
+}
+
+export interface Aiming {
+  /**
+   * Updates the aim of the holding hand; the target is the nearest `allowed` place. Points are in the headset's space.
+   */
+  update(inputs: readonly Input[], allowed: (wanted: Vector) => Vector): Aim | null;
+  dispose(): void;
+}
+
+/** Tolerance in metres between the aimed place and the target. */
+const SAME = 0.01;
+
+/** Listens to a session; `jump` is called with the target on release. */
+export function createAiming(session: XRSession, jump: (target: Vector) => void): Aiming {
+  const stop = new AbortController();
+  let holding: XRInputSource | null = null;
+  let aim: Aim | null = null;
+
+  // The hand that pressed last aims; the press of the other one is ignored.
+  session.addEventListener('selectstart', ({ inputSource }) => (holding = inputSource), { signal: stop.signal });
+  session.addEventListener('selectend', ({ inputSource }) => {
+    if (inputSource !== holding) return;
+    const target = aim?.target;
+    drop();
+    if (target) jump(target);
+  }, { signal: stop.signal });
+
+  function drop(): void {
+    holding = null;
+    aim = null;
+  }
+
+  return {
+    update(inputs, allowed) {
+      if (!holding) return null;
+      const ray = inputs.find(({ source }) => source === holding)?.ray;
+      if (!ray) {
+        // A hand out of sight has no aim; it may come back.
+        aim = null;
+        return null;
+      }
+      const wanted = landing(ray);
+      const target = allowed(wanted);
+      const isHeld = Math.hypot(target[0] - wanted[0], target[2] - wanted[2]) > SAME;
+      aim = { arc: arc(ray, target), target, isHeld };
+      return aim;
+    },
+    dispose: () => stop.abort(),
   };
 }

@@ -1,8 +1,7 @@
 /** Simulates hours in a room within minutes: a server in the page, on a stepped clock. It is no part of the page. */
 import type { Pose as Place } from '../../src/control/pose';
 import type { FromServer } from '../../src/rooms/frames';
-import type { Body, Pose } from '../../src/rooms/pose';
-import { rotationAlong, rotationOf } from '../../src/rooms/rotation';
+import { type Body, type Pose, rotationAlong, rotationOf } from '../../src/rooms/pose';
 import { randomOf } from '../support/random';
 import { encodeFrame } from '../support/room_frames';
 

@@ -2,7 +2,7 @@
 import { createHash } from 'node:crypto';
 import { MeshoptEncoder } from 'meshoptimizer/encoder';
 import type { FileData, GeometryRequest } from '../../src/decode/messages';
-import { NOTHING_GROWS } from '../../src/decode/split/rule';
+import { NO_GROWTH } from '../../src/decode/split/rule';
 
 type Rows = Float32Array | Int8Array | Uint16Array | Uint32Array;
 export type Json = Record<string, unknown>;
@@ -93,6 +93,6 @@ export const NAME = 'files/00000000000000aa.glb';
 
 export function requestOf(data: Uint8Array<ArrayBuffer>, changes: Partial<GeometryRequest> = {}): GeometryRequest {
   const glb = fileOf(NAME, data);
-  const common = { parts: [], known: [], center: [0, 0, 0], growth: NOTHING_GROWS, isDynamic: false } as const;
+  const common = { parts: [], known: [], center: [0, 0, 0], growth: NO_GROWTH, isDynamic: false } as const;
   return { kind: 'geometry', glb, ...common, ...changes };
 }

@@ -1,13 +1,12 @@
 /** Pages that exchange files over channels in memory, on a clock that the test advances. */
 import { createHash } from 'node:crypto';
-import type { Described } from '../../src/bundle/manifest';
-import type { Bucket } from '../../src/peers/bucket';
+import type { FileEntry } from '../../src/bundle/manifest';
 import { TICK } from '../../src/peers/downloads';
 import { createPeer, type Line, type Peer } from '../../src/peers/peer';
 import { createShare, type Share } from '../../src/peers/share';
-import { createStore, type Store } from '../../src/peers/store';
+import { LruCache } from '../../src/base/cache';
 import { createBudget } from '../../src/peers/uploads';
-import type { Clock } from '../../src/rooms/clock';
+import type { Bucket, Clock } from '../../src/rooms/clock';
 
 export interface Stepped extends Clock {
   /** Let some seconds pass, in ticks. */
@@ -101,8 +100,8 @@ export function createWires(): [Wire, Wire] {
   return [one, other];
 }
 
-/** Content of some size, and its entry in a manifest. */
-export function makeContent(size: number, fill: number): { readonly data: ArrayBuffer; readonly listed: Described } {
+/** Content of some size, and how a manifest lists it. */
+export function makeContent(size: number, fill: number): { readonly data: ArrayBuffer; readonly listed: FileEntry } {
   const data = new Uint8Array(size).fill(fill);
   return { data: data.buffer, listed: { bytes: size, sha256: createHash('sha256').update(data).digest('hex') } };
 }
@@ -112,8 +111,8 @@ export type World = Readonly<Record<string, ReturnType<typeof makeContent>>>;
 export interface Page {
   readonly number: number;
   readonly share: Share;
-  readonly store: Store;
-  /** Total bytes that it may give to others. */
+  readonly store: LruCache<Blob>;
+  /** Bytes that it gives to all others. */
   readonly budget: Bucket;
   readonly peers: Map<number, Peer>;
   readonly dropped: Map<number, string>;
@@ -128,10 +127,15 @@ export interface Page {
   get(name: string, signal?: AbortSignal): Promise<ArrayBuffer>;
 }
 
-/** A page of a world; users that it is joined with come later. */
+/** Lets a page have a content. */
+export function hold({ store }: Page, key: string, data: ArrayBuffer): void {
+  store.add(key, new Blob([data]), data.byteLength);
+}
+
+/** A page of a world; whoever it is joined with comes later. */
 export function createPage(number: number, world: World, clock: Stepped, ready = Promise.resolve()): Page {
   const [peers, dropped] = [new Map<number, Peer>(), new Map<number, string>()];
-  const [store, asked]: [Store, string[]] = [createStore(), []];
+  const [store, asked]: [LruCache<Blob>, string[]] = [new LruCache(64 * 2 ** 20), []];
   const open = new Map<string, Promise<ArrayBuffer>>();
   const page: Page = {
     number,

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,26 +15,14 @@ from nearfar._scene.city.index import BoxIndex
 from nearfar._scene.city.table import Table
 from nearfar._scene.content import Content, Nodes, Shape
 from nearfar._scene.names import distinct
+from nearfar._scene.options import LoadOptions
 from nearfar._scene.report import count
+from nearfar._scene.tileset.frames import checked_origin
 
 _POINTS_AT_ONCE = 1 << 19
 """Number of points converted at once: tens of megabytes."""
 
 _KEY = "footprints"
-
-
-@dataclass(frozen=True)
-class Extrusion:
-    """Settings for extruding footprints."""
-
-    height: str | None = None
-    """Property that states heights in metres; None for the ones in `heights.HEIGHTS`."""
-    default_height: float = heights.DEFAULT_HEIGHT
-    """Height of features without a stated one, metres."""
-    origin: tuple[float, float, float] | None = None
-    """Longitude and latitude in degrees and height in metres of the local frame; None for the middle of the data."""
-    name: str | None = None
-    """Property that names objects; None for the features' ids, or numbers if they have none."""
 
 
 class Footprints:
@@ -47,20 +34,18 @@ class Footprints:
         Name of the file.
     table
         Features of the file.
-    how
-        Settings for extruding them.
-    drop
-        Whether unusable polygons are left out instead of raising an error.
+    options
+        Their origin and height, and whether unusable polygons are left out.
     """
 
-    def __init__(self, label: str, table: Table, how: Extrusion, *, drop: bool) -> None:
+    def __init__(self, label: str, table: Table, options: LoadOptions) -> None:
         self.label = label
-        self._outlines, lost = table.outlines.validate(drop=drop, degrees=table.degrees)
+        self._outlines, lost = table.outlines.validate(drop=options.drops, degrees=table.degrees)
         self.count = len(self._outlines.features) - 1
         """Number of features, including those without polygons."""
-        self.ground = _ground(table, self._outlines.points, how.origin)
-        self._low, self._high, unknown = _extents(table, how, self.count)
-        names = table.columns.texts(how.name)
+        self.ground = _ground(table, self._outlines.points, checked_origin(options.origin))
+        self._low, self._high, unknown = _extents(table, options.height, self.count)
+        names = table.columns.texts(None)
         self.names: Sequence[str] | int = self.count if names is None else distinct(names)
         """Names of the features, or their number if they have none: feature n is then called ``object_n``."""
         self.boxes = self._boxes()
@@ -73,7 +58,7 @@ class Footprints:
         self.notes = [
             *([] if self._system else [self.ground.note]),
             *table.notes,
-            *_notes(table.skipped, lost, unknown, how.default_height),
+            *_notes(table.skipped, lost, unknown),
         ]
 
     @property
@@ -142,12 +127,12 @@ def _ground(table: Table, points: NDArray[np.float64], origin: tuple[float, floa
     return Geodetic.frame_centred_on(points) if origin is None else Geodetic(*origin)
 
 
-def _extents(table: Table, how: Extrusion, number: int) -> tuple[NDArray[np.float64], NDArray[np.float64], int]:
+def _extents(table: Table, height: str | None, number: int) -> tuple[NDArray[np.float64], NDArray[np.float64], int]:
     """Lower and upper ends of the features in metres above the ground, and the number of unknown heights."""
-    high = heights.stated(table.columns, heights.HEIGHTS, number, how.height)
+    high = heights.stated(table.columns, heights.HEIGHTS, number, height)
     low = np.nan_to_num(heights.stated(table.columns, heights.BASES, number, None))
     unknown = ~(high > low)
-    return low, np.where(unknown, low + how.default_height, high), int(unknown.sum())
+    return low, np.where(unknown, low + heights.DEFAULT_HEIGHT, high), int(unknown.sum())
 
 
 def _base(boxes: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -159,12 +144,12 @@ def _base(boxes: NDArray[np.float64]) -> NDArray[np.float64]:
     return base
 
 
-def _notes(skipped: int, lost: int, unknown: int, default_height: float) -> list[str]:
+def _notes(skipped: int, lost: int, unknown: int) -> list[str]:
     notes = []
     if skipped:
         notes.append(f"{count(skipped, 'geometry', 'geometries')} of points or lines ignored")
     if lost:
         notes.append(f"{count(lost, 'polygon')} left out")
     if unknown:
-        notes.append(f"{count(unknown, 'feature')} of unknown height drawn {default_height:g} m high")
+        notes.append(f"{count(unknown, 'feature')} of unknown height drawn {heights.DEFAULT_HEIGHT:g} m high")
     return notes

@@ -3,19 +3,17 @@
 from __future__ import annotations
 
 import os
-from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from nearfar._base import check
 from nearfar._base.errors import UnusableError
 from nearfar._scene.budget import Budget, read_file
 from nearfar._scene.city import cityjson, geojson, geoparquet
 from nearfar._scene.city.entries import document
-from nearfar._scene.city.footprints import Extrusion, Footprints
-from nearfar._scene.city.levels import greatest
+from nearfar._scene.city.footprints import Footprints
 from nearfar._scene.city.table import Table
 from nearfar._scene.content import Content
+from nearfar._scene.options import LoadOptions
 from nearfar._scene.reasons import explained
 
 KINDS = ("geojson", "jsonl", "parquet", "geoparquet")
@@ -26,58 +24,39 @@ _PACKED = ".gz"
 _UNKNOWN = "its JSON is no scene that nearfar reads: no CityJSON, no GeoJSON and no tileset of 3D Tiles"
 
 
-@dataclass(frozen=True)
-class CityOptions:
-    """Options for reading a city's file."""
-
-    lod: float | None = None
-    """Greatest level of detail of CityJSON to draw; None for the highest of each object."""
-    extrusion: Extrusion = field(default_factory=Extrusion)
-
-    @classmethod
-    def check_options(
-        cls, lod: str | float | None, height: str | None, origin: tuple[float, float, float] | None
-    ) -> CityOptions:
-        """Check arguments of `nearfar.Scene.load`; the origin must have been checked."""
-        level = None if lod is None else greatest(lod)
-        named = None if height is None else check.text("height", height)
-        return cls(level, Extrusion(height=named, origin=origin))
-
-    def check_kind(self, path: str | Path) -> None:
-        """Reject options that do not apply to this kind of file; ValueError."""
-        name = Path(path).name
-        kind = name.lower().removesuffix(_PACKED).rpartition(".")[2]
-        if self.lod is not None and kind not in ("json", "jsonl"):
-            raise ValueError(f"lod: expected none for {name}, because only CityJSON has levels of detail")
-        if self.extrusion.height is not None and kind not in ("json", "geojson", "parquet", "geoparquet"):
-            raise ValueError(f"height: expected none for {name}, because only GeoJSON and GeoParquet are extruded")
+def check_options(path: str | Path, options: LoadOptions) -> None:
+    """Reject options of cities that do not apply to this kind of file; ValueError."""
+    name = Path(path).name
+    kind = name.lower().removesuffix(_PACKED).rpartition(".")[2]
+    if options.lod is not None and kind not in ("json", "jsonl"):
+        raise ValueError(f"lod: expected none for {name}, because only CityJSON has levels of detail")
+    if options.height is not None and kind not in ("json", "geojson", "parquet", "geoparquet"):
+        raise ValueError(f"height: expected none for {name}, because only GeoJSON and GeoParquet are extruded")
 
 
-def read(label: str, kind: str, data: bytes, options: CityOptions, budget: Budget, *, drop: bool) -> Content:
+def read(label: str, kind: str, data: bytes, options: LoadOptions, budget: Budget) -> Content:
     """Read a file of one of `KINDS`, or JSON of a city; UnusableError for anything else."""
     if kind == "jsonl":
-        return cityjson.read_sequence(label, data, options.lod, drop=drop)
+        return cityjson.read_sequence(label, data, options.max_level, drop=options.drops)
     root = _root(kind, data)
     if isinstance(root, dict) and root.get("type") == "CityJSON":
-        if options.extrusion.height is not None:
+        if options.height is not None:
             raise UnusableError("it is CityJSON, which is not extruded: height does not apply to it")
-        return cityjson.read(label, root, options.lod, drop=drop)
+        return cityjson.read(label, root, options.max_level, drop=options.drops)
     if options.lod is not None:
         raise UnusableError("it has footprints and no levels of detail: lod does not apply to it")
-    return Footprints(label, _table(root, data, budget), options.extrusion, drop=drop).content()
+    return Footprints(label, _table(root, data, budget), options).content()
 
 
-def open_footprints(
-    path: Path, options: CityOptions | None = None, budget: Budget | None = None, *, drop: bool = False
-) -> Footprints:
+def open_footprints(path: Path, options: LoadOptions) -> Footprints:
     """Open the footprints of a GeoJSON or GeoParquet file; SceneError with its name if it is neither."""
     label, kind = os.fspath(path), path.suffix.lower().lstrip(".")
-    budget = Budget() if budget is None else budget
+    budget = Budget(options.max_bytes)
     with explained(label, passed=OSError):
         data = read_file(path, budget)
     with explained(label):
         table = _table(_root(kind, data), data, budget)
-        return Footprints(label, table, (options or CityOptions()).extrusion, drop=drop)
+        return Footprints(label, table, options)
 
 
 def _root(kind: str, data: bytes) -> Any:

@@ -50,7 +50,7 @@ def read(
     extensions.check(header)
     name_files(header, resolver)
     buffers = Buffers(header, glb.binary(data, end) if kind == "glb" else b"", resolver, budget)
-    reader = MaterialReader(header, buffers, resolver, materials, budget)
+    reader = MaterialReader(header, buffers, materials, budget)
     reader.decode(_materials(header))
     primitives = Primitives(header, buffers, reader, budget)
     kept, whole = stored.stored(header, reader, buffers, budget) if stores else (None, [])

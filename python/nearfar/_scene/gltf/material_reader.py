@@ -5,7 +5,6 @@ from __future__ import annotations
 import io
 from collections.abc import Iterable
 from dataclasses import dataclass
-from functools import cached_property
 from typing import Any
 
 from nearfar._base.errors import UnusableError
@@ -23,7 +22,9 @@ NONE = -1
 
 _GLOSS = "KHR_materials_pbrSpecularGlossiness"
 _GLOSS_BYTES = 128
-"""Bytes per texel while trimesh converts a material of that extension: four images, float64 RGBA."""
+"""Bytes per texel of an image while trimesh converts a material of that extension: four images, float64 RGBA."""
+
+_GLOSS_TEXTURES = ("diffuseTexture", "specularGlossinessTexture")
 
 
 @dataclass
@@ -46,19 +47,14 @@ class MaterialReader:
         The document.
     buffers
         Reads the document's images.
-    resolver
-        Trimesh's resolver, which reads images beside the document.
     materials
         Converts materials to base colours.
     budget
         Counts decoded bytes of images.
     """
 
-    def __init__(
-        self, header: dict[str, Any], buffers: Buffers, resolver: Any, materials: Materials, budget: Budget
-    ) -> None:
-        self._header, self._buffers, self._resolver = header, buffers, resolver
-        self._materials, self._budget = materials, budget
+    def __init__(self, header: dict[str, Any], buffers: Buffers, materials: Materials, budget: Budget) -> None:
+        self._header, self._buffers, self._materials, self._budget = header, buffers, materials, budget
         self._surfaces: dict[int, Any] = {}
         self._pictures: dict[bytes, Any] = {}
         self._coordinates: dict[int, Coordinates | None] = {NONE: None}
@@ -91,13 +87,13 @@ class MaterialReader:
     def _material_with_images(self, number: int, described: dict[str, Any]) -> Any:
         """Material whose images are open, but not decoded."""
         if number not in self._surfaces:
-            self._surfaces[number] = self._surface(number, described)
+            self._surfaces[number] = self._surface(described)
         return self._surfaces[number]
 
-    def _surface(self, number: int, described: dict[str, Any]) -> Any:
+    def _surface(self, described: dict[str, Any]) -> Any:
         surface = described.get("pbrMetallicRoughness", {})
         if _GLOSS in (described.get("extensions") or ()):
-            read = self._converted[number]
+            read = self._converted(described)
         else:
             read = _Drawn(alphaMode=described.get("alphaMode"), alphaCutoff=described.get("alphaCutoff"))
         for owner, key in ((surface, "baseColorTexture"), (described, "emissiveTexture")):
@@ -129,37 +125,21 @@ class MaterialReader:
             self._pictures[data] = picture
         return self._pictures[data]
 
-    @cached_property
-    def _converted(self) -> list[Any]:
-        """All materials as read by trimesh, which converts specular–glossiness ones."""
-        from trimesh.exchange.gltf import _parse_materials
+    def _converted(self, described: dict[str, Any]) -> Any:
+        """Material of the extension specular–glossiness as trimesh converts it."""
+        from trimesh.visual.gloss import specular_to_pbr
+        from trimesh.visual.material import PBRMaterial
 
-        for material in self._header.get("materials", []):
-            if isinstance(material, dict) and _GLOSS in (material.get("extensions") or ()):
-                self._count_gloss(material["extensions"][_GLOSS])
-        converted: list[Any] = _parse_materials(self._header, _Views(self._buffers), self._resolver)
-        return converted
-
-    def _count_gloss(self, described: dict[str, Any]) -> None:
-        """Count the memory that trimesh needs to convert a material's images."""
-        from PIL import Image
-
-        for key in ("diffuseTexture", "specularGlossinessTexture"):
-            data = self._buffers.picture(described[key]["index"]) if key in described else None
-            if data is not None:
-                try:
-                    with Image.open(io.BytesIO(data)) as image:
-                        size = image.size
-                except Exception:  # Pillow's decoders raise errors of any type; trimesh draws without the image
-                    continue
-                self._budget.take(_GLOSS_BYTES * size[0] * size[1])
-
-
-class _Views:
-    """Buffer views of a document, as trimesh expects them; each is copied on access."""
-
-    def __init__(self, buffers: Buffers) -> None:
-        self._buffers = buffers
-
-    def __getitem__(self, number: int) -> bytes:
-        return self._buffers.blob(number)
+        gloss = dict(described["extensions"][_GLOSS])
+        for key in _GLOSS_TEXTURES:
+            if key in gloss:
+                gloss[key] = self._picture(gloss[key]["index"])
+                if gloss[key] is not None:
+                    self._budget.take(_GLOSS_BYTES * gloss[key].size[0] * gloss[key].size[1])
+        stated = described | described.get("pbrMetallicRoughness", {})
+        drawn = {key: stated[key] for key in ("baseColorFactor", "alphaMode", "alphaCutoff") if key in stated}
+        try:
+            converted = specular_to_pbr(**gloss)
+        except Exception:  # Pillow's decoders raise errors of any type; the material is drawn without the extension
+            converted = {}
+        return PBRMaterial(**drawn | converted)

@@ -1,5 +1,5 @@
 /** Splits large triangles of meshes with placements, separately for each placement that is near enough. */
-import { chosenRows } from '../pieces';
+import { selectTriangles } from '../pieces';
 import { ROWS } from '../placements';
 import type { Arrays } from '../surfaces';
 import type { Rule } from './rule';
@@ -24,17 +24,17 @@ export function splitPlaced(mesh: Arrays, placements: Float32Array, rule: Rule, 
   }
   if (large.size === 0) return [{ arrays: mesh, placements }];
   const all = Array.from({ length: mesh.indices.length / 3 }, (_, triangle) => triangle);
-  const some = picked(mesh, [...large].sort((a, b) => a - b));
+  const some = pickTriangles(mesh, [...large].sort((a, b) => a - b));
   const apart = near.map((rows) => splitArrays(transformMesh(some, rows), rule, budget));
-  const parts: Part[] = [{ arrays: together(apart), placements: null }];
+  const parts: Part[] = [{ arrays: mergeMeshes(apart), placements: null }];
   if (far.length > 0) parts.push({ arrays: some, placements: concatRows(far) });
   const rest = all.filter((triangle) => !large.has(triangle));
-  if (rest.length > 0) parts.push({ arrays: picked(mesh, rest), placements });
+  if (rest.length > 0) parts.push({ arrays: pickTriangles(mesh, rest), placements });
   return parts;
 }
 
 /** Merges meshes of the same attributes and material. */
-function together(meshes: readonly Arrays[]): Arrays {
+function mergeMeshes(meshes: readonly Arrays[]): Arrays {
   const [first] = meshes as readonly [Arrays];
   const indices = new Uint32Array(meshes.reduce((sum, mesh) => sum + mesh.indices.length, 0));
   let [place, vertex] = [0, 0];
@@ -125,12 +125,12 @@ function transformMesh(mesh: Arrays, rows: Float32Array): Arrays {
   }
   return {
     ...mesh,
-    positions: transformed(mesh.positions, rows),
-    normals: mesh.normals && transformed(mesh.normals, turned),
+    positions: transformVectors(mesh.positions, rows),
+    normals: mesh.normals && transformVectors(mesh.normals, turned),
   };
 }
 
-function transformed(vectors: Float32Array, rows: Float32Array): Float32Array {
+function transformVectors(vectors: Float32Array, rows: Float32Array): Float32Array {
   const [a, b, c, d, e, f, g, h, i, j, k, l] = rows as unknown as number[] & Record<number, number>;
   const found = new Float32Array(vectors.length);
   for (let n = 0; n < vectors.length; n += 3) {
@@ -143,9 +143,9 @@ function transformed(vectors: Float32Array, rows: Float32Array): Float32Array {
 }
 
 /** Some triangles of a mesh, with the vertices that they use. */
-function picked(mesh: Arrays, triangles: readonly number[]): Arrays {
+function pickTriangles(mesh: Arrays, triangles: readonly number[]): Arrays {
   const corners = triangles.flatMap((triangle) => [0, 1, 2].map((n) => mesh.indices[3 * triangle + n] as number));
-  return chosenRows(mesh, Uint32Array.from(corners));
+  return selectTriangles(mesh, Uint32Array.from(corners));
 }
 
 function concatRows(placements: readonly Float32Array[]): Float32Array {

@@ -26,7 +26,7 @@ export interface Rule {
 }
 
 /** Growth for which no triangle is large. */
-export const NOTHING_GROWS: Growth = { radii: [], nearShare: 0.5, reach: 0 };
+export const NO_GROWTH: Growth = { radii: [], nearShare: 0.5, reach: 0 };
 
 export type Vector = readonly [number, number, number];
 

@@ -1,4 +1,4 @@
-/** Perspective cameras. */
+/** Perspective cameras with their frustums, and the axes of views. */
 import type { Triple } from '../store/layout';
 
 /** Tangents of the angles from the axis to the picture's sides; left and down are negative. */
@@ -61,7 +61,7 @@ export function dot(a: Triple, b: Triple): number {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-export function cross(a: Triple, b: Triple): Triple {
+function cross(a: Triple, b: Triple): Triple {
   return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 }
 
@@ -69,4 +69,84 @@ export function cross(a: Triple, b: Triple): Triple {
 export function unit(vector: Triple): Triple {
   const length = Math.sqrt(dot(vector, vector));
   return length > 0 ? [vector[0] / length, vector[1] / length, vector[2] / length] : [0, 1, 0];
+}
+
+export interface Frame {
+  /** Unit vectors to the right, upwards and towards the viewer. */
+  readonly axes: readonly [Triple, Triple, Triple];
+  /** Extents of a unit cube along the axes. */
+  readonly extents: Triple;
+}
+
+/** right = y × toward, or x for views along y, and up = toward × right. */
+export function frameOf(toward: Triple): Frame {
+  const right: Triple = toward[0] === 0 && toward[2] === 0 ? [1, 0, 0] : [toward[2], 0, -toward[0]];
+  const axes = [right, cross(toward, right), toward] as const;
+  const extents = axes.map((axis) => {
+    const sum = Math.abs(axis[0]) + Math.abs(axis[1]) + Math.abs(axis[2]);
+    return sum / Math.hypot(...axis);
+  }) as unknown as Triple;
+  return { axes: [unit(axes[0]), unit(axes[1]), unit(axes[2])], extents };
+}
+
+/** Width or height of a cell's widest view, as a multiple of the cell's side. */
+export function widest(directions: readonly Triple[]): number {
+  return Math.max(...directions.flatMap((direction) => frameOf(direction).extents.slice(0, 2)));
+}
+
+/** Position of a box relative to a frustum. */
+export type Side = 'outside' | 'across' | 'inside';
+
+/** A half-space n·x + d ≥ 0. */
+interface Plane {
+  readonly normal: Triple;
+  readonly offset: number;
+}
+
+/** Half-spaces of a picture's sides, and the one in front of the camera. */
+export function frustumOf(camera: Camera): readonly Plane[] {
+  const { position, width, height } = camera;
+  const middle = directionAt(camera, width / 2, height / 2);
+  const inside: Triple = [position[0] + middle[0], position[1] + middle[1], position[2] + middle[2]];
+  const plane = (normal: Triple, through: Triple): Plane => {
+    const own = unit(normal);
+    const toward: Triple = [inside[0] - through[0], inside[1] - through[1], inside[2] - through[2]];
+    const turned: Triple = dot(own, toward) < 0 ? [-own[0], -own[1], -own[2]] : own;
+    return { normal: turned, offset: -dot(turned, through) };
+  };
+  const places = [
+    [0, 0],
+    [width, 0],
+    [width, height],
+    [0, height],
+  ] as const;
+  const corners = places.map(([x, y]) => directionAt(camera, x, y));
+  const corner = (n: number): Triple => corners[n % 4] as Triple;
+  const sides = [0, 1, 2, 3].map((n) => plane(cross(corner(n), corner(n + 1)), position));
+  return [...sides, plane([-camera.back[0], -camera.back[1], -camera.back[2]], position)];
+}
+
+/** Position of a cube: outside of one half-space, across one, or inside of all. */
+export function sideOf(planes: readonly Plane[], center: Triple, side: number): Side {
+  let found: Side = 'inside';
+  for (const { normal, offset } of planes) {
+    const distance = dot(normal, center) + offset;
+    const reach = ((Math.abs(normal[0]) + Math.abs(normal[1]) + Math.abs(normal[2])) * side) / 2;
+    if (distance < -reach) return 'outside';
+    if (distance < reach) found = 'across';
+  }
+  return found;
+}
+
+export function isSameCamera(a: Camera, b: Camera): boolean {
+  const numbers = ({ position, right, up, fov, width, height }: Camera): number[] => [
+    ...position,
+    ...right,
+    ...up,
+    ...Object.values(fov),
+    width,
+    height,
+  ];
+  const others = numbers(b);
+  return numbers(a).every((value, at) => value === others[at]);
 }

@@ -8,7 +8,7 @@ export function childrenOf([x, y, z]: Triple): Triple[] {
 }
 
 /** Ancestor of a cell, some levels above it. */
-export function above([x, y, z]: Triple, levels: number): Triple {
+export function ancestorOf([x, y, z]: Triple, levels: number): Triple {
   const side = 2 ** levels;
   return [Math.floor(x / side), Math.floor(y / side), Math.floor(z / side)];
 }

@@ -1,10 +1,9 @@
-/** Cuts through the octree: the cells, levels and directions that a viewer needs. */
-import { cornerOf, sideAt, subtreeOf, type Triple } from '../store/layout';
-import { type Camera, dot, pixelSize, unit } from './camera';
+/** Cuts through the octree: the cells, levels and directions that a viewer needs, and the messages of their worker. */
+import type { Failure } from '../store/error';
+import { cornerOf, type Layout, sideAt, subtreeOf, type Triple } from '../store/layout';
+import type { Shard, Subtree } from '../store/records';
+import { type Camera, dot, frameOf, frustumOf, pixelSize, type Side, sideOf, unit, widest } from './camera';
 import { type Cells, childrenOf } from './cells';
-import { frameOf, widest } from './directions';
-import { frustumOf, type Side, sideOf } from './frustum';
-import { liftOf } from './lift';
 
 export interface Settings {
   /** Number of views of a cell: those whose directions are nearest to the viewer's. */
@@ -48,7 +47,7 @@ export function cut(cells: Cells, camera: Camera, settings: Settings): Cut {
   const reach = pitch / (pixelSize(camera) * settings.error);
   const planes = frustumOf(camera);
   const units = layout.directions.map((direction) => frameOf(direction).axes[2]);
-  const lifted = liftOf(settings.lift);
+  const raise = liftOf(settings.lift);
   const [drawn, leaves]: [Drawn[], Drawn[]] = [[], []];
   const hasGeometry = settings.geometry && layout.geometry;
   const unknown = new Map<string, { tier: number; place: Triple }>();
@@ -63,21 +62,21 @@ export function cut(cells: Cells, camera: Camera, settings: Settings): Cut {
     const found = { level, place, distance, isInPicture: lies !== 'outside' };
     const draw = (list: Drawn[]): void => {
       const toward = towardOf(camera.position, center);
-      list.push({ ...found, directions: nearest(units, lifted(toward), toward, mask, settings.views) });
+      list.push({ ...found, directions: nearest(units, raise(toward), toward, mask, settings.views) });
     };
     if (distance >= reach * 2 ** level) draw(drawn);
     else if (level === 0 && hasGeometry) {
       draw(leaves);
-      meet(place);
+      requireGuests(place);
     } else if (level === 0) draw(drawn);
     else if (!refine(level - 1, place, lies)) draw(drawn);
   }
 
   /** Requires the records of a leaf's guests, which locate their geometry. */
-  function meet(leaf: Triple): void {
+  function requireGuests(leaf: Triple): void {
     for (const guest of cells.guestsOf(leaf)) {
       const { tier, place } = subtreeOf(layout, 0, guest);
-      if (!cells.knows(tier, place)) miss(0, guest);
+      if (!cells.knows(tier, place)) addUnknown(0, guest);
     }
   }
 
@@ -87,14 +86,14 @@ export function cut(cells: Cells, camera: Camera, settings: Settings): Cut {
     for (const { place, cell } of children) {
       if (cell) continue;
       // All children of a cell lie in one subtree.
-      miss(level, place);
+      addUnknown(level, place);
       return false;
     }
     for (const { place, cell } of children) if (cell) visit(level, place, cell.mask, lies);
     return true;
   }
 
-  function miss(level: number, place: Triple): void {
+  function addUnknown(level: number, place: Triple): void {
     const found = subtreeOf(layout, level, place);
     unknown.set(`${found.tier}/${found.place}`, found);
   }
@@ -102,8 +101,8 @@ export function cut(cells: Cells, camera: Camera, settings: Settings): Cut {
   const top = layout.levels - 1;
   const root = cells.at(top, [0, 0, 0]);
   if (root) visit(top, [0, 0, 0], root.mask, 'across');
-  else miss(top, [0, 0, 0]);
-  for (const list of [drawn, leaves]) list.sort((one, other) => one.distance - other.distance);
+  else addUnknown(top, [0, 0, 0]);
+  for (const list of [drawn, leaves]) list.sort((a, b) => a.distance - b.distance);
   return { cells: drawn, leaves, reach, unknown: [...unknown.values()] };
 }
 
@@ -130,7 +129,7 @@ function nearest(units: readonly Triple[], raised: Triple, toward: Triple, mask:
     .map((axis, number) => ({ number, cosine: dot(axis, raised), own: dot(axis, toward) }))
     .filter(({ number }) => (mask >>> number) & 1);
   return shown
-    .sort((one, other) => other.cosine - one.cosine || other.own - one.own)
+    .sort((a, b) => b.cosine - a.cosine || b.own - a.own)
     .slice(0, most)
     .map(({ number }) => number);
 }
@@ -141,3 +140,43 @@ export function countOf(mask: number, { views }: Pick<Settings, 'views'>): numbe
   for (; left !== 0; left &= left - 1) count += 1;
   return Math.min(count, views);
 }
+
+/** Sine of the angle from straight down within which a direction cannot be raised to a side. */
+const STRAIGHT = 1e-9;
+
+/** Function that rotates unit vectors by an angle in degrees towards +y, at most to +y. Straight down stays. */
+export function liftOf(degrees: number): (way: Triple) => Triple {
+  const angle = (degrees * Math.PI) / 180;
+  const [sine, cosine] = [Math.sin(angle), Math.cos(angle)];
+  return (way) => {
+    const [x, y, z] = way;
+    const flat = Math.hypot(x, z);
+    if (sine === 0 || (flat < STRAIGHT && y < 0)) return way;
+    const across = flat * cosine - y * sine;
+    if (across <= 0) return [0, 1, 0];
+    return [(x / flat) * across, y * cosine + flat * sine, (z / flat) * across];
+  };
+}
+
+export type ToCutter =
+  | { readonly kind: 'open'; readonly base: string }
+  /** Sets the camera: the cut is sent at once, and again whenever more of the tree is known. */
+  | { readonly kind: 'look'; readonly camera: Camera; readonly settings: Settings }
+  /** Retries failed reads. */
+  | { readonly kind: 'retry' };
+
+export type FromCutter =
+  | {
+      readonly kind: 'opened';
+      readonly layout: Layout;
+      readonly generation: number;
+      readonly shards: readonly Shard[];
+      readonly geometry: readonly Shard[];
+    }
+  | { readonly kind: 'learned'; readonly subtree: Subtree }
+  | { readonly kind: 'cut'; readonly cut: Cut }
+  /** Coarse cells all around the viewer, which are few: shown first when a viewer turns. */
+  | { readonly kind: 'base'; readonly cut: Cut }
+  | { readonly kind: 'received'; readonly bytes: number }
+  /** `isFatal` if nothing can be shown. */
+  | { readonly kind: 'failed'; readonly failure: Failure; readonly isFatal: boolean };

@@ -5,8 +5,7 @@ import { nameOf, type Triple } from '../store/layout';
 import { openRecords, type Records } from '../store/records';
 import type { Camera } from './camera';
 import { Cells } from './cells';
-import { type Cut, cut, type Settings } from './cut';
-import type { FromCutter, ToCutter } from './messages';
+import { cut, type Cut, type FromCutter, type Settings, type ToCutter } from './cut';
 
 /** Factor by which the base cells, which are kept all around, are coarser. */
 const COARSER = 6;
@@ -17,7 +16,7 @@ let records: Records | null = null;
 let cells: Cells | null = null;
 let looking: { camera: Camera; settings: Settings } | null = null;
 /** Subtrees that are being read, or that failed. */
-const asked = new Set<string>();
+const requested = new Set<string>();
 
 self.onmessage = ({ data }: MessageEvent<ToCutter>): void => {
   switch (data.kind) {
@@ -29,20 +28,20 @@ self.onmessage = ({ data }: MessageEvent<ToCutter>): void => {
       look();
       break;
     case 'retry':
-      asked.clear();
+      requested.clear();
       look();
   }
 };
 
 async function open(base: URL): Promise<void> {
   try {
-    records = await openRecords(createFiles(base, (bytes) => tell({ kind: 'received', bytes })));
+    records = await openRecords(createFiles(base, (bytes) => post({ kind: 'received', bytes })));
     cells = new Cells(records.layout);
     const { layout, generation, shards, geometry } = records;
-    tell({ kind: 'opened', layout, generation, shards, geometry });
+    post({ kind: 'opened', layout, generation, shards, geometry });
     look();
   } catch (reason) {
-    tell({ kind: 'failed', failure: failureOf(reason), isFatal: true });
+    post({ kind: 'failed', failure: failureOf(reason), isFatal: true });
   }
 }
 
@@ -50,11 +49,11 @@ function look(): void {
   if (!looking || !cells) return;
   const { camera, settings } = looking;
   const base = baseOf(cells, camera, settings);
-  tell({ kind: 'base', cut: base });
+  post({ kind: 'base', cut: base });
   const found = cut(cells, camera, settings);
-  tell({ kind: 'cut', cut: found });
-  ask(base);
-  ask(found);
+  post({ kind: 'cut', cut: found });
+  requestUnknown(base);
+  requestUnknown(found);
 }
 
 /** Coarse cells all around, from the coarsest level down. */
@@ -69,11 +68,11 @@ function baseOf(known: Cells, camera: Camera, settings: Settings): Cut {
   return { ...finest, cells: [whole, ...cuts].flatMap(({ cells: drawn }) => drawn) };
 }
 
-function ask({ unknown }: Cut): void {
+function requestUnknown({ unknown }: Cut): void {
   for (const { tier, place } of unknown) {
     const name = nameOf(tier, place);
-    if (asked.has(name)) continue;
-    asked.add(name);
+    if (requested.has(name)) continue;
+    requested.add(name);
     void learn(tier, place, name);
   }
 }
@@ -83,19 +82,19 @@ async function learn(tier: number, place: Triple, name: string): Promise<void> {
   try {
     const subtree = await records.subtree(tier, place);
     cells.add(subtree);
-    tell({ kind: 'learned', subtree });
+    post({ kind: 'learned', subtree });
     look();
   } catch (reason) {
     const failure = failureOf(reason);
-    tell({ kind: 'failed', failure, isFatal: false });
+    post({ kind: 'failed', failure, isFatal: false });
     if (!isPassing(failure)) return;
     setTimeout(() => {
-      asked.delete(name);
+      requested.delete(name);
       look();
     }, AGAIN);
   }
 }
 
-function tell(message: FromCutter): void {
+function post(message: FromCutter): void {
   self.postMessage(message);
 }

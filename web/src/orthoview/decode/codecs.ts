@@ -1,9 +1,9 @@
-/** Codecs of a Zarr store, with the checks that zarrita omits. */
+/** Codecs of a Zarr store, with the checksums that zarrita and fzstd do not verify. */
 import { decompress } from 'fzstd';
 import * as zarr from 'zarrita';
+import { rgbaOf } from '../../decode/files';
 import { damaged } from '../store/error';
 import type { Bytes } from '../store/files';
-import { xxh64 } from './xxh64';
 
 /** Polynomial of CRC32C (Castagnoli), bit-reversed. */
 const CASTAGNOLI = 0x82f6_3b78;
@@ -20,7 +20,7 @@ export function crc32c(bytes: Uint8Array): number {
 }
 
 /** Bytes in front of a checksum; throws if it is wrong. */
-function unsummed(bytes: Uint8Array): Uint8Array {
+function verifyChecksum(bytes: Uint8Array): Uint8Array {
   const data = bytes.subarray(0, -4);
   const sum = new DataView(bytes.buffer, bytes.byteOffset + data.length).getUint32(0, true);
   if (bytes.length < 4 || crc32c(data) !== sum) throw damaged('a chunk', 'its checksum is wrong');
@@ -42,7 +42,7 @@ export function statedSize(frame: Uint8Array): number | null {
 }
 
 /** Content of a Zstandard frame with a checksum. */
-export function unpacked(frame: Uint8Array): Uint8Array {
+export function decompressZstd(frame: Uint8Array): Uint8Array {
   const size = frame.length < 18 ? null : statedSize(frame);
   if (size === null || size > MAX) throw damaged('a chunk', `its header states ${size} bytes`);
   const found = decompress(frame, new Uint8Array(size));
@@ -68,11 +68,11 @@ function register(name: string, fromConfig: (config: unknown, meta: Meta) => obj
 
 /** Registers the codecs with zarrita. */
 export function registerCodecs(): void {
-  register('zstd', () => ({ kind: 'bytes_to_bytes', encode, decode: unpacked }));
+  register('zstd', () => ({ kind: 'bytes_to_bytes', encode, decode: decompressZstd }));
   register('crc32c', () => ({
     kind: 'bytes_to_bytes',
     encode,
-    decode: unsummed,
+    decode: verifyChecksum,
     computeEncodedSize: (size: number) => size + 4,
   }));
   register('imagecodecs_webp', (_, { shape }) => ({
@@ -82,17 +82,13 @@ export function registerCodecs(): void {
   }));
 }
 
-/** RGB of a WebP file; such files have no alpha, so drawing to a canvas is lossless. */
+/** RGB of a WebP file without alpha. */
 async function pixelsOf(bytes: Bytes, shape: readonly number[]): Promise<Uint8Array> {
   const image = await createImageBitmap(new Blob([bytes]), { colorSpaceConversion: 'none', premultiplyAlpha: 'none' });
   const { width, height } = image;
   if (3 * width * height !== shape.reduce((a, b) => a * b, 1))
     throw damaged('a chunk', `an image of ${width} × ${height}`);
-  const context = new OffscreenCanvas(width, height).getContext('2d', { willReadFrequently: true });
-  if (!context) throw new Error('the browser gives no canvas to a worker');
-  context.drawImage(image, 0, 0);
-  image.close();
-  const rgba = context.getImageData(0, 0, width, height).data;
+  const rgba = rgbaOf(image);
   const rgb = new Uint8Array(3 * width * height);
   for (let from = 0, to = 0; to < rgb.length; from += 4, to += 3) {
     rgb[to] = rgba[from] as number;
@@ -104,4 +100,72 @@ async function pixelsOf(bytes: Bytes, shape: readonly number[]): Promise<Uint8Ar
 
 function stridesOf(shape: readonly number[]): number[] {
   return shape.map((_, axis) => shape.slice(axis + 1).reduce((a, b) => a * b, 1));
+}
+
+const [P1, P2, P3, P4, P5] = [
+  0x9e37_79b1_85eb_ca87n,
+  0xc2b2_ae3d_27d4_eb4fn,
+  0x1656_67b1_9e37_79f9n,
+  0x85eb_ca77_c2b2_ae63n,
+  0x27d4_eb2f_1656_67c5n,
+] as const;
+
+const STRIPE = 32;
+
+const mask = (value: bigint): bigint => BigInt.asUintN(64, value);
+const rotateLeft = (value: bigint, bits: bigint): bigint => mask((value << bits) | (value >> (64n - bits)));
+const round = (sum: bigint, input: bigint): bigint => mask(rotateLeft(mask(sum + input * P2), 31n) * P1);
+
+/** XXH64 with seed 0, whose lower 32 bits are the checksum of Zstandard frames (xxHash specification 0.1.1). */
+export function xxh64(bytes: Uint8Array): bigint {
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  let at = 0;
+  let sum: bigint = P5;
+  if (bytes.length >= STRIPE) {
+    at = bytes.length - (bytes.length % STRIPE);
+    const lanes = [mask(P1 + P2), P2, 0n, mask(-P1)].map((start, lane) => laneSum(view, start, 8 * lane, at));
+    const [a, b, c, d] = lanes as [bigint, bigint, bigint, bigint];
+    sum = mask(rotateLeft(a, 1n) + rotateLeft(b, 7n) + rotateLeft(c, 12n) + rotateLeft(d, 18n));
+    for (const lane of lanes) sum = mask((sum ^ round(0n, lane)) * P1 + P4);
+  }
+  sum = mask(sum + BigInt(bytes.length));
+  for (; at + 8 <= bytes.length; at += 8) {
+    sum = mask(rotateLeft(sum ^ round(0n, view.getBigUint64(at, true)), 27n) * P1 + P4);
+  }
+  for (; at + 4 <= bytes.length; at += 4) {
+    sum = mask(rotateLeft(sum ^ mask(BigInt(view.getUint32(at, true)) * P1), 23n) * P2 + P3);
+  }
+  for (; at < bytes.length; at++) sum = mask(rotateLeft(sum ^ mask(BigInt(view.getUint8(at)) * P5), 11n) * P1);
+  sum = mask((sum ^ (sum >> 33n)) * P2);
+  sum = mask((sum ^ (sum >> 29n)) * P3);
+  return sum ^ (sum >> 32n);
+}
+
+/** A lane's sum over all stripes, in 32-bit arithmetic: 64-bit BigInts take ten times as long. */
+function laneSum(view: DataView, start: bigint, first: number, end: number): bigint {
+  let [high, low] = [Number(start >> 32n), Number(start & 0xffff_ffffn)];
+  for (let at = first; at < end; at += STRIPE) {
+    const [inputLow, inputHigh] = [view.getUint32(at, true), view.getUint32(at + 4, true)];
+    // sum + input × P2
+    let product = upperOf(inputLow, 0x27d4_eb4f);
+    let upper = product + Math.imul(inputHigh, 0x27d4_eb4f) + Math.imul(inputLow, 0xc2b2_ae3d);
+    low = (low >>> 0) + (Math.imul(inputLow, 0x27d4_eb4f) >>> 0);
+    high = (high + upper + (low > 0xffff_ffff ? 1 : 0)) >>> 0;
+    low >>>= 0;
+    // Rotated by 31 bits.
+    [high, low] = [((high << 31) | (low >>> 1)) >>> 0, ((low << 31) | (high >>> 1)) >>> 0];
+    // × P1
+    product = upperOf(low, 0x85eb_ca87);
+    upper = product + Math.imul(high, 0x85eb_ca87) + Math.imul(low, 0x9e37_79b1);
+    low = Math.imul(low, 0x85eb_ca87) >>> 0;
+    high = upper >>> 0;
+  }
+  return (BigInt(high) << 32n) | BigInt(low);
+}
+
+/** Upper 32 bits of the product of two 32-bit numbers. */
+function upperOf(a: number, b: number): number {
+  const [a0, a1, b0, b1] = [a & 0xffff, a >>> 16, b & 0xffff, b >>> 16];
+  const middle = a0 * b1 + a1 * b0 + ((a0 * b0) >>> 16);
+  return a1 * b1 + Math.floor(middle / 65536);
 }

@@ -1,10 +1,12 @@
 /** Reads the geometry of leaves: GLB files, and shared textures. */
-import { entryAt, entries, type Glb, openGlb } from '../../decode/glb';
-import { pictureOf } from '../../decode/images';
+import { LruCache } from '../../base/cache';
+import { messageOf } from '../../base/errors';
+import { pictureOf } from '../../decode/files';
+import { entries, entryAt, type Glb, openGlb } from '../../decode/glb';
 import type { Material } from '../../decode/messages';
 import { placementsOf } from '../../decode/placements';
 import { FOLDER, primitiveOf } from '../../decode/surfaces';
-import { sha256 } from '../../hex';
+import { sha256 } from '../../base/bytes';
 import { damaged, StoreError } from '../store/error';
 import type { Bytes, Files } from '../store/files';
 import type { Triple } from '../store/layout';
@@ -34,10 +36,9 @@ const PICTURE = /^(?:\.\.\/)+(images\/([0-9a-f]{16}\.webp))$/;
 /** Size of the texture cache in bytes; leaves share textures. */
 const KEPT = 1 << 25;
 
-/** Texture cache, cleared when it is full. */
+/** Texture cache. */
 export class Textures {
-  readonly #kept = new Map<string, Promise<Bytes>>();
-  #bytes = 0;
+  readonly #kept = new LruCache<Promise<Bytes>>(KEPT);
 
   constructor(readonly files: Files) {}
 
@@ -46,21 +47,14 @@ export class Textures {
     if (found) return found;
     // Other leaves may wait for the same texture, so it is read even if this leaf is no longer needed.
     const content = contentOf(this.files, path, version, undefined, undefined);
-    this.#kept.set(path, content);
+    this.#kept.add(path, content, 0);
     content.then(
-      ({ length }) => this.#trim(length),
+      ({ length }) => this.#kept.add(path, content, length),
       () => this.#kept.delete(path),
     );
     return content;
   }
 
-  /** Clears a full cache; textures are then mostly read from the browser's cache. */
-  #trim(more: number): void {
-    this.#bytes += more;
-    if (this.#bytes <= KEPT) return;
-    this.#kept.clear();
-    this.#bytes = 0;
-  }
 }
 
 /** Pieces of the files of a leaf. */
@@ -142,7 +136,7 @@ async function piecesOf(textures: Textures, path: string, bytes: Bytes, signal: 
     return pieces;
   } catch (reason) {
     if (signal.aborted || reason instanceof StoreError) throw reason;
-    throw damaged(path, reason instanceof Error ? reason.message : String(reason));
+    throw damaged(path, messageOf(reason));
   }
 }
 

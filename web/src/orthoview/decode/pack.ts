@@ -32,7 +32,7 @@ type Numbers = ArrayLike<number>;
 export function pack(color: Numbers, depth: Numbers, normal: Numbers, layout: Layout): Splats {
   const { size } = layout;
   const neighbours = neighboursOf(depth, size);
-  const words = new Uint32Array(WORDS * shownOf(depth));
+  const words = new Uint32Array(WORDS * countSplats(depth));
   const parts: Part[] = [];
   const along = Math.ceil(size / PARTS);
   let count = 0;
@@ -74,7 +74,7 @@ export function pack(color: Numbers, depth: Numbers, normal: Numbers, layout: La
   return { words, parts, count };
 }
 
-function shownOf(depth: Numbers): number {
+function countSplats(depth: Numbers): number {
   let count = 0;
   for (let pixel = 0; pixel < depth.length; pixel++) if ((depth[pixel] as number) >>> CONNECTION_BITS) count += 1;
   return count;

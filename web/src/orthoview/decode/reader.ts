@@ -1,8 +1,8 @@
-/** Reads the views of a store by zarrita. */
+/** Reads the views of a store by zarrita, for workers that answer the messages below. */
 import * as zarr from 'zarrita';
-import { damaged, StoreError } from '../store/error';
+import { damaged, type Failure, StoreError } from '../store/error';
 import { createFiles } from '../store/files';
-import { arrayOf, BEHIND, CHANNELS, type Layout, overlay, type Triple } from '../store/layout';
+import { arrayOf, BEHIND, CHANNELS, generationFolder, type Layout, type Triple } from '../store/layout';
 import type { Shard } from '../store/records';
 import { registerCodecs } from './codecs';
 import { type Piece, readLeaf, Textures } from './leaf';
@@ -58,7 +58,7 @@ export function createReader(base: URL, layout: Layout, receive: (bytes: number)
     leaf: ({ shards }, signal) => readLeaf(files, textures, shards, signal),
     async read({ level, place, direction, generation, shards }, signal) {
       for (const [path, size, version] of shards) known.set(path, { size, version });
-      const folder = overlay(generation);
+      const folder = generationFolder(generation);
       const layer = async (prefix: string): Promise<Splats | null> => {
         const name = (channel: string): string => folder + arrayOf(layout, level, direction, prefix + channel);
         const [color, depth, normal] = await Promise.all(
@@ -80,3 +80,15 @@ export function createReader(base: URL, layout: Layout, receive: (bytes: number)
     },
   };
 }
+
+export type ToReader =
+  | { readonly kind: 'open'; readonly base: string; readonly layout: Layout }
+  | { readonly kind: 'read'; readonly id: number; readonly wanted: Wanted }
+  | { readonly kind: 'cancel'; readonly id: number };
+
+export type FromReader =
+  | { readonly kind: 'view'; readonly id: number; readonly layers: readonly Splats[] }
+  | { readonly kind: 'leaf'; readonly id: number; readonly pieces: readonly Piece[] }
+  | { readonly kind: 'failed'; readonly id: number; readonly failure: Failure }
+  | { readonly kind: 'cancelled'; readonly id: number }
+  | { readonly kind: 'received'; readonly bytes: number };

@@ -1,5 +1,6 @@
 /** A store for zarrita: array metadata derived from the layout, and byte ranges of shards. */
-import { CONNECTION_BITS, BEHIND, type Layout, shardSide } from '../store/layout';
+import { LruCache } from '../../base/cache';
+import { BEHIND, CONNECTION_BITS, type Layout, shardSide } from '../store/layout';
 import { StoreError } from '../store/error';
 import type { Bytes, Files } from '../store/files';
 
@@ -15,8 +16,7 @@ type Range = { readonly offset: number; readonly length: number } | { readonly s
 
 export class Shards {
   /** Whole shards: small ones, and those of servers without range requests. */
-  readonly #whole = new Map<string, Promise<Bytes>>();
-  #bytes = 0;
+  readonly #whole = new LruCache<Promise<Bytes>>(KEPT);
 
   constructor(
     readonly files: Files,
@@ -44,7 +44,7 @@ export class Shards {
     // In updates, a chunk of length 0 marks a removed one.
     if (length === 0) return undefined;
     if (first < 0 || first + length > shard.size)
-      throw new StoreError('damaged', `${path}: its index leads beyond its end`);
+      throw new StoreError('damaged', `${path}: its index points beyond its end`);
     const whole = this.#whole.get(path) ?? (shard.size <= SMALL ? this.#keep(path, this.#read(path, shard)) : null);
     if (whole) return cut(await whole, first, length);
     // Not aborted for an index: zarrita reads it once for all waiting requests.
@@ -66,19 +66,9 @@ export class Shards {
   }
 
   #keep(path: string, content: Promise<Bytes>): Promise<Bytes> {
-    const size = this.known.get(path)?.size ?? 0;
-    if (!this.#whole.has(path)) this.#bytes += size;
-    this.#whole.set(path, content);
-    content.catch(() => this.#drop(path, size));
-    for (const oldest of this.#whole.keys()) {
-      if (this.#bytes <= KEPT || oldest === path) break;
-      this.#drop(oldest, this.known.get(oldest)?.size ?? 0);
-    }
+    this.#whole.add(path, content, this.known.get(path)?.size ?? 0);
+    content.catch(() => this.#whole.delete(path));
     return content;
-  }
-
-  #drop(path: string, size: number): void {
-    if (this.#whole.delete(path)) this.#bytes -= size;
   }
 }
 

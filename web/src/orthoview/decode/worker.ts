@@ -2,8 +2,7 @@
 import { failureOf } from '../store/error';
 import { GEOMETRY } from '../store/layout';
 import { buffersOf } from './leaf';
-import type { FromReader, ToReader } from './messages';
-import { createReader, type Reader, type Wanted } from './reader';
+import { createReader, type FromReader, type Reader, type ToReader, type Wanted } from './reader';
 
 let reader: Reader | null = null;
 /** Views that are being read. */
@@ -12,7 +11,7 @@ const running = new Map<number, AbortController>();
 self.onmessage = ({ data }: MessageEvent<ToReader>): void => {
   switch (data.kind) {
     case 'open':
-      reader = createReader(new URL(data.base), data.layout, (bytes) => tell({ kind: 'received', bytes }));
+      reader = createReader(new URL(data.base), data.layout, (bytes) => post({ kind: 'received', bytes }));
       break;
     case 'read':
       void read(data.id, data.wanted);
@@ -29,22 +28,22 @@ async function read(id: number, wanted: Wanted): Promise<void> {
   try {
     if (wanted.direction === GEOMETRY) {
       const pieces = await reader.leaf(wanted, control.signal);
-      tell({ kind: 'leaf', id, pieces }, buffersOf(pieces));
+      post({ kind: 'leaf', id, pieces }, buffersOf(pieces));
       return;
     }
     const layers = await reader.read(wanted, control.signal);
-    tell(
+    post(
       { kind: 'view', id, layers },
       layers.map(({ words }) => words.buffer),
     );
   } catch (reason) {
-    if (control.signal.aborted) tell({ kind: 'cancelled', id });
-    else tell({ kind: 'failed', id, failure: failureOf(reason) });
+    if (control.signal.aborted) post({ kind: 'cancelled', id });
+    else post({ kind: 'failed', id, failure: failureOf(reason) });
   } finally {
     running.delete(id);
   }
 }
 
-function tell(message: FromReader, transfer: Transferable[] = []): void {
+function post(message: FromReader, transfer: Transferable[] = []): void {
   self.postMessage(message, { transfer });
 }

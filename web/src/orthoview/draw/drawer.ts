@@ -1,8 +1,8 @@
-/** Common interface of the page's drawers. */
+/** Common interface of the page's drawers, their near plane, and their limit on samples. */
 import type { Camera } from '../cut/camera';
 import type { Piece } from '../decode/leaf';
 import type { Splats } from '../decode/pack';
-import type { Box, Model } from '../splats/sight';
+import type { Box, Model } from './sight';
 
 /** A resource on the GPU. */
 export interface Held {
@@ -41,4 +41,19 @@ export interface Drawer<Layer extends Held, Mesh extends Held> {
    * parts are drawn, too.
    */
   readonly unhidden: number | null;
+}
+
+/** Near distance for geometry, metres along the axis. */
+const NEAREST = 0.05;
+
+/** Near distance in metres along the axis; depth values are this divided by the distance. */
+export function nearestOf(items: readonly Item<{ readonly model: Model }>[], hasMeshes: boolean): number {
+  let least = 1e6;
+  for (const { layer } of items) least = Math.min(least, Math.max(layer.model.pitch[0], layer.model.pitch[1]));
+  return hasMeshes ? Math.min(least / 2, NEAREST) : least / 2;
+}
+
+/** Samples along each axis of a pixel, reduced so that `length` pixels of them fit into a texture. */
+export function gridOf(grid: number, length: number, longest: number): number {
+  return Math.max(Math.min(grid, Math.floor(longest / length)), 1);
 }

@@ -1,8 +1,7 @@
 /** Interface to the workers that read views. */
 import type { Piece } from '../decode/leaf';
-import type { FromReader, ToReader } from '../decode/messages';
 import type { Splats } from '../decode/pack';
-import type { Wanted } from '../decode/reader';
+import type { FromReader, ToReader, Wanted } from '../decode/reader';
 import type { Failure } from '../store/error';
 import { GEOMETRY, type Layout } from '../store/layout';
 

@@ -1,8 +1,8 @@
 /** Choice of stand-ins for missing views: no hole where a coarser view is loaded. */
-import { above, type Cells, childrenOf } from '../cut/cells';
+import { ancestorOf, type Cells, childrenOf } from '../cut/cells';
 import { countOf, type Cut, type Drawn } from '../cut/cut';
+import type { Box } from '../draw/sight';
 import { nameOf, type Triple } from '../store/layout';
-import type { Box } from '../splats/sight';
 
 /** Number of levels below a cell that are searched for its descendants. */
 const DEEP = 3;
@@ -78,7 +78,7 @@ export function choose(cut: Cut, cells: Cells, there: There, views: number, near
   function standIn(cell: Drawn): Shown[] {
     let some: Shown[] = [];
     for (let level = cell.level + 1; level < cells.layout.levels; level++) {
-      const place = above(cell.place, level - cell.level);
+      const place = ancestorOf(cell.place, level - cell.level);
       const box = { level: cell.level, place: cell.place };
       if (isFull(level, place)) return all(level, place, box).slice(-views);
       if (some.length === 0) some = all(level, place, box);

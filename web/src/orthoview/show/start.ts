@@ -1,6 +1,5 @@
-/** Choice of the graphics back end. */
+/** Choice of the graphics back end, and of the WebGPU device. */
 import { WebglDrawer } from '../draw/webgl/drawer';
-import { deviceOf } from '../draw/webgpu/device';
 import type { WebgpuDrawer } from '../draw/webgpu/drawer';
 import type { Layout } from '../store/layout';
 import { type Stock, stockOf } from './stock';
@@ -49,4 +48,20 @@ async function startWebgpu(
     console.warn('nearfar: WebGL draws, because WebGPU fails:', reason);
   }
   return null;
+}
+
+/** Limits that are raised: samples and views of a picture lie in few buffers. */
+const WANTED = ['maxBufferSize', 'maxStorageBufferBindingSize', 'maxTextureDimension2D'] as const;
+
+/** Returns a device; null if there is none, or only a software one that was not requested by name. */
+export async function deviceOf(isNamed: boolean): Promise<GPUDevice | null> {
+  const adapter = await navigator.gpu?.requestAdapter({ powerPreference: 'high-performance' });
+  if (!adapter || (isSoftware(adapter) && !isNamed)) return null;
+  const requiredLimits = Object.fromEntries(WANTED.map((name) => [name, adapter.limits[name]]));
+  return adapter.requestDevice({ requiredLimits });
+}
+
+/** Older browsers set the flag on the adapter itself. */
+function isSoftware(adapter: GPUAdapter & { readonly isFallbackAdapter?: boolean }): boolean {
+  return adapter.info?.isFallbackAdapter ?? adapter.isFallbackAdapter ?? false;
 }

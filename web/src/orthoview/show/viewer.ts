@@ -1,25 +1,16 @@
 /** Viewer of a tree: requests the cut for the camera and its views, and draws what is loaded. */
+import { messageOf } from '../../base/errors';
+import { type Camera, isSameCamera } from '../cut/camera';
 import { Cells } from '../cut/cells';
-import type { Camera } from '../cut/camera';
-import type { Cut, Settings } from '../cut/cut';
-import type { FromCutter, ToCutter } from '../cut/messages';
+import type { Cut, FromCutter, Settings, ToCutter } from '../cut/cut';
 import type { Wanted } from '../decode/reader';
 import type { Failure } from '../store/error';
-import {
-  arrayOf,
-  channelsOf,
-  GEOMETRY,
-  geometryOf,
-  type Layout,
-  nameOf,
-  overlay,
-  shardOf,
-  subtreeOf,
-  type Triple,
-} from '../store/layout';
+import { GEOMETRY, type Layout, nameOf, subtreeOf, type Triple } from '../store/layout';
 import type { Shard } from '../store/records';
+import { Catalog } from './catalog';
 import { Queue } from './queue';
 import { type Readers, startReaders } from './readers';
+import { type Facts, factsOf, NOTHING } from './facts';
 import { type Choice, choose } from './stand_in';
 import { type Graphics, startStock } from './start';
 import type { Stock } from './stock';
@@ -50,47 +41,8 @@ export interface ViewerSettings {
 
 /** Concurrent requests per worker: some views are decoded while others are being received. */
 const AT_ONCE = 6;
-/** Path prefix of a generation after the first. */
-const GENERATION = /^nearfar\/generations\/\d+\//;
 /** Milliseconds between pictures that change only by new views, and the share of the time that they may take. */
 const [PAUSE, SHARE] = [50, 0.5] as const;
-
-export interface Facts {
-  /** Views in the picture; stand-ins among them; outstanding requests. */
-  readonly views: number;
-  readonly standIns: number;
-  readonly waiting: number;
-  /** Number of cells for which nothing is loaded. */
-  readonly holes: number;
-  /** Splats of parts within the picture, and the unoccluded ones in the last finished picture. */
-  readonly splats: number;
-  readonly unhidden: number | null;
-  /** Leaves drawn as geometry, with their guests; their triangles. */
-  readonly leaves: number;
-  readonly triangles: number;
-  readonly calls: number;
-  /** Bytes on the GPU; number of views. */
-  readonly bytes: number;
-  readonly kept: number;
-  /** Whether all views of the cut for this camera are loaded. */
-  readonly isComplete: boolean;
-  readonly graphics: Graphics | null;
-}
-
-const NOTHING: Omit<Facts, 'unhidden'> = {
-  views: 0,
-  standIns: 0,
-  waiting: 0,
-  holes: 0,
-  splats: 0,
-  leaves: 0,
-  triangles: 0,
-  calls: 0,
-  bytes: 0,
-  kept: 0,
-  isComplete: false,
-  graphics: null,
-};
 
 interface Tree {
   readonly cells: Cells;
@@ -102,11 +54,9 @@ export class Viewer {
   readonly #settings: ViewerSettings;
   readonly #cutter: Worker;
   readonly #queue: Queue<Wanted>;
-  readonly #shards = new Map<string, Shard>();
-  /** Newest geometry files by their paths below a generation's folder. */
-  readonly #files = new Map<string, Shard>();
   /** Names of leaves whose geometry cannot be drawn. */
   readonly #without = new Set<string>();
+  readonly #catalog = new Catalog();
   #tree: Tree | null = null;
   #readers: Readers | null = null;
   #cut: Cut | null = null;
@@ -147,7 +97,7 @@ export class Viewer {
   /** Sets the camera; returns whether a picture was drawn: not if the last one is current or unfinished. */
   frame(camera: Camera): boolean {
     if (!this.#tree) return false;
-    if (!this.#camera || !isSame(this.#camera, camera)) {
+    if (!this.#camera || !isSameCamera(this.#camera, camera)) {
       this.#camera = camera;
       this.#isStale = this.#hasMoved = true;
     }
@@ -155,7 +105,7 @@ export class Viewer {
     // Failed views may be due for a retry.
     this.#queue.fill();
     if (!this.#cut || !this.#isDone(this.#tree.stock)) return false;
-    const isDue = performance.now() - this.#end >= Math.max(PAUSE, this.took / SHARE - this.took);
+    const isDue = performance.now() - this.#end >= Math.max(PAUSE, this.drawMs / SHARE - this.drawMs);
     if (!(this.#hasMoved || (this.#isDirty && (isDue || this.#queue.waiting === 0)))) return false;
     this.#draw(camera);
     return true;
@@ -166,7 +116,7 @@ export class Viewer {
   }
 
   /** Duration of the last picture, milliseconds. */
-  get took(): number {
+  get drawMs(): number {
     return Math.max(this.#end - this.#begin, 0);
   }
 
@@ -213,7 +163,7 @@ export class Viewer {
         break;
       case 'learned':
         this.#tree?.cells.add(message.subtree);
-        this.#know(message.subtree.shards, message.subtree.geometry);
+        this.#catalog.add(message.subtree.shards, message.subtree.geometry);
         break;
       case 'base':
         this.#base = message.cut;
@@ -237,7 +187,7 @@ export class Viewer {
     const stock = await this.#stock(layout, bytes);
     if (!stock) return;
     this.#tree = { cells: new Cells(layout), ...stock };
-    this.#know(shards, geometry);
+    this.#catalog.add(shards, geometry);
     this.#readers = startReaders(scripts.reader, workers, base, layout, {
       view: (id, layers) => {
         const found = this.#queue.done(id);
@@ -286,14 +236,6 @@ export class Viewer {
     }
   }
 
-  #know(shards: readonly Shard[], geometry: readonly Shard[]): void {
-    for (const shard of shards) this.#shards.set(shard[0], shard);
-    for (const file of geometry) {
-      const name = file[0].replace(GENERATION, '');
-      if (!this.#files.has(name)) this.#files.set(name, file);
-    }
-  }
-
   #choose(cut: Cut): Choice {
     const { cells, stock } = this.#tree as Tree;
     const there = (level: number, place: Triple): readonly number[] => stock.there(level, place);
@@ -305,14 +247,7 @@ export class Viewer {
     if (this.#without.has(nameOf(0, place))) return 'never';
     if (stock.hasLeaf(place)) return 'there';
     const { tier, place: subtree } = subtreeOf(cells.layout, 0, place);
-    return cells.knows(tier, subtree) && this.#filesOf(place).length === 0 ? 'there' : 'coming';
-  }
-
-  /** Files of a leaf's geometry, if it has any. */
-  #filesOf(place: Triple): Shard[] {
-    const { layout } = (this.#tree as Tree).cells;
-    const files = geometryOf(layout, place).map((name) => this.#files.get(name));
-    return files.filter((file) => file !== undefined && file[1] > 0) as Shard[];
+    return cells.knows(tier, subtree) && this.#catalog.filesOf(cells.layout, place).length === 0 ? 'there' : 'coming';
   }
 
   #draw(camera: Camera): void {
@@ -328,22 +263,14 @@ export class Viewer {
       leaves: new Set(needed.map((place) => nameOf(0, place))),
     });
     const [{ waiting }, isCurrent] = [this.#queue, !this.#isAsked && !this.#isStale];
-    this.#facts = {
-      views: choice.shown.length,
-      standIns: choice.shown.filter(({ box }) => box !== null).length,
-      waiting,
-      holes: choice.holes,
-      ...drawn,
-      leaves: choice.near.length,
-      bytes: stock.bytes,
-      kept: stock.views,
-      isComplete: isCurrent && waiting === 0 && this.#cut.unknown.length === 0,
-      graphics,
-    };
+    const isComplete = isCurrent && waiting === 0 && this.#cut.unknown.length === 0;
+    this.#facts = { ...factsOf(choice, drawn, stock), waiting, isComplete, graphics };
   }
 
   /** Requests missing views: coarse cells in the picture, then the cut, nearest first, then other coarse cells. */
   #want(): void {
+    if (!this.#tree) return;
+    const { cells } = this.#tree;
     const wanted = new Map<string, Wanted>();
     const coarse = (isInPicture: boolean): Cut | null =>
       this.#base && { ...this.#base, cells: this.#base.cells.filter((cell) => cell.isInPicture === isInPicture) };
@@ -354,41 +281,13 @@ export class Viewer {
       const leaves = coming.map((place) => ({ level: 0, place, direction: GEOMETRY }));
       for (const { level, place, direction } of [...leaves, ...missing]) {
         const name = `${nameOf(level, place)}/${direction}`;
-        if (!wanted.has(name)) wanted.set(name, this.#wantedOf(level, place, direction));
+        if (!wanted.has(name)) wanted.set(name, this.#catalog.request(cells, level, place, direction));
       }
     }
     this.#queue.want(wanted);
   }
 
-  #wantedOf(level: number, place: Triple, direction: number): Wanted {
-    const { cells } = this.#tree as Tree;
-    if (direction === GEOMETRY) return { level, place, direction, generation: 0, shards: this.#filesOf(place) };
-    const generation = cells.at(level, place)?.generation ?? 0;
-    const shards = channelsOf(cells.layout).map((channel) => {
-      const array = arrayOf(cells.layout, level, direction, channel);
-      return this.#shards.get(overlay(generation) + shardOf(cells.layout, level, place, array));
-    });
-    return { level, place, direction, generation, shards: shards.filter((shard) => shard !== undefined) };
-  }
-
   #tell(message: ToCutter): void {
     this.#cutter.postMessage(message);
   }
-}
-
-function messageOf(reason: unknown): string {
-  return reason instanceof Error ? reason.message : String(reason);
-}
-
-function isSame(one: Camera, other: Camera): boolean {
-  const numbers = ({ position, right, up, fov, width, height }: Camera): number[] => [
-    ...position,
-    ...right,
-    ...up,
-    ...Object.values(fov),
-    width,
-    height,
-  ];
-  const others = numbers(other);
-  return numbers(one).every((value, at) => value === others[at]);
 }

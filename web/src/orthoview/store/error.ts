@@ -1,4 +1,5 @@
 /** Errors of the parts of a store. */
+import { messageOf } from '../../base/errors';
 
 /** `gone`: the server has no such file. `refused`: it returns an error. `unreachable`: it does not answer. */
 export type Kind = 'gone' | 'refused' | 'unreachable' | 'damaged' | 'newer';
@@ -25,7 +26,7 @@ export interface Failure {
 
 export function failureOf(reason: unknown): Failure {
   if (reason instanceof StoreError) return { kind: reason.kind, message: reason.message };
-  return { kind: 'other', message: reason instanceof Error ? reason.message : String(reason) };
+  return { kind: 'other', message: messageOf(reason) };
 }
 
 /** Whether a retry may help. */

@@ -7,7 +7,7 @@ export type Bytes = Uint8Array<ArrayBuffer>;
 const LONGEST = 60_000;
 
 /** File or byte range, as stored. */
-export interface Asked {
+export interface FileRequest {
   /** Path below the store. */
   readonly path: string;
   /** Version of a file's content as a cache key; empty for files that may change. */
@@ -17,7 +17,7 @@ export interface Asked {
   readonly signal?: AbortSignal | undefined;
 }
 
-export interface Answered {
+export interface FileContent {
   readonly bytes: Bytes;
   /** Whether the server has sent the whole file although a range was requested. */
   readonly isWhole: boolean;
@@ -25,7 +25,7 @@ export interface Answered {
 
 export interface Files {
   /** Returns the content; null if the server has no such file. */
-  read(asked: Asked): Promise<Answered | null>;
+  read(request: FileRequest): Promise<FileContent | null>;
 }
 
 /** Creates access to files below an address, which ends with a slash. `receive` is called with received bytes. */
@@ -35,16 +35,16 @@ export function createFiles(base: URL, receive: (bytes: number) => void): Files 
       const url = new URL(path, base);
       url.search = base.search;
       if (version) url.searchParams.set('v', version);
-      const init: RequestInit = { signal: limited(signal) };
+      const init: RequestInit = { signal: withTimeout(signal) };
       // A single range with a first byte needs no CORS preflight request.
       if (part) init.headers = { Range: `bytes=${part[0]}-${part[0] + part[1] - 1}` };
       // Documents that may have changed are revalidated.
       if (!version) init.cache = 'no-cache';
-      const response = await answered(() => fetch(url, init), path, signal);
+      const response = await withFileName(() => fetch(url, init), path, signal);
       if (response.status === 404 || response.status === 410) return null;
       if (!response.ok)
         throw new StoreError('refused', `${path}: the server answers ${response.status} ${response.statusText}`);
-      const bytes: Bytes = new Uint8Array(await answered(() => response.arrayBuffer(), path, signal));
+      const bytes: Bytes = new Uint8Array(await withFileName(() => response.arrayBuffer(), path, signal));
       receive(bytes.length);
       if (!part || response.status === 206) return { bytes, isWhole: !part };
       return { bytes, isWhole: true };
@@ -52,13 +52,13 @@ export function createFiles(base: URL, receive: (bytes: number) => void): Files 
   };
 }
 
-function limited(signal: AbortSignal | undefined): AbortSignal {
+function withTimeout(signal: AbortSignal | undefined): AbortSignal {
   const longest = AbortSignal.timeout(LONGEST);
   return signal ? AbortSignal.any([signal, longest]) : longest;
 }
 
 /** Turns an error into one that names the file; aborted requests keep theirs. */
-async function answered<T>(ask: () => Promise<T>, path: string, signal: AbortSignal | undefined): Promise<T> {
+async function withFileName<T>(ask: () => Promise<T>, path: string, signal: AbortSignal | undefined): Promise<T> {
   try {
     return await ask();
   } catch (reason) {

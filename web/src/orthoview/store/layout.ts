@@ -4,7 +4,6 @@ import { damaged } from './error';
 export type Triple = readonly [number, number, number];
 
 export const CHANNELS = ['color', 'depth', 'normal'] as const;
-export type Channel = (typeof CHANNELS)[number];
 
 /** Prefix of the second layer's channels. */
 export const BEHIND = 'behind_';
@@ -68,7 +67,7 @@ export function parseLayout(described: unknown): Layout {
     directions.length > 0 && directions.length <= 26 && directions.every((each) => each.some((n) => n !== 0));
   const isNamed = names.length === directions.length && names.every((name) => /^[a-z_]+$/.test(name));
   if (!are26 || !isNamed || 2 ** (levels - 1) < Math.max(...counts))
-    throw damaged('zarr.json', 'its layout does not fit together');
+    throw damaged('zarr.json', 'its layout is inconsistent');
   return layout;
 }
 
@@ -113,7 +112,7 @@ export function nameOf(level: number, [x, y, z]: Triple): string {
 }
 
 /** Folder of a generation below the store, with a slash at its end; empty for the first one. */
-export function overlay(generation: number): string {
+export function generationFolder(generation: number): string {
   return generation === 0 ? '' : `${FOLDER}/generations/${generation}/`;
 }
 
@@ -143,7 +142,7 @@ export function fields(value: unknown, file: string): Readonly<Record<string, un
 }
 
 function list(value: unknown, name: string): readonly unknown[] {
-  if (!Array.isArray(value)) throw damaged('zarr.json', `layout.${name} is no list`);
+  if (!Array.isArray(value)) throw damaged('zarr.json', `layout.${name} is not a list`);
   return value;
 }
 

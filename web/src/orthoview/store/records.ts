@@ -1,13 +1,13 @@
 /** Documents of a store: its layout, its generations, and the visible directions of a subtree's cells. */
-import { sha256 } from '../../hex';
+import { sha256 } from '../../base/bytes';
 import { damaged, StoreError } from './error';
 import type { Bytes, Files } from './files';
 import {
   fields,
   FOLDER,
+  generationFolder,
   type Layout,
   nameOf,
-  overlay,
   parseLayout,
   shapesOf,
   shardSide,
@@ -71,11 +71,11 @@ export async function openRecords(files: Files): Promise<Records> {
   const [shards, geometry]: [Shard[], Shard[]] = [[], []];
   // Newest first.
   for (let number = generation; number > 0; number--) {
-    const path = `${overlay(number)}generation.json`;
+    const path = `${generationFolder(number)}generation.json`;
     const found = await document(files, path, 'orthoview_generation');
     overlays.push({ number, cells: fields(found['cells'], path) });
-    shards.push(...shardsOf(found['shards'], overlay(number), path));
-    geometry.push(...shardsOf(found['geometry'], overlay(number), path));
+    shards.push(...shardsOf(found['shards'], generationFolder(number), path));
+    geometry.push(...shardsOf(found['geometry'], generationFolder(number), path));
   }
   return {
     layout,
@@ -117,7 +117,7 @@ async function subtreeOf(
   };
   for (const { number, cells } of overlays) {
     if (!Object.hasOwn(cells, name)) continue;
-    const file = `${overlay(number)}generation.json`;
+    const file = `${generationFolder(number)}generation.json`;
     await put(fields(cells[name], file), number, file);
   }
   const digest = digests[`${name}.json`];

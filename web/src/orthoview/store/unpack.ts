@@ -1,4 +1,6 @@
 /** Validation and decompression of a store's documents. */
+import { inflated } from '../../base/bytes';
+import { messageOf } from '../../base/errors';
 import { damaged, StoreError } from './error';
 import { fields } from './layout';
 import type { Bytes } from './files';
@@ -8,14 +10,14 @@ const MAX_BYTES = 2 ** 26;
 
 /** Decodes little-endian uint32 numbers from base64 of zlib; throws an error if there are not `length`. */
 export async function numbersOf(text: unknown, length: number, file: string): Promise<Uint32Array> {
-  const found = await unpacked(text, 4 * length, 'views', file);
+  const found = await decodeZlib(text, 4 * length, 'views', file);
   if (found.length !== 4 * length) throw damaged(file, `views: expected ${4 * length} bytes, got ${found.length}`);
   return wordsOf(found);
 }
 
 /** Decodes rows of `width` numbers in the same encoding, of any count. */
 export async function rowsOf(text: unknown, width: number, file: string): Promise<Uint32Array> {
-  const found = await unpacked(text, MAX_BYTES, 'guests', file);
+  const found = await decodeZlib(text, MAX_BYTES, 'guests', file);
   if (found.length % (4 * width) !== 0) throw damaged(file, `guests: expected rows, got ${found.length} bytes`);
   return wordsOf(found);
 }
@@ -26,28 +28,13 @@ function wordsOf(bytes: Bytes): Uint32Array {
 }
 
 /** Decompresses at most the expected size: damaged data may decompress to any length. */
-async function unpacked(text: unknown, most: number, what: string, file: string): Promise<Bytes> {
+async function decodeZlib(text: unknown, most: number, what: string, file: string): Promise<Bytes> {
   const packed = bytesOf(text, what, file);
-  const parts: Uint8Array[] = [];
-  let filled = 0;
   try {
-    const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream('deflate'));
-    const reader = stream.getReader();
-    for (let next = await reader.read(); !next.done; next = await reader.read()) {
-      filled += next.value.length;
-      if (filled > most) throw new RangeError('more numbers than cells');
-      parts.push(next.value);
-    }
+    return await inflated(packed, most);
   } catch (reason) {
-    throw damaged(file, `${what}: ${reason instanceof Error ? reason.message : reason}`);
+    throw damaged(file, `${what}: ${messageOf(reason)}`);
   }
-  const found: Bytes = new Uint8Array(filled);
-  let at = 0;
-  for (const part of parts) {
-    found.set(part, at);
-    at += part.length;
-  }
-  return found;
 }
 
 function bytesOf(text: unknown, what: string, file: string): Bytes {

@@ -1,20 +1,20 @@
-var Ue=Object.defineProperty;var u=(a,e)=>Ue(a,"name",{value:e,configurable:!0});function V({right:a,up:e,back:r,fov:t,width:o,height:n},s,i){let l=t.left+(t.right-t.left)*s/o,c=t.up+(t.down-t.up)*i/n;return[0,1,2].map(d=>{let[f,m,y]=[a[d],e[d],r[d]];return l*f+c*m-y})}u(V,"directionAt");function I(a,e){return a[0]*e[0]+a[1]*e[1]+a[2]*e[2]}u(I,"dot");function Y({cell:a},e){return a*2**e}u(Y,"sideAt");function Z(a,e,[r,t,o]){let[n,[s,i,l]]=[Y(a,e),a.origin];return[s+r*n,i+t*n,l+o*n]}u(Z,"cornerOf");var[j,z]=[1.27,.5],q=.25,_e=8,E=10;function Q(a){let{position:e,right:r,up:t,back:o,fov:n,width:s,height:i}=a,[l,c]=[s/(n.right-n.left),i/(n.up-n.down)],d=u(p=>[p(0),p(1),p(2)],"row"),f=[d(p=>l*(r[p]+n.left*o[p])),d(p=>-c*(t[p]+n.up*o[p])),d(p=>-o[p])],m=V(a,0,0),y=u((p,h)=>{let b=V(a,p,h);return[b[0]-m[0],b[1]-m[1],b[2]-m[2]]},"step");return{eye:e,rows:f,rays:[m,y(1,0),y(0,1)],width:s,height:i}}u(Q,"projectorOf");function J(a,{eye:e,rows:r}){let{start:t,steps:o,pitch:n}=a,s=[t[0]-e[0],t[1]-e[1],t[2]-e[2]],i=u(m=>[I(r[0],m),I(r[1],m),I(r[2],m)],"along"),[l,c]=[j*Math.sqrt(z),ee(a)],d=u(m=>Math.max(l,c/m)-.5,"across"),f=l*(n[0]+n[1])/q;return{start:i(s),steps:[i(o[0]),i(o[1]),i(o[2])],least:Math.max(n[0],n[1]),margin:[d(n[0]),d(n[1]),Math.max(f,c)/n[2]]}}u(J,"sightOf");function ee({pitch:a}){return Math.hypot(a[0],a[1])/2}u(ee,"ballOf");function re({start:a,steps:e,least:r,margin:t},{low:o,high:n},s,i){let[l,c,d,f,m]=[!0,!0,!0,!0,!0],y=Number.POSITIVE_INFINITY,p=[Number.POSITIVE_INFINITY,Number.POSITIVE_INFINITY],h=[Number.NEGATIVE_INFINITY,Number.NEGATIVE_INFINITY];for(let P=0;P<8;P++){let U=o.map((O,B)=>P>>B&1?n[B]+t[B]:O-t[B]),w=u(O=>a[O]+U[0]*e[0][O]+U[1]*e[1][O]+U[2]*e[2][O],"value"),[x,g,v]=[w(0),w(1),w(2)];l&&=x<-v,c&&=x>(s+1)*v,d&&=g<-v,f&&=g>(i+1)*v,m&&=v<r,y=Math.min(y,v),p[0]=Math.min(p[0],x/v),p[1]=Math.min(p[1],g/v),h[0]=Math.max(h[0],x/v),h[1]=Math.max(h[1],g/v)}if(l||c||d||f||m)return null;let b=y<r?Number.POSITIVE_INFINITY:1/y;return y<_e*r?{low:[0,0],high:[s,i],nearness:b}:{low:[Math.max(Math.floor(p[0])-1,0),Math.max(Math.floor(p[1])-1,0)],high:[Math.min(Math.floor(h[0])+2,s),Math.min(Math.floor(h[1])+2,i)],nearness:b}}u(re,"seenOf");function te(a,{low:e,high:r}){return a.every(([t,o,n,s])=>{let i=[t,o,n].map((c,d)=>{let[f,m]=[c*e[d],c*r[d]];return[Math.min(f,m),Math.max(f,m)]}),l=u(c=>i.reduce((d,f)=>d+f[c],s),"sum");return l(0)<1&&l(1)>=0})}u(te,"isIn");function oe(a,e,r){if(!r)return[0,1,2].map(()=>[0,0,0,.5]);let t=Y(e,r.level),o=Z(e,r.level,r.place);return[0,1,2].map(n=>{let s=u(i=>a.steps[i][n]/t,"factor");return[s(0),s(1),s(2),(a.start[n]-o[n])/t]})}u(oe,"rowsOf");function ne(a,e,r,t){let{frame:o,pitch:n}=e,[s,i,l]=o.axes,c=2/(2**e.normalBits-2),d=u((m,[y,p,h],b)=>a.set([y,p,h,b],4*m),"put"),f=u((m,y)=>[m[0]*y,m[1]*y,m[2]*y],"scaled");d(0,r.start,r.least),d(1,r.steps[0],c),d(2,r.steps[1],ee(e)/Math.sqrt(z)),d(3,r.steps[2],0),d(4,f(s,n[0]/n[2]),0),d(5,f(i,n[1]/n[2]),0),d(6,l,0),t.forEach((m,y)=>a.set(m,4*(7+y)))}u(ne,"writeView");function ae(a,e){let r=1e6;for(let{layer:t}of a)r=Math.min(r,Math.max(t.model.pitch[0],t.model.pitch[1]));return e?Math.min(r/2,.05):r/2}u(ae,"nearestOf");function se(a,e,r){return Math.max(Math.min(a,Math.floor(r/e)),1)}u(se,"gridOf");var N=class{constructor(e){this.device=e}device;static{u(this,"Arena")}#e=[];put(e){let r=Math.max(Math.ceil(e.length/64),1)*64,{page:t,gap:o}=this.#t(r)??this.#o(r),n={page:t,first:o.first,words:r,bytes:4*r};return o.first+=r,o.words-=r,o.words===0&&t.gaps.splice(t.gaps.indexOf(o),1),this.device.queue.writeBuffer(t.buffer,4*n.first,e),n}free({page:e,first:r,words:t}){let{gaps:o}=e,n=o.findIndex(i=>i.first>r),s=n<0?o.length:n;o.splice(s,0,{first:r,words:t}),this.#r(o,s),this.#r(o,s-1),o[0]?.words===e.words&&(e.buffer.destroy(),this.#e.splice(this.#e.indexOf(e),1))}#r(e,r){let[t,o]=[e[r],e[r+1]];!t||!o||t.first+t.words!==o.first||(t.words+=o.words,e.splice(r+1,1))}#t(e){for(let r of this.#e){let t=r.gaps.find(o=>o.words>=e);if(t)return{page:r,gap:t}}return null}#o(e){let{maxBufferSize:r,maxStorageBufferBindingSize:t}=this.device.limits,o=Math.floor(Math.min(r,t)/4/64)*64;if(e>o)throw new Error(`a view of ${4*e} bytes is larger than the graphics allow`);let n=Math.min(Math.max(e,8388608),o),s=GPUBufferUsage.STORAGE|GPUBufferUsage.COPY_DST,i=this.device.createBuffer({label:"page of views",size:4*n,usage:s}),l={first:0,words:n},c={buffer:i,words:n,gaps:[l]};return this.#e.push(c),{page:c,gap:l}}};var Ge={SUN_DIRECTION:[.5263158,.7894737,.3157895],SUN:[.6,.56,.5],SKY_DIRECTION:[-.2062843,.9282791,.3094264],SKY_LOW:[.13,.135,.15],SKY_HIGH:[.38,.42,.48],HORIZON:[.66,.74,.82],ZENITH:[.16,.34,.66],NADIR:[.24,.25,.26]},ie=["SUN_DIRECTION","SUN","SKY_DIRECTION","SKY_LOW","SKY_HIGH"],le=["HORIZON","ZENITH","NADIR"],S=u(a=>Number.isInteger(a)?a.toFixed(1):String(a),"float"),ue=u(a=>Ge[a].map(S).join(", "),"vector"),ce=u(a=>a.map(e=>`const vec3 ${e} = vec3(${ue(e)});`).join(`
-`),"glsl"),Oe=u(a=>a.map(e=>`const ${e} = vec3<f32>(${ue(e)});`).join(`
-`),"wgsl"),hr=`
-${ce(ie)}
+var Ge=Object.defineProperty;var u=(a,e)=>Ge(a,"name",{value:e,configurable:!0});function Q(a,e){let r=1e6;for(let{layer:t}of a)r=Math.min(r,Math.max(t.model.pitch[0],t.model.pitch[1]));return e?Math.min(r/2,.05):r/2}u(Q,"nearestOf");function J(a,e,r){return Math.max(Math.min(a,Math.floor(r/e)),1)}u(J,"gridOf");function V({right:a,up:e,back:r,fov:t,width:n,height:o},s,i){let l=t.left+(t.right-t.left)*s/n,c=t.up+(t.down-t.up)*i/o;return[0,1,2].map(d=>{let[f,m,y]=[a[d],e[d],r[d]];return l*f+c*m-y})}u(V,"directionAt");function N(a,e){return a[0]*e[0]+a[1]*e[1]+a[2]*e[2]}u(N,"dot");function Y({cell:a},e){return a*2**e}u(Y,"sideAt");function ee(a,e,[r,t,n]){let[o,[s,i,l]]=[Y(a,e),a.origin];return[s+r*o,i+t*o,l+n*o]}u(ee,"cornerOf");var[j,L]=[1.27,.5],q=.25,Se=8,R=10;function re(a){let{position:e,right:r,up:t,back:n,fov:o,width:s,height:i}=a,[l,c]=[s/(o.right-o.left),i/(o.up-o.down)],d=u(p=>[p(0),p(1),p(2)],"row"),f=[d(p=>l*(r[p]+o.left*n[p])),d(p=>-c*(t[p]+o.up*n[p])),d(p=>-n[p])],m=V(a,0,0),y=u((p,h)=>{let b=V(a,p,h);return[b[0]-m[0],b[1]-m[1],b[2]-m[2]]},"step");return{eye:e,rows:f,rays:[m,y(1,0),y(0,1)],width:s,height:i}}u(re,"projectorOf");function te(a,{eye:e,rows:r}){let{start:t,steps:n,pitch:o}=a,s=[t[0]-e[0],t[1]-e[1],t[2]-e[2]],i=u(m=>[N(r[0],m),N(r[1],m),N(r[2],m)],"along"),[l,c]=[j*Math.sqrt(L),ne(a)],d=u(m=>Math.max(l,c/m)-.5,"across"),f=l*(o[0]+o[1])/q;return{start:i(s),steps:[i(n[0]),i(n[1]),i(n[2])],least:Math.max(o[0],o[1]),margin:[d(o[0]),d(o[1]),Math.max(f,c)/o[2]]}}u(te,"sightOf");function ne({pitch:a}){return Math.hypot(a[0],a[1])/2}u(ne,"ballOf");function oe({start:a,steps:e,least:r,margin:t},{low:n,high:o},s,i){let[l,c,d,f,m]=[!0,!0,!0,!0,!0],y=Number.POSITIVE_INFINITY,p=[Number.POSITIVE_INFINITY,Number.POSITIVE_INFINITY],h=[Number.NEGATIVE_INFINITY,Number.NEGATIVE_INFINITY];for(let P=0;P<8;P++){let _=n.map((S,I)=>P>>I&1?o[I]+t[I]:S-t[I]),w=u(S=>a[S]+_[0]*e[0][S]+_[1]*e[1][S]+_[2]*e[2][S],"value"),[x,g,v]=[w(0),w(1),w(2)];l&&=x<-v,c&&=x>(s+1)*v,d&&=g<-v,f&&=g>(i+1)*v,m&&=v<r,y=Math.min(y,v),p[0]=Math.min(p[0],x/v),p[1]=Math.min(p[1],g/v),h[0]=Math.max(h[0],x/v),h[1]=Math.max(h[1],g/v)}if(l||c||d||f||m)return null;let b=y<r?Number.POSITIVE_INFINITY:1/y;return y<Se*r?{low:[0,0],high:[s,i],nearness:b}:{low:[Math.max(Math.floor(p[0])-1,0),Math.max(Math.floor(p[1])-1,0)],high:[Math.min(Math.floor(h[0])+2,s),Math.min(Math.floor(h[1])+2,i)],nearness:b}}u(oe,"seenOf");function ae(a,{low:e,high:r}){return a.every(([t,n,o,s])=>{let i=[t,n,o].map((c,d)=>{let[f,m]=[c*e[d],c*r[d]];return[Math.min(f,m),Math.max(f,m)]}),l=u(c=>i.reduce((d,f)=>d+f[c],s),"sum");return l(0)<1&&l(1)>=0})}u(ae,"isIn");function se(a,e,r){if(!r)return[0,1,2].map(()=>[0,0,0,.5]);let t=Y(e,r.level),n=ee(e,r.level,r.place);return[0,1,2].map(o=>{let s=u(i=>a.steps[i][o]/t,"factor");return[s(0),s(1),s(2),(a.start[o]-n[o])/t]})}u(se,"rowsOf");function ie(a,e,r,t){let{frame:n,pitch:o}=e,[s,i,l]=n.axes,c=2/(2**e.normalBits-2),d=u((m,[y,p,h],b)=>a.set([y,p,h,b],4*m),"put"),f=u((m,y)=>[m[0]*y,m[1]*y,m[2]*y],"scaled");d(0,r.start,r.least),d(1,r.steps[0],c),d(2,r.steps[1],ne(e)/Math.sqrt(L)),d(3,r.steps[2],0),d(4,f(s,o[0]/o[2]),0),d(5,f(i,o[1]/o[2]),0),d(6,l,0),t.forEach((m,y)=>a.set(m,4*(7+y)))}u(ie,"writeView");var U=class{constructor(e,r,t){this.device=e;this.label=r;this.usage=t}device;label;usage;static{u(this,"Room")}#e=null;ofSize(e){if(this.#e&&this.#e.size>=e)return this.#e;this.#e?.destroy();let r=Math.max(2**Math.ceil(Math.log2(Math.max(e,1))),256),t=this.usage|GPUBufferUsage.COPY_DST;return this.#e=this.device.createBuffer({label:this.label,size:r,usage:t}),this.#e}with(e){let r=this.ofSize(e.byteLength);return this.device.queue.writeBuffer(r,0,e),r}},Oe=1<<23,C=64,k=class{constructor(e){this.device=e}device;static{u(this,"Arena")}#e=[];put(e){let r=Math.max(Math.ceil(e.length/C),1)*C,{page:t,gap:n}=this.#t(r)??this.#n(r),o={page:t,first:n.first,words:r,bytes:4*r};return n.first+=r,n.words-=r,n.words===0&&t.gaps.splice(t.gaps.indexOf(n),1),this.device.queue.writeBuffer(t.buffer,4*o.first,e),o}free({page:e,first:r,words:t}){let{gaps:n}=e,o=n.findIndex(i=>i.first>r),s=o<0?n.length:o;n.splice(s,0,{first:r,words:t}),this.#r(n,s),this.#r(n,s-1),n[0]?.words===e.words&&(e.buffer.destroy(),this.#e.splice(this.#e.indexOf(e),1))}#r(e,r){let[t,n]=[e[r],e[r+1]];!t||!n||t.first+t.words!==n.first||(t.words+=n.words,e.splice(r+1,1))}#t(e){for(let r of this.#e){let t=r.gaps.find(n=>n.words>=e);if(t)return{page:r,gap:t}}return null}#n(e){let{maxBufferSize:r,maxStorageBufferBindingSize:t}=this.device.limits,n=Math.floor(Math.min(r,t)/4/C)*C;if(e>n)throw new Error(`a view of ${4*e} bytes is larger than the graphics allow`);let o=Math.min(Math.max(e,Oe),n),s=GPUBufferUsage.STORAGE|GPUBufferUsage.COPY_DST,i=this.device.createBuffer({label:"page of views",size:4*o,usage:s}),l={first:0,words:o},c={buffer:i,words:o,gaps:[l]};return this.#e.push(c),{page:c,gap:l}}};var ze={SUN_DIRECTION:[.5263158,.7894737,.3157895],SUN:[.6,.56,.5],SKY_DIRECTION:[-.2062843,.9282791,.3094264],SKY_LOW:[.13,.135,.15],SKY_HIGH:[.38,.42,.48],HORIZON:[.66,.74,.82],ZENITH:[.16,.34,.66],NADIR:[.24,.25,.26]},le=["SUN_DIRECTION","SUN","SKY_DIRECTION","SKY_LOW","SKY_HIGH"],ue=["HORIZON","ZENITH","NADIR"],O=u(a=>Number.isInteger(a)?a.toFixed(1):String(a),"float"),ce=u(a=>ze[a].map(O).join(", "),"vector"),de=u(a=>a.map(e=>`const vec3 ${e} = vec3(${ce(e)});`).join(`
+`),"glsl"),Me=u(a=>a.map(e=>`const ${e} = vec3<f32>(${ce(e)});`).join(`
+`),"wgsl"),yr=`
+${de(le)}
 
 vec3 irradiance(vec3 n) {
 float sky = 0.5 + 0.5 * dot(n, SKY_DIRECTION);
 return SKY_LOW + (SKY_HIGH - SKY_LOW) * sky + SUN * max(dot(n, SUN_DIRECTION), 0.0);
 }
-`,br=`
-${ce(le)}
+`;var hr=`
+${de(ue)}
 
 vec3 background(vec3 direction) {
 return mix(HORIZON, direction.y < 0.0 ? NADIR : ZENITH, sqrt(abs(direction.y)));
 }
-`;var M=`
-${Oe([...ie,...le])}
+`;var z=`
+${Me([...le,...ue])}
 
 fn irradiance(n: vec3<f32>) -> vec3<f32> {
 let sky = 0.5 + 0.5 * dot(n, SKY_DIRECTION);
@@ -33,7 +33,7 @@ return select(1.055 * pow(c, vec3<f32>(1.0 / 2.4)) - 0.055, 12.92 * c, c <= vec3
 fn linear_of(c: vec3<f32>) -> vec3<f32> {
 return select(pow((c + 0.055) / 1.055, vec3<f32>(2.4)), c / 12.92, c <= vec3<f32>(0.04045));
 }
-`;var[G,R]=[64,16384],C=16,Se=256,A=`
+`;var[G,M]=[64,16384],A=16,E=`
 struct Draw {
 gradients: array<vec4<f32>, 3>,
 rays: array<vec4<f32>, 3>,
@@ -44,8 +44,75 @@ nearest: f32,
 }
 
 @group(0) @binding(0) var<uniform> draw: Draw;
-`,de=`
-${A}
+`,fe=`
+@compute @workgroup_size(GROUP)
+fn farthest_of_tiles(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
+let number = (group.y * ROW + group.x) * GROUP + lane;
+let rows = (draw.size.y + TILE - 1u) / TILE;
+if number >= tile_columns() * rows {
+return;
+}
+let first = vec2<u32>(number % tile_columns(), number / tile_columns()) * TILE;
+let end = min(first + TILE, draw.size.xy);
+var farthest = 0xffffffffu;
+for (var y = first.y; y < end.y; y++) {
+for (var x = first.x; x < end.x; x++) {
+farthest = min(farthest, atomicLoad(&orders[y * draw.size.x + x]));
+}
+}
+atomicStore(&tiles[1u + number], farthest);
+}
+`,me=`
+${E}
+@group(0) @binding(1) var depths: texture_depth_2d;
+@group(0) @binding(2) var<storage, read_write> orders: array<u32>;
+
+@compute @workgroup_size(${G})
+fn begin(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
+let sample = (group.y * ${M}u + group.x) * ${G}u + lane;
+if sample >= draw.size.x * draw.size.y {
+return;
+}
+let at = vec2<u32>(sample % draw.size.x, sample / draw.size.x);
+orders[sample] = bitcast<u32>(textureLoad(depths, at, 0));
+}
+`,pe=`
+${E}
+@group(0) @binding(1) var geometry: texture_2d<f32>;
+@group(0) @binding(2) var<storage, read> orders: array<u32>;
+@group(0) @binding(3) var<storage, read> colors: array<u32>;
+${z}
+@vertex
+fn whole(@builtin(vertex_index) n: u32) -> @builtin(position) vec4<f32> {
+return vec4<f32>(f32(n & 1u) * 4.0 - 1.0, f32(n >> 1u) * 4.0 - 1.0, 0.0, 1.0);
+}
+
+@fragment
+fn resolve(@builtin(position) place: vec4<f32>) -> @location(0) vec4<f32> {
+let grid = draw.size.w;
+let first = vec2<u32>(place.xy) * grid;
+var sum = vec3<f32>(0.0);
+for (var row = 0u; row < grid; row++) {
+for (var column = 0u; column < grid; column++) {
+let at = first + vec2<u32>(column, row);
+let own = vec2<u32>(at.x, at.y - draw.size.z);
+let sample = own.y * draw.size.x + own.x;
+let code = colors[sample];
+if code != 0u {
+let bits = vec3<u32>(code >> 20u, code >> 10u, code) & vec3<u32>(1023u);
+sum += linear_of(vec3<f32>(bits) / 1023.0);
+} else if orders[sample] != 0u {
+sum += textureLoad(geometry, own, 0).rgb;
+} else {
+let middle = vec2<f32>(at) + 0.5;
+sum += background(normalize(draw.rays[0].xyz + middle.x * draw.rays[1].xyz + middle.y * draw.rays[2].xyz));
+}
+}
+}
+return vec4<f32>(srgb_of(sum / f32(grid * grid)), 1.0);
+}
+`;var Ee=256,ye=`
+${E}
 struct Part {
 view: u32,
 first: u32,
@@ -64,13 +131,13 @@ page: u32,
 @group(0) @binding(5) var<storage, read_write> tiles: array<atomic<u32>>;
 @group(0) @binding(6) var<storage, read_write> orders: array<atomic<u32>>;
 @group(0) @binding(7) var<storage, read_write> colors: array<atomic<u32>>;
-${M}
-const TILE = ${C}u;
+${z}
+const TILE = ${A}u;
 const GROUP = ${G}u;
-const ROW = ${R}u;
+const ROW = ${M}u;
 const TURN = 1024u;
-const RADIUS = ${S(Math.sqrt(z))};
-const SQUARED_RADIUS = ${S(z)};
+const RADIUS = ${O(Math.sqrt(L))};
+const SQUARED_RADIUS = ${O(L)};
 
 struct Ellipse {
 middle: vec2<f32>,
@@ -87,7 +154,7 @@ const LAST = 0x7fffffffu;
 const COLOR = 0x80000000u;
 
 fn column_of(view: u32, n: u32) -> vec4<f32> {
-return views[view * ${E}u + n];
+return views[view * ${R}u + n];
 }
 
 fn disc(view: u32, own: vec3<f32>, place: f32, over: f32) -> f32 {
@@ -120,11 +187,11 @@ let over = 1.0 / function.z;
 let middle = function.xy * over;
 
 var normal = normal_of(word.y, column.w);
-let facing = 1.0 / max(dot(column_of(own, 6u).xyz, normal), ${S(q)});
+let facing = 1.0 / max(dot(column_of(own, 6u).xyz, normal), ${O(q)});
 let u = column.xyz + dot(column_of(own, 4u).xyz, normal) * facing * step;
 let v = row.xyz - dot(column_of(own, 5u).xyz, normal) * facing * step;
 let is_surfel = ((word.z >> 24u) & 1u) == 1u;
-let factor = select(0.0, select(${S(j)}, 1.0, ((word.z >> 25u) & 1u) == 1u), is_surfel);
+let factor = select(0.0, select(${O(j)}, 1.0, ((word.z >> 25u) & 1u) == 1u), is_surfel);
 
 var found: Ellipse;
 found.middle = middle;
@@ -238,7 +305,7 @@ let end = min(first + TURN, part.count);
 for (var n = first + lane; n < end; n += GROUP) {
 let own = ellipse_of(part, n);
 let extent = extent_of(own);
-if extent.x * extent.y > ${Se}u {
+if extent.x * extent.y > ${Ee}u {
 large[atomicAdd(&large_count, 1u)] = n;
 continue;
 }
@@ -301,75 +368,8 @@ let albedo = linear_of(vec3<f32>(vec3<u32>(own.code, own.code >> 8u, own.code >>
 let bits = vec3<u32>(srgb_of(albedo * irradiance(normal)) * 1023.0 + 0.5);
 atomicStore(&colors[sample], COLOR | (bits.x << 20u) | (bits.y << 10u) | bits.z);
 }
-
-@compute @workgroup_size(GROUP)
-fn farthest_of_tiles(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
-let number = (group.y * ROW + group.x) * GROUP + lane;
-let rows = (draw.size.y + TILE - 1u) / TILE;
-if number >= tile_columns() * rows {
-return;
-}
-let first = vec2<u32>(number % tile_columns(), number / tile_columns()) * TILE;
-let end = min(first + TILE, draw.size.xy);
-var farthest = 0xffffffffu;
-for (var y = first.y; y < end.y; y++) {
-for (var x = first.x; x < end.x; x++) {
-farthest = min(farthest, atomicLoad(&orders[y * draw.size.x + x]));
-}
-}
-atomicStore(&tiles[1u + number], farthest);
-}
-`,fe=`
-${A}
-@group(0) @binding(1) var depths: texture_depth_2d;
-@group(0) @binding(2) var<storage, read_write> orders: array<u32>;
-
-@compute @workgroup_size(${G})
-fn begin(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
-let sample = (group.y * ${R}u + group.x) * ${G}u + lane;
-if sample >= draw.size.x * draw.size.y {
-return;
-}
-let at = vec2<u32>(sample % draw.size.x, sample / draw.size.x);
-orders[sample] = bitcast<u32>(textureLoad(depths, at, 0));
-}
-`,me=`
-${A}
-@group(0) @binding(1) var geometry: texture_2d<f32>;
-@group(0) @binding(2) var<storage, read> orders: array<u32>;
-@group(0) @binding(3) var<storage, read> colors: array<u32>;
-${M}
-@vertex
-fn whole(@builtin(vertex_index) n: u32) -> @builtin(position) vec4<f32> {
-return vec4<f32>(f32(n & 1u) * 4.0 - 1.0, f32(n >> 1u) * 4.0 - 1.0, 0.0, 1.0);
-}
-
-@fragment
-fn resolve(@builtin(position) place: vec4<f32>) -> @location(0) vec4<f32> {
-let grid = draw.size.w;
-let first = vec2<u32>(place.xy) * grid;
-var sum = vec3<f32>(0.0);
-for (var row = 0u; row < grid; row++) {
-for (var column = 0u; column < grid; column++) {
-let at = first + vec2<u32>(column, row);
-let own = vec2<u32>(at.x, at.y - draw.size.z);
-let sample = own.y * draw.size.x + own.x;
-let code = colors[sample];
-if code != 0u {
-let bits = vec3<u32>(code >> 20u, code >> 10u, code) & vec3<u32>(1023u);
-sum += linear_of(vec3<f32>(bits) / 1023.0);
-} else if orders[sample] != 0u {
-sum += textureLoad(geometry, own, 0).rgb;
-} else {
-let middle = vec2<f32>(at) + 0.5;
-sum += background(normalize(draw.rays[0].xyz + middle.x * draw.rays[1].xyz + middle.y * draw.rays[2].xyz));
-}
-}
-}
-return vec4<f32>(srgb_of(sum / f32(grid * grid)), 1.0);
-}
-`;var pe=`
-${A}
+${fe}`;function he(a,e){let r=u((b,P)=>{let w=[{buffer:{hasDynamicOffset:!0}},...P].map((x,g)=>({binding:g,visibility:b,...x}));return a.createBindGroupLayout({entries:w})},"layoutOf"),{COMPUTE:t,FRAGMENT:n,VERTEX:o}=GPUShaderStage,s={buffer:{type:"read-only-storage"}},i={buffer:{type:"storage"}},l=r(o|n,[]),c=r(t,[s,s,s,s,i,i,i]),d=r(t,[{texture:{sampleType:"depth"}},i]),f=r(n,[{texture:{sampleType:"unfilterable-float"}},s,s]),m=u((b,P)=>a.createShaderModule({label:b,code:P}),"moduleOf"),y=u((b,P,_)=>a.createComputePipeline({label:_,layout:a.createPipelineLayout({bindGroupLayouts:[b]}),compute:{module:P,entryPoint:_}}),"computed"),[p,h]=[m("splats",ye),m("resolve",pe)];return{numbered:l,splatLayout:c,beginLayout:d,resolveLayout:f,splats:y(c,p,"splats"),tiles:y(c,p,"farthest_of_tiles"),shade:y(c,p,"shade"),begin:y(d,m("begin",me),"begin"),resolve:a.createRenderPipeline({label:"resolve",layout:a.createPipelineLayout({bindGroupLayouts:[f]}),vertex:{module:h},fragment:{module:h,targets:[{format:e}]}})}}u(he,"kernelsOf");var D=class{constructor(e,r){this.common=e;this.#e=new ArrayBuffer(256*r)}common;static{u(this,"Numbers")}#e;#r=0;get all(){return new Uint32Array(this.#e)}put(e,{first:r=0,count:t=0,round:n=0,page:o=0}){let{projector:s,grid:i,nearest:l,parts:c}=this.common,d=256*this.#r,f=new Float32Array(this.#e,d,256/4);return[...s.rows,...s.rays].forEach((m,y)=>f.set(m,4*y)),new Uint32Array(this.#e,d+96,12).set([s.width,e.rows,e.first,i,r,t,n,0,c,o,0,0]),f[36]=l,this.#r+=1,d}};var be=`
+${E}
 struct Mesh {
 offset: vec4<f32>,
 base: vec4<f32>,
@@ -380,7 +380,7 @@ emission: vec4<f32>,
 @group(2) @binding(0) var image: texture_2d<f32>;
 @group(2) @binding(1) var glow: texture_2d<f32>;
 @group(2) @binding(2) var smooth_texels: sampler;
-${M}
+${z}
 struct Corner {
 @builtin(position) place: vec4<f32>,
 @location(0) point: vec3<f32>,
@@ -458,7 +458,7 @@ discard;
 let albedo = mesh.base.rgb * own.color * texel.rgb;
 return vec4<f32>(albedo * mix(irradiance(normal), vec3<f32>(1.0), mesh.emission.w) + mesh.emission.rgb * light, 1.0);
 }
-`,ye=`
+`,ge=`
 @group(0) @binding(0) var finer: texture_2d<f32>;
 @group(0) @binding(1) var smooth_texels: sampler;
 
@@ -477,4 +477,4 @@ return Corner(vec4<f32>(at.x * 2.0 - 1.0, 1.0 - at.y * 2.0, 0.0, 1.0), at);
 fn level(own: Corner) -> @location(0) vec4<f32> {
 return textureSampleLevel(finer, smooth_texels, own.uv, 0.0);
 }
-`;var _=class{constructor(e,r,t){this.device=e;this.label=r;this.usage=t}device;label;usage;static{u(this,"Room")}#e=null;ofSize(e){if(this.#e&&this.#e.size>=e)return this.#e;this.#e?.destroy();let r=Math.max(2**Math.ceil(Math.log2(Math.max(e,1))),256),t=this.usage|GPUBufferUsage.COPY_DST;return this.#e=this.device.createBuffer({label:this.label,size:r,usage:t}),this.#e}with(e){let r=this.ofSize(e.byteLength);return this.device.queue.writeBuffer(r,0,e),r}};var he="rgba8unorm-srgb",k=class{constructor(e){this.device=e;let r=e.createShaderModule({label:"levels of textures",code:ye});this.#e=e.createRenderPipeline({label:"levels of textures",layout:"auto",vertex:{module:r},fragment:{module:r,targets:[{format:he}]}}),this.#r=e.createSampler({minFilter:"linear",magFilter:"linear"}),this.white=this.#t(1,1),e.queue.writeTexture({texture:this.white},new Uint8Array([255,255,255,255]),{},[1,1])}device;static{u(this,"Images")}#e;#r;white;of(e){let{width:r,height:t}=e,o=this.#t(r,t);this.device.queue.copyExternalImageToTexture({source:e},{texture:o},[r,t]),e.close();let n=this.device.createCommandEncoder();for(let s=1;s<o.mipLevelCount;s++)this.#o(n,o,s);return this.device.queue.submit([n.finish()]),o}#t(e,r){return this.device.createTexture({label:"image",size:[e,r],format:he,mipLevelCount:1+Math.floor(Math.log2(Math.max(e,r))),usage:GPUTextureUsage.TEXTURE_BINDING|GPUTextureUsage.COPY_DST|GPUTextureUsage.RENDER_ATTACHMENT})}#o(e,r,t){let o=u(i=>r.createView({baseMipLevel:i,mipLevelCount:1}),"view"),n=e.beginRenderPass({colorAttachments:[{view:o(t),loadOp:"clear",storeOp:"store"}]});n.setPipeline(this.#e);let s=[{binding:0,resource:o(t-1)},{binding:1,resource:this.#r}];n.setBindGroup(0,this.device.createBindGroup({layout:this.#e.getBindGroupLayout(0),entries:s})),n.draw(3),n.end()}};var[L,K]=["rgba8unorm-srgb","depth32float"],ze=[{format:"float32x3",stride:12},{format:"float32x3",stride:12},{format:"float32x2",stride:8},{format:"unorm16x4",stride:8}],[Ee,Me]=[0,12],D=class{constructor(e,r){this.device=e;this.numbered=r;this.#e=e.createShaderModule({label:"meshes",code:pe});let t=GPUShaderStage.FRAGMENT;this.#r=e.createBindGroupLayout({entries:[{binding:0,visibility:t,texture:{}},{binding:1,visibility:t,texture:{}},{binding:2,visibility:t,sampler:{}}]}),this.#t=e.createPipelineLayout({bindGroupLayouts:[r,r,this.#r]}),this.#o=new k(e),this.#n=e.createSampler({addressModeU:"repeat",addressModeV:"repeat",minFilter:"linear",magFilter:"linear",mipmapFilter:"linear"}),this.#a=this.#u(new Uint32Array([0,0,0,4294967295,4294967295]),GPUBufferUsage.VERTEX),this.#i=new _(e,"meshes",GPUBufferUsage.UNIFORM),this.#c(!0,!0,!0,!0)}device;numbered;static{u(this,"Meshes")}#e;#r;#t;#o;#n;#a;#s=new Map;#i;upload(e){let{positions:r,normals:t,uvs:o,colors:n,placements:s,indices:i}=e,l=u(p=>p&&this.#u(p,GPUBufferUsage.VERTEX),"fill"),c=[r,t,o,n,s].map(l),d=[e.image,e.glow],f=[...c,this.#u(i,GPUBufferUsage.INDEX)],m=f.reduce((p,h)=>p+(h?.size??0),0);for(let p of d)m+=p?Math.ceil(16*p.width*p.height/3):0;let y=d.map(p=>p&&this.#o.of(p));return{origin:e.origin,material:e.material,pipeline:this.#c(!0,t!==null,o!==null,n!==null),buffers:c,indices:f.at(-1),format:i instanceof Uint16Array?"uint16":"uint32",corners:i.length,copies:s.length/12,textures:y,group:this.#l(y),bytes:m}}drop({buffers:e,indices:r,textures:t}){for(let o of[...e,r,...t])o?.destroy()}record(e,r,t){let o=new Float32Array(256/4*r.length);r.forEach((i,l)=>o.set(Re(i,t),256/4*l));let n={buffer:this.#i.with(o),size:256},s=this.device.createBindGroup({layout:this.numbered,entries:[{binding:0,resource:n}]});return r.reduce((i,l,c)=>(e.setPipeline(l.pipeline),e.setBindGroup(1,s,[256*c]),e.setBindGroup(2,l.group),l.buffers.forEach((d,f)=>{d?e.setVertexBuffer(f,d):e.setVertexBuffer(f,this.#a,f===3?Me:Ee)}),e.setIndexBuffer(l.indices,l.format),e.drawIndexed(l.corners,l.copies),i+l.corners/3*l.copies),0)}#l(e){let t=[...e.map((o,n)=>({binding:n,resource:(o??this.#o.white).createView()})),{binding:2,resource:this.#n}];return this.device.createBindGroup({layout:this.#r,entries:t})}#c(...e){let r=e.join(),t=this.#s.get(r);if(t)return t;let o=ze.map(({format:l,stride:c},d)=>({arrayStride:e[d]?c:0,attributes:[{shaderLocation:d,offset:0,format:l}]})),n=[0,1,2].map(l=>({shaderLocation:4+l,offset:16*l,format:"float32x4"})),s={arrayStride:48,stepMode:"instance",attributes:n},i=this.device.createRenderPipeline({label:"meshes",layout:this.#t,vertex:{module:this.#e,buffers:[...o,s]},fragment:{module:this.#e,targets:[{format:L}]},depthStencil:{format:K,depthWriteEnabled:!0,depthCompare:"greater"}});return this.#s.set(r,i),i}#u(e,r){let t=4*Math.ceil(Math.max(e.byteLength,4)/4),o=this.device.createBuffer({label:"mesh",size:t,usage:r,mappedAtCreation:!0});return new Uint8Array(o.getMappedRange()).set(new Uint8Array(e.buffer,e.byteOffset,e.byteLength)),o.unmap(),o}};function Re({origin:a,material:e},r){let{color:t,cutoff:o,emission:n,isUnlit:s}=e;return[...[a[0]-r[0],a[1]-r[1],a[2]-r[2]],o??-1,...t,...n??[0,0,0],s?1:0]}u(Re,"numbersOf");var F=class{constructor(e,r){this.common=e;this.#e=new ArrayBuffer(256*r)}common;static{u(this,"Numbers")}#e;#r=0;get all(){return new Uint32Array(this.#e)}put(e,{first:r=0,count:t=0,round:o=0,page:n=0}){let{projector:s,grid:i,nearest:l,parts:c}=this.common,d=256*this.#r,f=new Float32Array(this.#e,d,256/4);return[...s.rows,...s.rays].forEach((m,y)=>f.set(m,4*y)),new Uint32Array(this.#e,d+96,12).set([s.width,e.rows,e.first,i,r,t,o,0,c,n,0,0]),f[36]=l,this.#r+=1,d}};var Ae=1<<26;function ge(a,e,r,t){let{maxStorageBufferBindingSize:o,maxTextureDimension2D:n}=a.limits,s=Math.min(Math.min(o,Ae)/(4*e),n),i=Math.max(Math.floor(s/t),1)*t;return Array.from({length:Math.ceil(r/i)},(l,c)=>({number:c,first:c*i,rows:Math.min(i,r-c*i)}))}u(ge,"bandsOf");function X(a,e){return Math.ceil(a/C)*Math.ceil(e/C)}u(X,"tilesOf");var $=class{constructor(e){this.device=e;let r=u(t=>new _(e,t,GPUBufferUsage.STORAGE|GPUBufferUsage.COPY_SRC),"room");[this.#e,this.#r,this.#t]=[r("orders"),r("colors"),r("tiles")]}device;static{u(this,"Samples")}#e;#r;#t;#o=null;get counts(){return this.#t.ofSize(0)}buffers(e,r){let t=4*e*r,o=this.#t.ofSize(4*(1+X(e,r)));return{orders:this.#e.ofSize(t),colors:this.#r.ofSize(t),tiles:o}}targets(e,r){let t=this.#o;if(t&&t.color.width===e&&t.color.height===r)return t;t?.color.destroy(),t?.depth.destroy();let o=GPUTextureUsage.RENDER_ATTACHMENT|GPUTextureUsage.TEXTURE_BINDING,n=u(s=>this.device.createTexture({label:"samples",size:[e,r],format:s,usage:o}),"made");return this.#o={color:n(L),depth:n(K)},this.#o}};var we=3;var xe=8,H=[1/16,1/8,1/4,1/2];function ve(a,e,r,t){let o=[],n=[],s=new Float32Array(4*E),i=0;for(let{layer:l,box:c}of a){let d=J(l.model,e),f=oe(l.model,r,c),m=o.length/(4*E),y=n.length;for(let p of l.parts){let h=re(d,p,e.width,e.height);if(!h||c&&!te(f,p))continue;let{count:b}=p;n.push({view:m,first:l.first+we*p.first,number:i,count:b,place:h,page:l.page}),i+=b}n.length!==y&&(ne(s,l.model,d,f),o.push(...s))}return{views:new Float32Array(o),splats:i,...Ne(n,i,t)}}u(ve,"workOf");var[Le,Be]=(a=>[new Float32Array(a),new Uint32Array(a)])(new ArrayBuffer(4));function Ie(a){return Le[0]=a,Be[0]+(Number.isFinite(a)?1:0)}u(Ie,"orderOf");function Ne(a,e,r){let t=[...a].sort((c,d)=>Ce(d.place.nearness,c.place.nearness)),o=[...new Set(a.map(({page:c})=>c))],n=new Uint32Array(xe*a.length),s=new Map,i=[];for(let c of De(t,e)){let d=!0;for(let f of o){let m=c.filter(y=>y.page===f);if(m.length!==0){i.push({page:f,begins:d,first:s.size,count:m.length}),d=!1;for(let y of m)n.set(ke(y,o.indexOf(f),r),xe*s.size),s.set(y,s.size)}}}let l=new Uint32Array(a.map(c=>s.get(c)));return{parts:n,listed:l,pages:o,calls:i}}u(Ne,"sharedOut");function Ce(a,e){return+(a>e)-+(a<e)}u(Ce,"compared");function ke({view:a,first:e,number:r,count:t,place:o},n,s){let{low:i,high:l,nearness:c}=o,d=Ie(s*c);return[a,e,t,r,d,i[0]|i[1]<<16,l[0]|l[1]<<16,n]}u(ke,"numbersOf");function De(a,e){let r=[],[t,o,n]=[[],0,0];for(let s of a)if(t.push(s),o+=s.count,!(n>=H.length||o<e*H[n])){for(;n<H.length&&o>=e*H[n];)n+=1;r.push(t),t=[]}return t.length>0&&r.push(t),r}u(De,"batchesOf");var W=class{constructor(e,r,t,o,n){this.context=e;this.layout=r;this.device=t;this.kernels=o;this.meshes=n;this.#e=new N(t),this.#r=new $(t),this.#t=new _(t,"calls",GPUBufferUsage.UNIFORM);let s=u(i=>new _(t,i,GPUBufferUsage.STORAGE),"room");[this.#o,this.#n,this.#a]=[s("views"),s("parts"),s("listed")],this.#s=t.createTexture({size:[1,1],format:L,usage:GPUTextureUsage.TEXTURE_BINDING})}context;layout;device;kernels;meshes;static{u(this,"WebgpuDrawer")}#e;#r;#t;#o;#n;#a;#s;#i=Promise.resolve();#l=0;unhidden=null;upload(e,{words:r,parts:t}){let o=this.#e.put(r);return{model:e,parts:t,page:o.page,first:o.first,place:o,bytes:o.bytes}}drop({place:e}){this.#e.free(e)}uploadMesh(e){return this.meshes.upload(e)}dropMesh(e){this.meshes.drop(e)}draw(e,r,t,o){let n=se(o,t.width,this.device.limits.maxTextureDimension2D),s=Q({...t,width:t.width*n,height:t.height*n}),i=ae(r,e.length>0),l=ve(r,s,this.layout,i),c=ge(this.device,s.width,s.height,n),d=c.length*(1+4*l.calls.length+l.pages.length),f={meshes:e,projector:s,grid:n,rows:c[0]?.rows??0,work:l,numbers:new F({projector:s,grid:n,nearest:i,parts:l.listed.length},d),bound:{buffer:this.#t.ofSize(256*d),size:256},views:this.#o.with(l.views),parts:this.#n.with(l.parts),listed:this.#a.with(l.listed),target:this.context.getCurrentTexture().createView()},m=this.device.createCommandEncoder(),y=0;for(let h of c)y=this.#c(m,f,h);this.#t.with(f.numbers.all),this.#p(m,c);let p=2*l.calls.length+l.pages.length+e.length;return{splats:l.splats,triangles:y,calls:c.length*p}}get isDone(){return this.#l===0}finish(){return this.#i}#c(e,r,t){let{meshes:o,projector:n}=r,s=4*n.width*t.rows,{orders:i,colors:l,tiles:c}=this.#r.buffers(n.width,t.rows),d=o.length>0?this.#r.targets(n.width,r.rows):null;t.number===0&&e.clearBuffer(c,0,4),e.clearBuffer(l,0,s);let f=r.numbers.put(t,{}),m=0;if(d){m=this.#u(e,r,t,f,d);let p=this.#d(this.kernels.beginLayout,[r.bound,d.depth.createView(),{buffer:i}]),h=e.beginComputePass({label:"begin"});h.setPipeline(this.kernels.begin),h.setBindGroup(0,p,[f]),Pe(h,Math.ceil(n.width*t.rows/G)),h.end()}else e.clearBuffer(i,0,s);this.#f(e,r,t,[{buffer:c},{buffer:i},{buffer:l}]);let y=[r.bound,(d?.color??this.#s).createView(),{buffer:i},{buffer:l}];return this.#m(e,r,t,f,this.#d(this.kernels.resolveLayout,y)),m}#u(e,{meshes:r,projector:t,bound:o},{rows:n},s,{color:i,depth:l}){let c=e.beginRenderPass({label:"meshes",colorAttachments:[{view:i.createView(),loadOp:"clear",storeOp:"store"}],depthStencilAttachment:{view:l.createView(),depthClearValue:0,depthLoadOp:"clear",depthStoreOp:"store"}});c.setViewport(0,0,t.width,n,0,1),c.setBindGroup(0,this.#d(this.kernels.numbered,[o]),[s]);let d=this.meshes.record(c,r,t.eye);return c.end(),d}#f(e,{projector:r,work:t,numbers:o,bound:n,views:s,parts:i,listed:l},c,d){let f=new Map;for(let w of t.pages){let x=[s,i,l,w.buffer].map(g=>({buffer:g}));f.set(w,this.#d(this.kernels.splatLayout,[n,...x,...d]))}let m=e.beginComputePass({label:"splats"}),y=u((w,x,g,v)=>{m.setPipeline(w),m.setBindGroup(0,f.get(x),[o.put(c,v)]),Pe(m,g)},"call"),{splats:p,tiles:h,shade:b}=this.kernels,P=Math.ceil(X(r.width,c.rows)/G);for(let w of[0,1])for(let[x,g]of t.calls.entries())g.begins&&(w===0||x===0)&&y(h,g.page,P,{}),y(p,g.page,g.count,{first:g.first,count:g.count,round:w});let U=Math.ceil(r.width*c.rows/G);for(let[w,x]of t.pages.entries())y(b,x,U,{page:w});m.end()}#m(e,{projector:r,grid:t,target:o},{number:n,first:s,rows:i},l,c){let d=n===0?"clear":"load",f=e.beginRenderPass({label:"show",colorAttachments:[{view:o,loadOp:d,storeOp:"store"}]});f.setPipeline(this.kernels.resolve),f.setBindGroup(0,c,[l]),f.setScissorRect(0,s/t,r.width/t,i/t),f.draw(3),f.end()}#p(e,r){let t=this.device.createBuffer({size:4,usage:GPUBufferUsage.MAP_READ|GPUBufferUsage.COPY_DST});r.length>0&&e.copyBufferToBuffer(this.#r.counts,0,t,0,4),this.device.queue.submit([e.finish()]),this.#l+=1;let o=u(()=>{this.unhidden=new Uint32Array(t.getMappedRange())[0]??0,t.destroy()},"read");this.#i=t.mapAsync(GPUMapMode.READ).then(o,()=>{}).finally(()=>this.#l-=1)}#d(e,r){let t=r.map((o,n)=>({binding:n,resource:o}));return this.device.createBindGroup({layout:e,entries:t})}};function Pe(a,e){a.dispatchWorkgroups(Math.min(e,R),Math.ceil(e/R))}u(Pe,"dispatch");function Te(a,e){let r=u((b,P)=>{let w=[{buffer:{hasDynamicOffset:!0}},...P].map((x,g)=>({binding:g,visibility:b,...x}));return a.createBindGroupLayout({entries:w})},"layoutOf"),{COMPUTE:t,FRAGMENT:o,VERTEX:n}=GPUShaderStage,s={buffer:{type:"read-only-storage"}},i={buffer:{type:"storage"}},l=r(n|o,[]),c=r(t,[s,s,s,s,i,i,i]),d=r(t,[{texture:{sampleType:"depth"}},i]),f=r(o,[{texture:{sampleType:"unfilterable-float"}},s,s]),m=u((b,P)=>a.createShaderModule({label:b,code:P}),"moduleOf"),y=u((b,P,U)=>a.createComputePipeline({label:U,layout:a.createPipelineLayout({bindGroupLayouts:[b]}),compute:{module:P,entryPoint:U}}),"computed"),[p,h]=[m("splats",de),m("resolve",me)];return{numbered:l,splatLayout:c,beginLayout:d,resolveLayout:f,splats:y(c,p,"splats"),tiles:y(c,p,"farthest_of_tiles"),shade:y(c,p,"shade"),begin:y(d,m("begin",fe),"begin"),resolve:a.createRenderPipeline({label:"resolve",layout:a.createPipelineLayout({bindGroupLayouts:[f]}),vertex:{module:h},fragment:{module:h,targets:[{format:e}]}})}}u(Te,"kernelsOf");var Fe="the graphics have too little memory: ?megabytes= in the address sets how much is used";async function ht(a,e,r,t){let o=navigator.gpu.getPreferredCanvasFormat();r.pushErrorScope("validation");let n=Te(r,o),s=new D(r,n.numbered),i=await r.popErrorScope();if(i)throw new Error(i.message);let l=a.getContext("webgpu");if(!l)throw new Error("this browser has no WebGPU for pictures");return l.configure({device:r,format:o,alphaMode:"opaque"}),$e(r,t),new W(l,e,r,n,s)}u(ht,"start");function $e(a,e){let[r,t]=[!1,!1],o=u(n=>{r||e(n,!0),r=!0},"lose");a.lost.then(({message:n,reason:s})=>s!=="destroyed"&&o(`the graphics are gone: ${n}`)),a.onuncapturederror=({error:n})=>{n instanceof GPUOutOfMemoryError?t||e(Fe,!1):o(`the graphics cannot go on: ${n.message}`),t||=n instanceof GPUOutOfMemoryError}}u($e,"tellFailures");export{ht as start};
+`;var[B,X]=["rgba8unorm-srgb","depth32float"],Le=[{format:"float32x3",stride:12},{format:"float32x3",stride:12},{format:"float32x2",stride:8},{format:"unorm16x4",stride:8}],[Re,Ae]=[0,12],F=class{constructor(e,r){this.device=e;this.numbered=r;this.#e=e.createShaderModule({label:"meshes",code:be});let t=GPUShaderStage.FRAGMENT;this.#r=e.createBindGroupLayout({entries:[{binding:0,visibility:t,texture:{}},{binding:1,visibility:t,texture:{}},{binding:2,visibility:t,sampler:{}}]}),this.#t=e.createPipelineLayout({bindGroupLayouts:[r,r,this.#r]}),this.#n=new K(e),this.#o=e.createSampler({addressModeU:"repeat",addressModeV:"repeat",minFilter:"linear",magFilter:"linear",mipmapFilter:"linear"}),this.#a=this.#u(new Uint32Array([0,0,0,4294967295,4294967295]),GPUBufferUsage.VERTEX),this.#i=new U(e,"meshes",GPUBufferUsage.UNIFORM),this.#c(!0,!0,!0,!0)}device;numbered;static{u(this,"Meshes")}#e;#r;#t;#n;#o;#a;#s=new Map;#i;upload(e){let{positions:r,normals:t,uvs:n,colors:o,placements:s,indices:i}=e,l=u(p=>p&&this.#u(p,GPUBufferUsage.VERTEX),"fill"),c=[r,t,n,o,s].map(l),d=[e.image,e.glow],f=[...c,this.#u(i,GPUBufferUsage.INDEX)],m=f.reduce((p,h)=>p+(h?.size??0),0);for(let p of d)m+=p?Math.ceil(16*p.width*p.height/3):0;let y=d.map(p=>p&&this.#n.of(p));return{origin:e.origin,material:e.material,pipeline:this.#c(!0,t!==null,n!==null,o!==null),buffers:c,indices:f.at(-1),format:i instanceof Uint16Array?"uint16":"uint32",corners:i.length,copies:s.length/12,textures:y,group:this.#l(y),bytes:m}}drop({buffers:e,indices:r,textures:t}){for(let n of[...e,r,...t])n?.destroy()}record(e,r,t){let n=new Float32Array(256/4*r.length);r.forEach((i,l)=>n.set(Be(i,t),256/4*l));let o={buffer:this.#i.with(n),size:256},s=this.device.createBindGroup({layout:this.numbered,entries:[{binding:0,resource:o}]});return r.reduce((i,l,c)=>(e.setPipeline(l.pipeline),e.setBindGroup(1,s,[256*c]),e.setBindGroup(2,l.group),l.buffers.forEach((d,f)=>{d?e.setVertexBuffer(f,d):e.setVertexBuffer(f,this.#a,f===3?Ae:Re)}),e.setIndexBuffer(l.indices,l.format),e.drawIndexed(l.corners,l.copies),i+l.corners/3*l.copies),0)}#l(e){let t=[...e.map((n,o)=>({binding:o,resource:(n??this.#n.white).createView()})),{binding:2,resource:this.#o}];return this.device.createBindGroup({layout:this.#r,entries:t})}#c(...e){let r=e.join(),t=this.#s.get(r);if(t)return t;let n=Le.map(({format:l,stride:c},d)=>({arrayStride:e[d]?c:0,attributes:[{shaderLocation:d,offset:0,format:l}]})),o=[0,1,2].map(l=>({shaderLocation:4+l,offset:16*l,format:"float32x4"})),s={arrayStride:48,stepMode:"instance",attributes:o},i=this.device.createRenderPipeline({label:"meshes",layout:this.#t,vertex:{module:this.#e,buffers:[...n,s]},fragment:{module:this.#e,targets:[{format:B}]},depthStencil:{format:X,depthWriteEnabled:!0,depthCompare:"greater"}});return this.#s.set(r,i),i}#u(e,r){let t=4*Math.ceil(Math.max(e.byteLength,4)/4),n=this.device.createBuffer({label:"mesh",size:t,usage:r,mappedAtCreation:!0});return new Uint8Array(n.getMappedRange()).set(new Uint8Array(e.buffer,e.byteOffset,e.byteLength)),n.unmap(),n}};function Be({origin:a,material:e},r){let{color:t,cutoff:n,emission:o,isUnlit:s}=e;return[...[a[0]-r[0],a[1]-r[1],a[2]-r[2]],n??-1,...t,...o??[0,0,0],s?1:0]}u(Be,"numbersOf");var xe="rgba8unorm-srgb",K=class{constructor(e){this.device=e;let r=e.createShaderModule({label:"levels of textures",code:ge});this.#e=e.createRenderPipeline({label:"levels of textures",layout:"auto",vertex:{module:r},fragment:{module:r,targets:[{format:xe}]}}),this.#r=e.createSampler({minFilter:"linear",magFilter:"linear"}),this.white=this.#t(1,1),e.queue.writeTexture({texture:this.white},new Uint8Array([255,255,255,255]),{},[1,1])}device;static{u(this,"Images")}#e;#r;white;of(e){let{width:r,height:t}=e,n=this.#t(r,t);this.device.queue.copyExternalImageToTexture({source:e},{texture:n},[r,t]),e.close();let o=this.device.createCommandEncoder();for(let s=1;s<n.mipLevelCount;s++)this.#n(o,n,s);return this.device.queue.submit([o.finish()]),n}#t(e,r){return this.device.createTexture({label:"image",size:[e,r],format:xe,mipLevelCount:1+Math.floor(Math.log2(Math.max(e,r))),usage:GPUTextureUsage.TEXTURE_BINDING|GPUTextureUsage.COPY_DST|GPUTextureUsage.RENDER_ATTACHMENT})}#n(e,r,t){let n=u(i=>r.createView({baseMipLevel:i,mipLevelCount:1}),"view"),o=e.beginRenderPass({colorAttachments:[{view:n(t),loadOp:"clear",storeOp:"store"}]});o.setPipeline(this.#e);let s=[{binding:0,resource:n(t-1)},{binding:1,resource:this.#r}];o.setBindGroup(0,this.device.createBindGroup({layout:this.#e.getBindGroupLayout(0),entries:s})),o.draw(3),o.end()}};var Ie=1<<26;function ve(a,e,r,t){let{maxStorageBufferBindingSize:n,maxTextureDimension2D:o}=a.limits,s=Math.min(Math.min(n,Ie)/(4*e),o),i=Math.max(Math.floor(s/t),1)*t;return Array.from({length:Math.ceil(r/i)},(l,c)=>({number:c,first:c*i,rows:Math.min(i,r-c*i)}))}u(ve,"bandsOf");function Z(a,e){return Math.ceil(a/A)*Math.ceil(e/A)}u(Z,"tilesOf");var $=class{constructor(e){this.device=e;let r=u(t=>new U(e,t,GPUBufferUsage.STORAGE|GPUBufferUsage.COPY_SRC),"room");[this.#e,this.#r,this.#t]=[r("orders"),r("colors"),r("tiles")]}device;static{u(this,"Samples")}#e;#r;#t;#n=null;get counts(){return this.#t.ofSize(0)}buffers(e,r){let t=4*e*r,n=this.#t.ofSize(4*(1+Z(e,r)));return{orders:this.#e.ofSize(t),colors:this.#r.ofSize(t),tiles:n}}targets(e,r){let t=this.#n;if(t&&t.color.width===e&&t.color.height===r)return t;t?.color.destroy(),t?.depth.destroy();let n=GPUTextureUsage.RENDER_ATTACHMENT|GPUTextureUsage.TEXTURE_BINDING,o=u(s=>this.device.createTexture({label:"samples",size:[e,r],format:s,usage:n}),"made");return this.#n={color:o(B),depth:o(X)},this.#n}};var Pe=3;var Te=8,H=[1/16,1/8,1/4,1/2];function _e(a,e,r,t){let n=[],o=[],s=new Float32Array(4*R),i=0;for(let{layer:l,box:c}of a){let d=te(l.model,e),f=se(l.model,r,c),m=n.length/(4*R),y=o.length;for(let p of l.parts){let h=oe(d,p,e.width,e.height);if(!h||c&&!ae(f,p))continue;let{count:b}=p;o.push({view:m,first:l.first+Pe*p.first,number:i,count:b,place:h,page:l.page}),i+=b}o.length!==y&&(ie(s,l.model,d,f),n.push(...s))}return{views:new Float32Array(n),splats:i,...De(o,i,t)}}u(_e,"workOf");var[Ne,Ce]=(a=>[new Float32Array(a),new Uint32Array(a)])(new ArrayBuffer(4));function ke(a){return Ne[0]=a,Ce[0]+(Number.isFinite(a)?1:0)}u(ke,"orderOf");function De(a,e,r){let t=[...a].sort((c,d)=>Fe(d.place.nearness,c.place.nearness)),n=[...new Set(a.map(({page:c})=>c))],o=new Uint32Array(Te*a.length),s=new Map,i=[];for(let c of He(t,e)){let d=!0;for(let f of n){let m=c.filter(y=>y.page===f);if(m.length!==0){i.push({page:f,begins:d,first:s.size,count:m.length}),d=!1;for(let y of m)o.set($e(y,n.indexOf(f),r),Te*s.size),s.set(y,s.size)}}}let l=new Uint32Array(a.map(c=>s.get(c)));return{parts:o,listed:l,pages:n,calls:i}}u(De,"assignCalls");function Fe(a,e){return+(a>e)-+(a<e)}u(Fe,"compareNumbers");function $e({view:a,first:e,number:r,count:t,place:n},o,s){let{low:i,high:l,nearness:c}=n,d=ke(s*c);return[a,e,t,r,d,i[0]|i[1]<<16,l[0]|l[1]<<16,o]}u($e,"numbersOf");function He(a,e){let r=[],[t,n,o]=[[],0,0];for(let s of a)if(t.push(s),n+=s.count,!(o>=H.length||n<e*H[o])){for(;o<H.length&&n>=e*H[o];)o+=1;r.push(t),t=[]}return t.length>0&&r.push(t),r}u(He,"batchesOf");var W=class{constructor(e,r,t,n,o){this.context=e;this.layout=r;this.device=t;this.kernels=n;this.meshes=o;this.#e=new k(t),this.#r=new $(t),this.#t=new U(t,"calls",GPUBufferUsage.UNIFORM);let s=u(i=>new U(t,i,GPUBufferUsage.STORAGE),"room");[this.#n,this.#o,this.#a]=[s("views"),s("parts"),s("listed")],this.#s=t.createTexture({size:[1,1],format:B,usage:GPUTextureUsage.TEXTURE_BINDING})}context;layout;device;kernels;meshes;static{u(this,"WebgpuDrawer")}#e;#r;#t;#n;#o;#a;#s;#i=Promise.resolve();#l=0;unhidden=null;upload(e,{words:r,parts:t}){let n=this.#e.put(r);return{model:e,parts:t,page:n.page,first:n.first,place:n,bytes:n.bytes}}drop({place:e}){this.#e.free(e)}uploadMesh(e){return this.meshes.upload(e)}dropMesh(e){this.meshes.drop(e)}draw(e,r,t,n){let o=J(n,t.width,this.device.limits.maxTextureDimension2D),s=re({...t,width:t.width*o,height:t.height*o}),i=Q(r,e.length>0),l=_e(r,s,this.layout,i),c=ve(this.device,s.width,s.height,o),d=c.length*(1+4*l.calls.length+l.pages.length),f={meshes:e,projector:s,grid:o,rows:c[0]?.rows??0,work:l,numbers:new D({projector:s,grid:o,nearest:i,parts:l.listed.length},d),bound:{buffer:this.#t.ofSize(256*d),size:256},views:this.#n.with(l.views),parts:this.#o.with(l.parts),listed:this.#a.with(l.listed),target:this.context.getCurrentTexture().createView()},m=this.device.createCommandEncoder(),y=0;for(let h of c)y=this.#c(m,f,h);this.#t.with(f.numbers.all),this.#p(m,c);let p=2*l.calls.length+l.pages.length+e.length;return{splats:l.splats,triangles:y,calls:c.length*p}}get isDone(){return this.#l===0}finish(){return this.#i}#c(e,r,t){let{meshes:n,projector:o}=r,s=4*o.width*t.rows,{orders:i,colors:l,tiles:c}=this.#r.buffers(o.width,t.rows),d=n.length>0?this.#r.targets(o.width,r.rows):null;t.number===0&&e.clearBuffer(c,0,4),e.clearBuffer(l,0,s);let f=r.numbers.put(t,{}),m=0;if(d){m=this.#u(e,r,t,f,d);let p=this.#d(this.kernels.beginLayout,[r.bound,d.depth.createView(),{buffer:i}]),h=e.beginComputePass({label:"begin"});h.setPipeline(this.kernels.begin),h.setBindGroup(0,p,[f]),Ue(h,Math.ceil(o.width*t.rows/G)),h.end()}else e.clearBuffer(i,0,s);this.#f(e,r,t,[{buffer:c},{buffer:i},{buffer:l}]);let y=[r.bound,(d?.color??this.#s).createView(),{buffer:i},{buffer:l}];return this.#m(e,r,t,f,this.#d(this.kernels.resolveLayout,y)),m}#u(e,{meshes:r,projector:t,bound:n},{rows:o},s,{color:i,depth:l}){let c=e.beginRenderPass({label:"meshes",colorAttachments:[{view:i.createView(),loadOp:"clear",storeOp:"store"}],depthStencilAttachment:{view:l.createView(),depthClearValue:0,depthLoadOp:"clear",depthStoreOp:"store"}});c.setViewport(0,0,t.width,o,0,1),c.setBindGroup(0,this.#d(this.kernels.numbered,[n]),[s]);let d=this.meshes.record(c,r,t.eye);return c.end(),d}#f(e,{projector:r,work:t,numbers:n,bound:o,views:s,parts:i,listed:l},c,d){let f=new Map;for(let w of t.pages){let x=[s,i,l,w.buffer].map(g=>({buffer:g}));f.set(w,this.#d(this.kernels.splatLayout,[o,...x,...d]))}let m=e.beginComputePass({label:"splats"}),y=u((w,x,g,v)=>{m.setPipeline(w),m.setBindGroup(0,f.get(x),[n.put(c,v)]),Ue(m,g)},"call"),{splats:p,tiles:h,shade:b}=this.kernels,P=Math.ceil(Z(r.width,c.rows)/G);for(let w of[0,1])for(let[x,g]of t.calls.entries())g.begins&&(w===0||x===0)&&y(h,g.page,P,{}),y(p,g.page,g.count,{first:g.first,count:g.count,round:w});let _=Math.ceil(r.width*c.rows/G);for(let[w,x]of t.pages.entries())y(b,x,_,{page:w});m.end()}#m(e,{projector:r,grid:t,target:n},{number:o,first:s,rows:i},l,c){let d=o===0?"clear":"load",f=e.beginRenderPass({label:"show",colorAttachments:[{view:n,loadOp:d,storeOp:"store"}]});f.setPipeline(this.kernels.resolve),f.setBindGroup(0,c,[l]),f.setScissorRect(0,s/t,r.width/t,i/t),f.draw(3),f.end()}#p(e,r){let t=this.device.createBuffer({size:4,usage:GPUBufferUsage.MAP_READ|GPUBufferUsage.COPY_DST});r.length>0&&e.copyBufferToBuffer(this.#r.counts,0,t,0,4),this.device.queue.submit([e.finish()]),this.#l+=1;let n=u(()=>{this.unhidden=new Uint32Array(t.getMappedRange())[0]??0,t.destroy()},"read");this.#i=t.mapAsync(GPUMapMode.READ).then(n,()=>{}).finally(()=>this.#l-=1)}#d(e,r){let t=r.map((n,o)=>({binding:o,resource:n}));return this.device.createBindGroup({layout:e,entries:t})}};function Ue(a,e){a.dispatchWorkgroups(Math.min(e,M),Math.ceil(e/M))}u(Ue,"dispatch");var We="there is too little graphics memory: ?megabytes= in the address sets the limit";async function ft(a,e,r,t){let n=navigator.gpu.getPreferredCanvasFormat();r.pushErrorScope("validation");let o=he(r,n),s=new F(r,o.numbered),i=await r.popErrorScope();if(i)throw new Error(i.message);let l=a.getContext("webgpu");if(!l)throw new Error("this browser has no WebGPU for pictures");return l.configure({device:r,format:n,alphaMode:"opaque"}),Ve(r,t),new W(l,e,r,o,s)}u(ft,"start");function Ve(a,e){let[r,t]=[!1,!1],n=u(o=>{r||e(o,!0),r=!0},"lose");a.lost.then(({message:o,reason:s})=>s!=="destroyed"&&n(`the graphics device is lost: ${o}`)),a.onuncapturederror=({error:o})=>{o instanceof GPUOutOfMemoryError?t||e(We,!1):n(`the graphics fail: ${o.message}`),t||=o instanceof GPUOutOfMemoryError}}u(Ve,"tellFailures");export{ft as start};

@@ -3,19 +3,8 @@ import type { Camera } from '../../cut/camera';
 import type { Piece } from '../../decode/leaf';
 import { type Part, type Splats, WORDS } from '../../decode/pack';
 import type { Layout } from '../../store/layout';
-import {
-  isIn,
-  type Model,
-  type Projector,
-  projectorOf,
-  rowsOf,
-  seenOf,
-  sightOf,
-  VECTORS,
-  writeView,
-} from '../../splats/sight';
-import type { Drawer, Drawn, Item } from '../drawer';
-import { gridOf, nearestOf } from '../bounds';
+import { type Drawer, type Drawn, gridOf, type Item, nearestOf } from '../drawer';
+import { isIn, type Model, type Projector, projectorOf, rowsOf, seenOf, sightOf, VECTORS, writeView } from '../sight';
 import { type Program, programOf, type Target, targetOf } from './gl';
 import { type Mesh, Meshes } from './meshes';
 import { RESOLVE_FRAGMENT, SPLAT_FRAGMENT, SPLAT_VERTEX, WHOLE_VERTEX } from './shaders';

@@ -13,7 +13,7 @@ export function programOf(gl: WebGL2RenderingContext, vertex: string, fragment: 
     [gl.FRAGMENT_SHADER, fragment],
   ] as const) {
     const shader = gl.createShader(kind);
-    if (!shader) throw new Error('the browser has taken the graphics away');
+    if (!shader) throw new Error('the graphics context is lost');
     gl.shaderSource(shader, source);
     gl.compileShader(shader);
     gl.attachShader(program, shader);

@@ -1,10 +1,10 @@
 /** GLSL of the geometry of near leaves. */
-import { IRRADIANCE } from '../../../shaders/light';
+import { IRRADIANCE, LEVEL_OF, SHADING_NORMAL } from '../../../shaders/light';
 import { HEAD } from './shaders';
 
 export const MESH_VERTEX = /* glsl */ `${HEAD}
 layout(location = 0) in vec3 position;
-// Of length 0 where faces are flat.
+// Of length 0 for flat shading.
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec2 uv;
 layout(location = 3) in vec4 color;
@@ -16,7 +16,7 @@ uniform vec3 offset;
 // The camera's gradients of X, Y and W.
 uniform vec3 gradients[3];
 uniform vec2 screen;
-// Metres along the axis at which the depth buffer ends.
+// Near distance in metres: depths are this divided by the distance along the axis.
 uniform float nearest;
 out vec3 v_point;
 out vec3 v_normal;
@@ -26,7 +26,7 @@ out vec3 v_color;
 void main() {
   vec4 at = vec4(position, 1.0);
   v_point = vec3(dot(row_x, at), dot(row_y, at), dot(row_z, at)) + offset;
-  // Normals go by the cofactors of the matrix, whatever its scale and handedness.
+  // Normals are transformed by the cofactor matrix, for any scale and handedness.
   vec3 x = cross(row_y.xyz, row_z.xyz);
   vec3 y = cross(row_z.xyz, row_x.xyz);
   vec3 z = cross(row_x.xyz, row_y.xyz);
@@ -44,7 +44,7 @@ uniform sampler2D image;
 uniform sampler2D glow;
 uniform vec4 base;
 uniform vec3 emission;
-// Least alpha that is drawn; below 0 where nothing is cut out.
+// Least alpha that is drawn; negative for opaque materials.
 uniform float cutoff;
 uniform float unlit;
 uniform float nearest;
@@ -54,38 +54,20 @@ in vec2 v_uv;
 in vec3 v_color;
 out vec4 shade;
 ${IRRADIANCE}
-// The face's normal towards the viewer; the vertices' one on its side.
-vec3 shading_normal() {
-  vec3 face = cross(dFdx(v_point), dFdy(v_point));
-  float size = length(face);
-  vec3 toward = -normalize(v_point);
-  face = size > 0.0 ? face / size : toward;
-  face = dot(face, toward) < 0.0 ? -face : face;
-  float long_normal = length(v_normal);
-  if (long_normal == 0.0) {
-    return face;
-  }
-  vec3 n = v_normal / long_normal;
-  return dot(n, face) < 0.0 ? -n : n;
-}
-
-// The level at which a texel is as large as a pixel, by areas.
-float level_of(ivec2 size) {
-  vec2 dx = dFdx(v_uv) * vec2(size);
-  vec2 dy = dFdy(v_uv) * vec2(size);
-  return 0.5 * log2(max(abs(dx.x * dy.y - dx.y * dy.x), 1e-30));
-}
-
+${SHADING_NORMAL}
+${LEVEL_OF}
 void main() {
-  vec3 normal = shading_normal();
-  vec4 texel = textureLod(image, v_uv, level_of(textureSize(image, 0)));
-  vec3 light = textureLod(glow, v_uv, level_of(textureSize(glow, 0))).rgb;
+  vec3 normal = shading_normal(cross(dFdx(v_point), dFdy(v_point)), -normalize(v_point), v_normal);
+  vec2 right = dFdx(v_uv);
+  vec2 down = dFdy(v_uv);
+  vec4 texel = textureLod(image, v_uv, level_of(textureSize(image, 0), right, down));
+  vec3 light = textureLod(glow, v_uv, level_of(textureSize(glow, 0), right, down)).rgb;
   if (base.a * textureLod(image, v_uv, 0.0).a < cutoff) {
     discard;
   }
   vec3 albedo = base.rgb * v_color * texel.rgb;
   shade = vec4(albedo * mix(irradiance(normal), vec3(1.0), unlit) + emission * light, 1.0);
-  // As that of splats: nearest over the distance along the axis.
+  // Same as for splats: the near distance divided by the distance along the axis.
   gl_FragDepth = nearest * gl_FragCoord.w;
 }
 `;

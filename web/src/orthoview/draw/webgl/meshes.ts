@@ -1,8 +1,8 @@
 /** Draws the geometry of near leaves into the samples, with the depth and lighting of splats. */
 import { ROWS } from '../../../decode/placements';
 import type { Piece } from '../../decode/leaf';
-import type { Projector } from '../../splats/sight';
 import type { Triple } from '../../store/layout';
+import type { Projector } from '../sight';
 import { type Program, programOf } from './gl';
 import { MESH_FRAGMENT, MESH_VERTEX } from './mesh_shaders';
 

@@ -1,6 +1,6 @@
 /** GLSL of splats, of light and of the picture's samples. */
 import { BACKGROUND, float, IRRADIANCE, LINEAR, SRGB } from '../../../shaders/light';
-import { BORDER, MIN_COSINE, SQUARED_RADIUS, VECTORS } from '../../splats/sight';
+import { BORDER, MIN_COSINE, SQUARED_RADIUS, VECTORS } from '../sight';
 
 export const HEAD = /* glsl */ `#version 300 es
 precision highp float;
@@ -27,7 +27,7 @@ const float RADIUS = ${float(Math.sqrt(SQUARED_RADIUS))};
 const vec4 NOWHERE = vec4(2.0, 2.0, 2.0, 1.0);
 ${IRRADIANCE}
 ${LINEAR}
-// Half of the extent of a ball along an axis: the length of the gradient of X/W.
+// Half the extent of a ball along an axis: the length of the gradient of X/W.
 float disc(vec3 own, float place, float over) {
   return length((own - place * gradients[2]) * over) * view[2].w;
 }
@@ -41,7 +41,7 @@ void main() {
   float over = 1.0 / function.z;
   vec2 middle = function.xy * over;
 
-  // The normal, and the depth steps by which its plane falls for each pixel.
+  // Normal, and the change of depth per pixel on its plane.
   vec2 code = vec2(float(splat.y & 4095u), float(splat.y >> 12 & 4095u)) * view[1].w - 1.0;
   vec3 normal = vec3(code, 1.0 - abs(code.x) - abs(code.y));
   float fold = max(-normal.z, 0.0);
@@ -60,7 +60,7 @@ void main() {
   float determinant = du.x * dv.y - dv.x * du.y;
   vec2 half_size;
   if (is_surfel) {
-    // A surfel that is seen from its edge is a line: only the sample of its middle shows it.
+    // A surfel seen edge-on is a line: only the sample of its centre shows it.
     bool is_flat = abs(determinant) <= 1.2e-7 * (abs(du.x) + abs(dv.x)) * (abs(du.y) + abs(dv.y));
     float inverse = is_flat ? 0.0 : 1.0 / determinant;
     v_inverse = is_flat ? vec4(1e9) : vec4(dv.y, -dv.x, -du.y, du.x) * inverse;
@@ -75,7 +75,7 @@ void main() {
   }
   v_middle = middle;
 
-  // A view sees the insides of what a cell's side cuts open: normals are turned towards the viewer.
+  // Surfaces cut by a cell's side show their inside: normals are turned towards the viewer.
   vec3 ray = rays[0] + middle.x * rays[1] + middle.y * rays[2];
   normal = dot(normal, ray) > 0.0 ? -normal : normal;
   vec3 albedo = linear_of(vec3(splat.x & 255u, splat.x >> 8 & 255u, splat.x >> 16 & 255u) / 255.0);
@@ -85,7 +85,7 @@ void main() {
   bool is_shown = function.z - RADIUS * factor * length(vec2(u.z, v.z)) >= view[0].w;
   is_shown = is_shown && all(greaterThanEqual(inside, vec3(0.0))) && all(lessThan(inside, vec3(1.0)));
   is_shown = is_shown && all(lessThan(abs(middle - 0.5 * screen.xy), 0.5 * screen.xy + max(half_size, 0.5)));
-  // Points whose middles lie outside are clipped, however large: such ones begin at the picture's side.
+  // Points whose centres lie outside are clipped, however large: their centres are moved to the picture's side.
   vec2 start = clamp(middle, vec2(0.0), screen.xy);
   vec2 reach = half_size + abs(start - middle);
   gl_PointSize = clamp(2.0 * max(reach.x, reach.y), 1.0, screen.z);
@@ -96,7 +96,7 @@ void main() {
 
 export const SPLAT_FRAGMENT = /* glsl */ `${HEAD}
 uniform vec3 screen;
-// Metres at which the depth buffer ends.
+// Near distance in metres: depths are this divided by the distance along the axis.
 uniform float nearest;
 flat in vec4 v_inverse;
 flat in vec2 v_middle;
@@ -114,7 +114,7 @@ void main() {
     discard;
   }
   float nearness = v_nearness.x + (is_inside ? dot(v_nearness.yz, p) : 0.0);
-  // Exact on a plane. What is nearer has more, so that float32 keeps its digits far away.
+  // Exact on a plane, and greater for nearer points, so that float32 keeps its precision far away.
   gl_FragDepth = nearest * nearness;
   shade = vec4(v_color, 1.0);
 }

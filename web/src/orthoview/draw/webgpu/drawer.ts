@@ -2,17 +2,14 @@
 import type { Camera } from '../../cut/camera';
 import type { Piece } from '../../decode/leaf';
 import type { Part, Splats } from '../../decode/pack';
-import { type Model, type Projector, projectorOf } from '../../splats/sight';
 import type { Layout } from '../../store/layout';
-import type { Drawer, Drawn, Held, Item } from '../drawer';
-import { gridOf, nearestOf } from '../bounds';
-import { Arena, type Page, type Place } from './arena';
-import type { Kernels } from './kernels';
+import { type Drawer, type Drawn, gridOf, type Held, type Item, nearestOf } from '../drawer';
+import { type Model, type Projector, projectorOf } from '../sight';
+import { Arena, type Page, type Place, Room, SLOT } from './buffers';
+import { type Called, type Kernels, Numbers } from './kernels';
 import { COLOR, type Mesh, type Meshes } from './meshes';
-import { type Called, Numbers } from './numbers';
-import { Room, SLOT } from './room';
+import { GROUP, ROW } from './sample_shaders';
 import { type Band, bandsOf, Samples, type Targets, tilesOf } from './samples';
-import { GROUP, ROW } from './splat_shaders';
 import { type Work, workOf } from './work';
 
 /** Layer of a view on the GPU. */

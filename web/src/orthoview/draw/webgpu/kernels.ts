@@ -1,5 +1,9 @@
-/** Pipelines of splats and the layouts of their bindings. */
-import { BEGIN, RESOLVE, SPLATS } from './splat_shaders';
+/** Pipelines of splats, the layouts of their bindings, and the uniforms of their calls. */
+import type { Projector } from '../sight';
+import { SLOT } from './buffers';
+import { BEGIN, RESOLVE } from './sample_shaders';
+import type { Band } from './samples';
+import { SPLATS } from './splat_shaders';
 
 export interface Kernels {
   /** Bind group layouts: uniforms at a dynamic offset, alone and together with the resources of each pipeline. */
@@ -55,4 +59,57 @@ export function kernelsOf(device: GPUDevice, format: GPUTextureFormat): Kernels 
       fragment: { module: shown, targets: [{ format }] },
     }),
   };
+}
+
+/** Uniforms that are the same for all calls. */
+export interface Common {
+  /** Projector of the samples. */
+  readonly projector: Projector;
+  readonly grid: number;
+  /** Least distance in metres; depths are relative to it. */
+  readonly nearest: number;
+  /** Number of all parts. */
+  readonly parts: number;
+}
+
+export interface Called {
+  /** First part of the range [first, first + count). */
+  readonly first?: number;
+  readonly count?: number;
+  readonly round?: number;
+  /** Index of the page. */
+  readonly page?: number;
+}
+
+export class Numbers {
+  readonly #data: ArrayBuffer;
+  #used = 0;
+
+  constructor(
+    readonly common: Common,
+    /** Greatest number of calls. */
+    calls: number,
+  ) {
+    this.#data = new ArrayBuffer(SLOT * calls);
+  }
+
+  get all(): Uint32Array<ArrayBuffer> {
+    return new Uint32Array(this.#data);
+  }
+
+  /** Adds a call; returns the byte offset of its uniforms. */
+  put(band: Band, { first = 0, count = 0, round = 0, page = 0 }: Called): number {
+    const { projector, grid, nearest, parts } = this.common;
+    const at = SLOT * this.#used;
+    const floats = new Float32Array(this.#data, at, SLOT / 4);
+    [...projector.rows, ...projector.rays].forEach((vector, n) => floats.set(vector, 4 * n));
+    new Uint32Array(this.#data, at + 96, 12).set([
+      ...[projector.width, band.rows, band.first, grid],
+      ...[first, count, round, 0],
+      ...[parts, page, 0, 0],
+    ]);
+    floats[36] = nearest;
+    this.#used += 1;
+    return at;
+  }
 }

@@ -1,14 +1,14 @@
 /** WGSL of the geometry of near leaves, and of mipmaps. */
 import { LIGHT_WGSL } from '../../../shaders/light';
-import { DRAW } from './splat_shaders';
+import { DRAW } from './sample_shaders';
 
 export const MESHES = /* wgsl */ `
 ${DRAW}
 struct Mesh {
-  // Place of the leaf's origin from the eye; least alpha that is drawn, below 0 where nothing is cut out.
+  // Offset of the leaf's origin from the eye; w is the least alpha that is drawn, negative for opaque materials.
   offset: vec4<f32>,
   base: vec4<f32>,
-  // Of light, and whether it is drawn without light.
+  // Emitted light; w is 1 for unlit materials.
   emission: vec4<f32>,
 }
 
@@ -28,7 +28,7 @@ struct Corner {
 @vertex
 fn corner(
   @location(0) position: vec3<f32>,
-  // Of length 0 where faces are flat.
+  // Of length 0 for flat shading.
   @location(1) normal: vec3<f32>,
   @location(2) uv: vec2<f32>,
   @location(3) color: vec4<f32>,
@@ -40,7 +40,7 @@ fn corner(
   let at = vec4<f32>(position, 1.0);
   var out: Corner;
   out.point = vec3<f32>(dot(row_x, at), dot(row_y, at), dot(row_z, at)) + mesh.offset.xyz;
-  // Normals go by the cofactors of the matrix, whatever its scale and handedness.
+  // Normals are transformed by the cofactor matrix, for any scale and handedness.
   let x = cross(row_y.xyz, row_z.xyz);
   let y = cross(row_z.xyz, row_x.xyz);
   let z = cross(row_x.xyz, row_y.xyz);
@@ -54,7 +54,7 @@ fn corner(
     dot(gradients[2].xyz, out.point),
   );
   let row = shown.y - f32(draw.size.z) * shown.z;
-  // Depths are the nearest distance over that along the axis, as those of splats.
+  // Depths are the near distance divided by the distance along the axis, as for splats.
   out.place = vec4<f32>(
     2.0 * shown.x / f32(draw.size.x) - shown.z,
     shown.z - 2.0 * row / f32(draw.size.y),

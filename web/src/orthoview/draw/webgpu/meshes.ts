@@ -1,11 +1,10 @@
-/** Draws the geometry of near leaves, with the depth and lighting of splats. */
+/** Draws the geometry of near leaves, with the depth and lighting of splats, and textures with mipmaps. */
 import { ROWS } from '../../../decode/placements';
 import type { Piece } from '../../decode/leaf';
 import type { Triple } from '../../store/layout';
 import type { Held } from '../drawer';
-import { MESHES } from './mesh_shaders';
-import { Room, SLOT } from './room';
-import { Images } from './textures';
+import { Room, SLOT } from './buffers';
+import { LEVEL, MESHES } from './mesh_shaders';
 
 /** Formats of samples: linear light as 8-bit sRGB, and depths that are greater for nearer points. */
 export const [COLOR, DEPTH] = ['rgba8unorm-srgb', 'depth32float'] as const;
@@ -175,4 +174,63 @@ function numbersOf({ origin, material }: Mesh, eye: Triple): number[] {
   // In float64: float32 is exact only for points near the eye.
   const offset = [origin[0] - eye[0], origin[1] - eye[1], origin[2] - eye[2]];
   return [...offset, cutoff ?? -1, ...color, ...(emission ?? [0, 0, 0]), isUnlit ? 1 : 0];
+}
+
+const FORMAT: GPUTextureFormat = 'rgba8unorm-srgb';
+
+class Images {
+  readonly #pipeline: GPURenderPipeline;
+  readonly #sampler: GPUSampler;
+  /** White texture of one texel, for materials without an image. */
+  readonly white: GPUTexture;
+
+  constructor(readonly device: GPUDevice) {
+    const module = device.createShaderModule({ label: 'levels of textures', code: LEVEL });
+    this.#pipeline = device.createRenderPipeline({
+      label: 'levels of textures',
+      layout: 'auto',
+      vertex: { module },
+      fragment: { module, targets: [{ format: FORMAT }] },
+    });
+    this.#sampler = device.createSampler({ minFilter: 'linear', magFilter: 'linear' });
+    this.white = this.#empty(1, 1);
+    device.queue.writeTexture({ texture: this.white }, new Uint8Array([255, 255, 255, 255]), {}, [1, 1]);
+  }
+
+  /** Creates the texture of an image and closes the image. */
+  of(image: ImageBitmap): GPUTexture {
+    const { width, height } = image;
+    const texture = this.#empty(width, height);
+    this.device.queue.copyExternalImageToTexture({ source: image }, { texture }, [width, height]);
+    image.close();
+    const encoder = this.device.createCommandEncoder();
+    for (let level = 1; level < texture.mipLevelCount; level++) this.#fill(encoder, texture, level);
+    this.device.queue.submit([encoder.finish()]);
+    return texture;
+  }
+
+  #empty(width: number, height: number): GPUTexture {
+    return this.device.createTexture({
+      label: 'image',
+      size: [width, height],
+      format: FORMAT,
+      mipLevelCount: 1 + Math.floor(Math.log2(Math.max(width, height))),
+      usage: GPUTextureUsage.TEXTURE_BINDING | GPUTextureUsage.COPY_DST | GPUTextureUsage.RENDER_ATTACHMENT,
+    });
+  }
+
+  #fill(encoder: GPUCommandEncoder, texture: GPUTexture, level: number): void {
+    const view = (baseMipLevel: number): GPUTextureView => texture.createView({ baseMipLevel, mipLevelCount: 1 });
+    const pass = encoder.beginRenderPass({
+      colorAttachments: [{ view: view(level), loadOp: 'clear', storeOp: 'store' }],
+    });
+    pass.setPipeline(this.#pipeline);
+    const entries = [
+      { binding: 0, resource: view(level - 1) },
+      { binding: 1, resource: this.#sampler },
+    ];
+    pass.setBindGroup(0, this.device.createBindGroup({ layout: this.#pipeline.getBindGroupLayout(0), entries }));
+    pass.draw(3);
+    pass.end();
+  }
 }

@@ -1,7 +1,7 @@
 /** Storage of a picture's samples: for all of them at once, or for bands of rows if they are too many. */
+import { Room } from './buffers';
 import { COLOR, DEPTH } from './meshes';
-import { Room } from './room';
-import { TILE } from './splat_shaders';
+import { TILE } from './sample_shaders';
 
 /** Greatest number of bytes for the depths of a band's samples, and for their colours. */
 const MAX = 1 << 26;

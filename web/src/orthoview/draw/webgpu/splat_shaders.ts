@@ -1,44 +1,22 @@
 /** WGSL of splats: splats raise the depths of samples, and the nearest splats then set the colours. */
 import { float, LIGHT_WGSL } from '../../../shaders/light';
-import { BORDER, MIN_COSINE, SQUARED_RADIUS, VECTORS } from '../../splats/sight';
+import { BORDER, MIN_COSINE, SQUARED_RADIUS, VECTORS } from '../sight';
+import { DRAW, FARTHEST_OF_TILES, GROUP, ROW, TILE } from './sample_shaders';
 
-/** Threads per workgroup, and workgroups per row of a dispatch. */
-export const [GROUP, ROW] = [64, 16384] as const;
-/** Width and height of a tile of samples whose farthest depth is stored. */
-export const TILE = 16;
 /** Greatest number of samples around a splat for one thread; the whole workgroup shares larger splats. */
 const MAX = 256;
-
-/** Uniforms of a call. */
-export const DRAW = /* wgsl */ `
-struct Draw {
-  // The camera's gradients of X, Y and W, and the rays through the corner, a sample to the right and one down.
-  gradients: array<vec4<f32>, 3>,
-  rays: array<vec4<f32>, 3>,
-  // Width and height of the samples that are drawn, the picture's first row of them, samples along an axis of a pixel.
-  size: vec4<u32>,
-  // First part, number of them, number of the round.
-  work: vec4<u32>,
-  // Number of all parts, number of the page.
-  all: vec4<u32>,
-  // Metres at which depths end.
-  nearest: f32,
-}
-
-@group(0) @binding(0) var<uniform> draw: Draw;
-`;
 
 /** Depths of samples and indices of their splats; the farthest depths of tiles; light. */
 export const SPLATS = /* wgsl */ `
 ${DRAW}
 struct Part {
   view: u32,
-  // Its first word in its page, number of splats, and the number of its first one among those of all parts.
+  // First word in its page, number of splats, and index of its first splat among those of all parts.
   first: u32,
   count: u32,
   number: u32,
   order: u32,
-  // Columns and rows of its place in the picture, in 16 bits each: the first ones, and those after the last.
+  // Bounds in the picture, 16 bits each for column and row: the first ones, and those after the last.
   low: u32,
   high: u32,
   page: u32,
@@ -49,17 +27,17 @@ struct Part {
 // All parts, those of the first splats first.
 @group(0) @binding(3) var<storage, read> listed: array<u32>;
 @group(0) @binding(4) var<storage, read> words: array<u32>;
-// The number of splats of parts that are seen, then the farthest order of each tile.
+// Number of splats of visible parts, then the farthest order of each tile.
 @group(0) @binding(5) var<storage, read_write> tiles: array<atomic<u32>>;
 // Bits of the samples' depths, whose order is that of floats of at least 0.
 @group(0) @binding(6) var<storage, read_write> orders: array<atomic<u32>>;
-// LAST less the numbers of their splats; in the end their colours.
+// LAST minus the numbers of their splats; after shade() their colours.
 @group(0) @binding(7) var<storage, read_write> colors: array<atomic<u32>>;
 ${LIGHT_WGSL}
 const TILE = ${TILE}u;
 const GROUP = ${GROUP}u;
 const ROW = ${ROW}u;
-// Splats between which a workgroup looks at those that cover much.
+// Number of splats after which the workgroup draws the large ones.
 const TURN = 1024u;
 const RADIUS = ${float(Math.sqrt(SQUARED_RADIUS))};
 const SQUARED_RADIUS = ${float(SQUARED_RADIUS)};
@@ -77,7 +55,7 @@ struct Ellipse {
   code: u32,
 }
 
-// Steps of float32 by which depths of the second round may be less: compilers may round both rounds in other ways.
+// Tolerance of depths in the second round, in steps of float32: compilers may round both rounds differently.
 const SLACK = 4u;
 const LAST = 0x7fffffffu;
 // Marks a colour.
@@ -87,7 +65,7 @@ fn column_of(view: u32, n: u32) -> vec4<f32> {
   return views[view * ${VECTORS}u + n];
 }
 
-// Half of the extent of a ball along an axis: the length of the gradient of X/W.
+// Half the extent of a ball along an axis: the length of the gradient of X/W.
 fn disc(view: u32, own: vec3<f32>, place: f32, over: f32) -> f32 {
   return length((own - place * draw.gradients[2].xyz) * over) * column_of(view, 2u).w;
 }
@@ -117,7 +95,7 @@ fn ellipse_of(part: Part, number: u32) -> Ellipse {
   let over = 1.0 / function.z;
   let middle = function.xy * over;
 
-  // The normal, and the depth steps by which its plane falls for each pixel.
+  // Normal, and the change of depth per pixel on its plane.
   var normal = normal_of(word.y, column.w);
   let facing = 1.0 / max(dot(column_of(own, 6u).xyz, normal), ${float(MIN_COSINE)});
   let u = column.xyz + dot(column_of(own, 4u).xyz, normal) * facing * step;
@@ -134,7 +112,7 @@ fn ellipse_of(part: Part, number: u32) -> Ellipse {
   let slope = -vec2<f32>(u.z, v.z) * over * over * factor;
   var half_size = vec2<f32>(0.0);
   if is_surfel {
-    // A surfel that is seen from its edge is a line: only the sample of its middle shows it.
+    // A surfel seen edge-on is a line: only the sample of its centre shows it.
     let determinant = du.x * dv.y - dv.x * du.y;
     let is_flat = abs(determinant) <= 1.2e-7 * (abs(du.x) + abs(dv.x)) * (abs(du.y) + abs(dv.y));
     if is_flat {
@@ -193,7 +171,7 @@ fn extent_of(own: Ellipse) -> vec2<u32> {
   return vec2<u32>(max(own.high - own.low + 1, vec2<i32>(0)));
 }
 
-// Of a part, the first tile and number of tiles in which it may show.
+// Returns the first tile and the number of tiles that a part may cover.
 fn tiles_of(part: Part) -> vec4<u32> {
   let low = vec2<u32>(part.low & 0xffffu, max(part.low >> 16u, draw.size.z) - draw.size.z);
   let bottom = min(part.high >> 16u, draw.size.z + draw.size.y);
@@ -210,11 +188,11 @@ fn tile_columns() -> u32 {
 
 var<workgroup> reached: atomic<u32>;
 var<workgroup> is_seen: u32;
-// Splats that cover much.
+// Splats that cover many samples.
 var<workgroup> large_count: atomic<u32>;
 var<workgroup> large: array<u32, TURN>;
 
-// A workgroup draws a part, if it does not lie behind what all of its tiles show.
+// A workgroup draws a part unless it lies behind the farthest depth of each of its tiles.
 @compute @workgroup_size(GROUP)
 fn splats(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
   let number = group.y * ROW + group.x;
@@ -272,7 +250,7 @@ fn splats(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_ind
   }
 }
 
-// Number of the part that has a splat.
+// Returns the index of the part that contains a splat.
 fn part_of(splat: u32) -> u32 {
   var low = 0u;
   var high = draw.all.x;
@@ -287,7 +265,7 @@ fn part_of(splat: u32) -> u32 {
   return listed[low];
 }
 
-// Light on the splats that samples show, as far as they lie in this page.
+// Shades the splats of one page that samples show.
 @compute @workgroup_size(GROUP)
 fn shade(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
   let sample = (group.y * ROW + group.x) * GROUP + lane;
@@ -303,85 +281,11 @@ fn shade(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_inde
     return;
   }
   let own = ellipse_of(part, LAST - code - part.number);
-  // A view sees the insides of what a cell's side cuts open: normals are turned towards the viewer.
+  // Surfaces cut by a cell's side show their inside: normals are turned towards the viewer.
   let ray = draw.rays[0].xyz + own.middle.x * draw.rays[1].xyz + own.middle.y * draw.rays[2].xyz;
   let normal = select(own.normal, -own.normal, dot(own.normal, ray) > 0.0);
   let albedo = linear_of(vec3<f32>(vec3<u32>(own.code, own.code >> 8u, own.code >> 16u) & vec3<u32>(255u)) / 255.0);
   let bits = vec3<u32>(srgb_of(albedo * irradiance(normal)) * 1023.0 + 0.5);
   atomicStore(&colors[sample], COLOR | (bits.x << 20u) | (bits.y << 10u) | bits.z);
 }
-
-// A thread looks at all samples of a tile: there are few, and groups that wait for one another take longer.
-@compute @workgroup_size(GROUP)
-fn farthest_of_tiles(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
-  let number = (group.y * ROW + group.x) * GROUP + lane;
-  let rows = (draw.size.y + TILE - 1u) / TILE;
-  if number >= tile_columns() * rows {
-    return;
-  }
-  let first = vec2<u32>(number % tile_columns(), number / tile_columns()) * TILE;
-  let end = min(first + TILE, draw.size.xy);
-  var farthest = 0xffffffffu;
-  for (var y = first.y; y < end.y; y++) {
-    for (var x = first.x; x < end.x; x++) {
-      farthest = min(farthest, atomicLoad(&orders[y * draw.size.x + x]));
-    }
-  }
-  atomicStore(&tiles[1u + number], farthest);
-}
-`;
-
-/** Initial depths of samples: those of the geometry. */
-export const BEGIN = /* wgsl */ `
-${DRAW}
-@group(0) @binding(1) var depths: texture_depth_2d;
-@group(0) @binding(2) var<storage, read_write> orders: array<u32>;
-
-@compute @workgroup_size(${GROUP})
-fn begin(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
-  let sample = (group.y * ${ROW}u + group.x) * ${GROUP}u + lane;
-  if sample >= draw.size.x * draw.size.y {
-    return;
-  }
-  let at = vec2<u32>(sample % draw.size.x, sample / draw.size.x);
-  orders[sample] = bitcast<u32>(textureLoad(depths, at, 0));
-}
-`;
-
-/** Mean of a pixel's samples in linear light; empty samples show the sky of docs/render.md. */
-export const RESOLVE = /* wgsl */ `
-${DRAW}
-@group(0) @binding(1) var geometry: texture_2d<f32>;
-@group(0) @binding(2) var<storage, read> orders: array<u32>;
-@group(0) @binding(3) var<storage, read> colors: array<u32>;
-${LIGHT_WGSL}
-@vertex
-fn whole(@builtin(vertex_index) n: u32) -> @builtin(position) vec4<f32> {
-  return vec4<f32>(f32(n & 1u) * 4.0 - 1.0, f32(n >> 1u) * 4.0 - 1.0, 0.0, 1.0);
-}
-
-@fragment
-fn resolve(@builtin(position) place: vec4<f32>) -> @location(0) vec4<f32> {
-  let grid = draw.size.w;
-  let first = vec2<u32>(place.xy) * grid;
-  var sum = vec3<f32>(0.0);
-  for (var row = 0u; row < grid; row++) {
-    for (var column = 0u; column < grid; column++) {
-      let at = first + vec2<u32>(column, row);
-      let own = vec2<u32>(at.x, at.y - draw.size.z);
-      let sample = own.y * draw.size.x + own.x;
-      let code = colors[sample];
-      if code != 0u {
-        let bits = vec3<u32>(code >> 20u, code >> 10u, code) & vec3<u32>(1023u);
-        sum += linear_of(vec3<f32>(bits) / 1023.0);
-      } else if orders[sample] != 0u {
-        sum += textureLoad(geometry, own, 0).rgb;
-      } else {
-        let middle = vec2<f32>(at) + 0.5;
-        sum += background(normalize(draw.rays[0].xyz + middle.x * draw.rays[1].xyz + middle.y * draw.rays[2].xyz));
-      }
-    }
-  }
-  return vec4<f32>(srgb_of(sum / f32(grid * grid)), 1.0);
-}
-`;
+${FARTHEST_OF_TILES}`;

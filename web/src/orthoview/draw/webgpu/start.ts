@@ -7,7 +7,7 @@ import { Meshes } from './meshes';
 /** Callback for failures of the graphics: fatal if the device is lost, not fatal if memory is short. */
 export type Failed = (message: string, isFatal: boolean) => void;
 
-const SHORT = 'the graphics have too little memory: ?megabytes= in the address sets how much is used';
+const SHORT = 'there is too little graphics memory: ?megabytes= in the address sets the limit';
 
 /** Starts drawing on a canvas with a device; reports missing features before it takes the canvas. */
 export async function start(
@@ -36,9 +36,9 @@ function tellFailures(device: GPUDevice, failed: Failed): void {
     if (!isLost) failed(message, true);
     isLost = true;
   };
-  void device.lost.then(({ message, reason }) => reason !== 'destroyed' && lose(`the graphics are gone: ${message}`));
+  void device.lost.then(({ message, reason }) => reason !== 'destroyed' && lose(`the graphics device is lost: ${message}`));
   device.onuncapturederror = ({ error }): void => {
-    if (!(error instanceof GPUOutOfMemoryError)) lose(`the graphics cannot go on: ${error.message}`);
+    if (!(error instanceof GPUOutOfMemoryError)) lose(`the graphics fail: ${error.message}`);
     else if (!isShort) failed(SHORT, false);
     isShort ||= error instanceof GPUOutOfMemoryError;
   };

@@ -1,18 +1,8 @@
 /** Work of a picture as numbers for the shaders: views, their parts, and the call that draws each part. */
 import { type Part, WORDS } from '../../decode/pack';
-import {
-  isIn,
-  type Model,
-  type Projector,
-  rowsOf,
-  type Seen,
-  seenOf,
-  sightOf,
-  VECTORS,
-  writeView,
-} from '../../splats/sight';
 import type { Layout } from '../../store/layout';
 import type { Item } from '../drawer';
+import { isIn, type Model, type Projector, rowsOf, type Seen, seenOf, sightOf, VECTORS, writeView } from '../sight';
 
 /** 32-bit words per part. */
 export const PART = 8;
@@ -86,7 +76,7 @@ export function workOf<Page>(
     writeView(numbers, layer.model, sight, rows);
     views.push(...numbers);
   }
-  return { views: new Float32Array(views), splats: number, ...sharedOut(seen, number, nearest) };
+  return { views: new Float32Array(views), splats: number, ...assignCalls(seen, number, nearest) };
 }
 
 const [FLOATS, BITS] = ((buffer) => [new Float32Array(buffer), new Uint32Array(buffer)] as const)(new ArrayBuffer(4));
@@ -98,12 +88,12 @@ function orderOf(depth: number): number {
 }
 
 /** Distributes parts among calls; `seen` is in the order of the splats' indices. */
-function sharedOut<Page>(
+function assignCalls<Page>(
   seen: readonly Shown<Page>[],
   splats: number,
   nearest: number,
 ): Omit<Work<Page>, 'views' | 'splats'> {
-  const sorted = [...seen].sort((one, other) => compared(other.place.nearness, one.place.nearness));
+  const sorted = [...seen].sort((a, b) => compareNumbers(b.place.nearness, a.place.nearness));
   const pages = [...new Set(seen.map(({ page }) => page))];
   const parts = new Uint32Array(PART * seen.length);
   const places = new Map<Shown<Page>, number>();
@@ -126,8 +116,8 @@ function sharedOut<Page>(
 }
 
 /** Compares two numbers, also infinite ones. */
-function compared(one: number, other: number): number {
-  return Number(one > other) - Number(one < other);
+function compareNumbers(a: number, b: number): number {
+  return Number(a > b) - Number(a < b);
 }
 
 /** Part in the layout of the shaders. */

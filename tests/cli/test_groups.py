@@ -1,0 +1,57 @@
+"""Groups of options: a command has their fields as options, and gets the group."""
+
+from __future__ import annotations
+
+import inspect
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Annotated
+
+import pytest
+import typer
+
+from nearfar.cli import _app
+from nearfar.cli._groups import Options, expand
+
+MAX_PARAMETERS = 10
+
+
+@dataclass(frozen=True, kw_only=True)
+class Size(Options):
+    width: Annotated[int, typer.Option("--width")] = 3
+    depth: Annotated[str, typer.Option("--depth")] = "2"
+
+    @cached_property
+    def area(self) -> int:
+        return self.width * int(self.depth)
+
+
+areas: list[tuple[str, int, bool]] = []
+
+
+def measure(*, name: Annotated[str, typer.Option("--name")], size: Size, loud: bool = False) -> None:
+    """Measure an area."""
+    areas.append((name, size.area, loud))
+
+
+def test_groups_become_options_in_their_place() -> None:
+    command = expand(measure, width=5)
+    parameters = inspect.signature(command).parameters
+    assert list(parameters) == ["name", "width", "depth", "loud"]
+    assert [parameters[name].default for name in ("width", "depth")] == [5, "2"]
+    command(name="a", width=4, depth="6", loud=True)
+    assert areas == [("a", 24, True)]
+    assert command.__doc__ == "Measure an area."
+
+
+def test_groups_check_what_they_derive_when_they_are_made() -> None:
+    with pytest.raises(ValueError, match="invalid literal"):
+        Size(depth="two")
+
+
+def test_commands_have_few_parameters() -> None:
+    commands = [*_app.app.registered_commands, *_app.orthoview.registered_commands]
+    functions = {inspect.unwrap(command.callback) for command in commands if command.callback is not None}
+    many = {f.__name__: n for f in functions if (n := len(inspect.signature(f).parameters)) > MAX_PARAMETERS}
+    assert len(functions) > 10
+    assert many == {}

@@ -1,0 +1,44 @@
+/** Cache with a limit of bytes, which evicts what was least recently used. */
+export class LruCache<Value> {
+  /** Entries by key, the least recently used first. */
+  readonly #entries = new Map<string, { readonly value: Value; readonly bytes: number }>();
+  #bytes = 0;
+
+  constructor(readonly maxBytes: number) {}
+
+  get keys(): readonly string[] {
+    return [...this.#entries.keys()];
+  }
+
+  has(key: string): boolean {
+    return this.#entries.has(key);
+  }
+
+  /** Returns a value, which is evicted last from now on; undefined if there is none. */
+  get(key: string): Value | undefined {
+    const found = this.#entries.get(key);
+    if (!found) return undefined;
+    this.#entries.delete(key);
+    this.#entries.set(key, found);
+    return found.value;
+  }
+
+  /** Adds or replaces a value, however large it is; returns the keys of evicted ones. */
+  add(key: string, value: Value, bytes: number): readonly string[] {
+    this.delete(key);
+    this.#entries.set(key, { value, bytes });
+    this.#bytes += bytes;
+    const evicted: string[] = [];
+    for (const oldest of this.#entries.keys()) {
+      if (this.#bytes <= this.maxBytes || oldest === key) break;
+      this.delete(oldest);
+      evicted.push(oldest);
+    }
+    return evicted;
+  }
+
+  delete(key: string): void {
+    this.#bytes -= this.#entries.get(key)?.bytes ?? 0;
+    this.#entries.delete(key);
+  }
+}

@@ -1,0 +1,118 @@
+/** Buffers of numbers that change with each picture, and pages of views, so that one call draws many of them. */
+import type { Held } from '../drawer';
+
+/** Bytes between two sets of uniforms, because dynamic offsets are aligned. */
+export const SLOT = 256;
+
+/** Buffer that grows as needed. */
+export class Room {
+  #buffer: GPUBuffer | null = null;
+
+  constructor(
+    readonly device: GPUDevice,
+    readonly label: string,
+    readonly usage: GPUBufferUsageFlags,
+  ) {}
+
+  /** Returns a buffer of at least this many bytes; growth loses its content. */
+  ofSize(bytes: number): GPUBuffer {
+    if (this.#buffer && this.#buffer.size >= bytes) return this.#buffer;
+    this.#buffer?.destroy();
+    const size = Math.max(2 ** Math.ceil(Math.log2(Math.max(bytes, 1))), SLOT);
+    const usage = this.usage | GPUBufferUsage.COPY_DST;
+    this.#buffer = this.device.createBuffer({ label: this.label, size, usage });
+    return this.#buffer;
+  }
+
+  /** Returns a buffer that begins with these numbers. */
+  with(numbers: Float32Array<ArrayBuffer> | Uint32Array<ArrayBuffer>): GPUBuffer {
+    const buffer = this.ofSize(numbers.byteLength);
+    this.device.queue.writeBuffer(buffer, 0, numbers);
+    return buffer;
+  }
+}
+
+/** Least number of 32-bit words in a page: 32 MB. */
+const PAGE = 1 << 23;
+/** Alignment of all places in words. */
+const UNIT = 64;
+
+/** Range of words in a page. */
+export interface Place extends Held {
+  readonly page: Page;
+  readonly first: number;
+  readonly words: number;
+}
+
+interface Gap {
+  first: number;
+  words: number;
+}
+
+export interface Page {
+  readonly buffer: GPUBuffer;
+  readonly words: number;
+  /** Free ranges of words, sorted by position. */
+  readonly gaps: Gap[];
+}
+
+export class Arena {
+  readonly #pages: Page[] = [];
+
+  constructor(readonly device: GPUDevice) {}
+
+  /** Uploads words to the GPU. */
+  put(words: Uint32Array<ArrayBuffer>): Place {
+    const wanted = Math.max(Math.ceil(words.length / UNIT), 1) * UNIT;
+    const { page, gap } = this.#find(wanted) ?? this.#grow(wanted);
+    const place: Place = { page, first: gap.first, words: wanted, bytes: 4 * wanted };
+    gap.first += wanted;
+    gap.words -= wanted;
+    if (gap.words === 0) page.gaps.splice(page.gaps.indexOf(gap), 1);
+    this.device.queue.writeBuffer(page.buffer, 4 * place.first, words);
+    return place;
+  }
+
+  /** Frees a place. */
+  free({ page, first, words }: Place): void {
+    const { gaps } = page;
+    const next = gaps.findIndex((gap) => gap.first > first);
+    const at = next < 0 ? gaps.length : next;
+    gaps.splice(at, 0, { first, words });
+    this.#join(gaps, at);
+    this.#join(gaps, at - 1);
+    if (gaps[0]?.words !== page.words) return;
+    // Destroying a buffer does not affect pictures that were submitted before.
+    page.buffer.destroy();
+    this.#pages.splice(this.#pages.indexOf(page), 1);
+  }
+
+  /** Merges a gap with the next one if they touch. */
+  #join(gaps: Gap[], at: number): void {
+    const [gap, next] = [gaps[at], gaps[at + 1]];
+    if (!gap || !next || gap.first + gap.words !== next.first) return;
+    gap.words += next.words;
+    gaps.splice(at + 1, 1);
+  }
+
+  #find(words: number): { page: Page; gap: Gap } | null {
+    for (const page of this.#pages) {
+      const gap = page.gaps.find((each) => each.words >= words);
+      if (gap) return { page, gap };
+    }
+    return null;
+  }
+
+  #grow(words: number): { page: Page; gap: Gap } {
+    const { maxBufferSize, maxStorageBufferBindingSize } = this.device.limits;
+    const most = Math.floor(Math.min(maxBufferSize, maxStorageBufferBindingSize) / 4 / UNIT) * UNIT;
+    if (words > most) throw new Error(`a view of ${4 * words} bytes is larger than the graphics allow`);
+    const size = Math.min(Math.max(words, PAGE), most);
+    const usage = GPUBufferUsage.STORAGE | GPUBufferUsage.COPY_DST;
+    const buffer = this.device.createBuffer({ label: 'page of views', size: 4 * size, usage });
+    const gap = { first: 0, words: size };
+    const page = { buffer, words: size, gaps: [gap] };
+    this.#pages.push(page);
+    return { page, gap };
+  }
+}

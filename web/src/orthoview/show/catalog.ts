@@ -1,0 +1,50 @@
+/** Shards and geometry files that the records list so far, and the requests for views that need them. */
+import type { Cells } from '../cut/cells';
+import type { Wanted } from '../decode/reader';
+import {
+  arrayOf,
+  channelsOf,
+  generationFolder,
+  GEOMETRY,
+  geometryOf,
+  type Layout,
+  shardOf,
+  type Triple,
+} from '../store/layout';
+import type { Shard } from '../store/records';
+
+/** Path prefix of a generation after the first. */
+const GENERATION = /^nearfar\/generations\/\d+\//;
+
+export class Catalog {
+  readonly #shards = new Map<string, Shard>();
+  /** Newest geometry files by their paths below a generation's folder. */
+  readonly #files = new Map<string, Shard>();
+
+  /** Adds listed shards and geometry files; of the files of several generations, the newest comes first. */
+  add(shards: readonly Shard[], geometry: readonly Shard[]): void {
+    for (const shard of shards) this.#shards.set(shard[0], shard);
+    for (const file of geometry) {
+      const name = file[0].replace(GENERATION, '');
+      if (!this.#files.has(name)) this.#files.set(name, file);
+    }
+  }
+
+  /** Files of a leaf's geometry, if it has any. */
+  filesOf(layout: Layout, leaf: Triple): Shard[] {
+    const files = geometryOf(layout, leaf).map((name) => this.#files.get(name));
+    return files.filter((file) => file !== undefined && file[1] > 0) as Shard[];
+  }
+
+  /** Request for a view or, with the direction `GEOMETRY`, for a leaf's geometry. */
+  request(cells: Cells, level: number, place: Triple, direction: number): Wanted {
+    const { layout } = cells;
+    if (direction === GEOMETRY) return { level, place, direction, generation: 0, shards: this.filesOf(layout, place) };
+    const generation = cells.at(level, place)?.generation ?? 0;
+    const shards = channelsOf(layout).map((channel) => {
+      const array = arrayOf(layout, level, direction, channel);
+      return this.#shards.get(generationFolder(generation) + shardOf(layout, level, place, array));
+    });
+    return { level, place, direction, generation, shards: shards.filter((shard) => shard !== undefined) };
+  }
+}

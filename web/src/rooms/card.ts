@@ -1,0 +1,255 @@
+/** Card of the users in the room: names, buttons that mute pointers, the state of the connection, and arrivals. */
+import { button, copyText, icon, make, write } from '../ui/dom';
+import { bytes, milliseconds } from '../ui/format';
+import { shownName } from './address';
+import type { State } from './connection';
+import { cssOf } from './meshes';
+import type { Guest } from './presence';
+
+/** Icon outlines in a square of 24 units: an arrow, and a ray with its target. */
+const POINT = 'M5 4l6 15 2.2-6.3L19.5 10.5zM14 14l5 5';
+const POINTER = 'M4 20L13 11M17 9a2 2 0 1 0 0-4 2 2 0 0 0 0 4M12 4l1 1M21 11l1 1M20 2l-1 1';
+
+export interface CardCommands {
+  mute(number: number, isMuted: boolean): void;
+  retry(): void;
+  leave(): void;
+  /** Link for other users. */
+  link(): string;
+  announce(text: string): void;
+  /** Switches the exchange of files with others. */
+  exchange(isOn: boolean): void;
+}
+
+/** The user and all others. */
+export interface Room {
+  readonly name: string;
+  readonly group: number;
+  readonly guests: readonly Guest[];
+  /** Seconds; null if unknown. */
+  readonly roundTrip: number | null;
+  /** Bytes of files received from other pages and from the server; null if pages exchange none. */
+  readonly files: { readonly others: number; readonly server: number } | null;
+  /** Whether the user wants to exchange files; null if there is no choice. */
+  readonly exchanges: boolean | null;
+}
+
+export interface RoomCard {
+  /** Button that is held to point at the middle of the picture. */
+  readonly button: HTMLElement;
+  /** Updates the card, a few times a second. */
+  update(state: State, room: Room): void;
+  /** Shows why there is no room. */
+  refuse(words: string): void;
+}
+
+/** Builds the card in the element that holds the panel. */
+export function createRoomCard(root: HTMLElement, commands: CardCommands): RoomCard {
+  const chip = make('button', { type: 'button', class: 'chip card here-chip', 'aria-controls': 'here' });
+  const list = make('ul', { class: 'here-list' });
+  const words = make('p', { class: 'here-words', role: 'status' });
+  // Without a role: screen readers would announce each change.
+  const [figure, source] = [make('p', { class: 'here-words' }), make('p', { class: 'here-words' })];
+  const exchange = createExchange(commands.exchange);
+  const again = button('Join again', 'button-main', commands.retry);
+  const copy = button('Copy link', 'button-main', () => void share());
+  const leave = button('Leave', 'button-main', () => {
+    commands.leave();
+    // The button is hidden now.
+    chip.focus();
+  });
+  const card = make(
+    'section',
+    { class: 'card here', id: 'here', 'aria-label': 'Here', hidden: true },
+    make('h2', {}, 'Here'),
+    list,
+    words,
+    figure,
+    source,
+    exchange.element,
+    make('div', { class: 'here-actions' }, copy, leave, again),
+  );
+  const corner = make('div', { class: 'here-corner' }, chip, card);
+  const title = 'Hold to point at the middle of the picture (E at the cursor)';
+  const text = make('span', { class: 'tool-label' }, 'Point');
+  const point = make('button', { type: 'button', class: 'tool', title, 'aria-keyshortcuts': 'E' }, icon(POINT), text);
+  root.querySelector('.top')?.append(corner);
+  const bar = root.querySelector('.tools');
+  bar?.append(point);
+  bar?.classList.add('tools-many');
+  chip.addEventListener('click', () => open(card.hidden !== false));
+  open(false);
+  const rows = new Map<number, Row>();
+  const you = row();
+  let last: State | null = null;
+
+  function open(isOpen: boolean): void {
+    card.hidden = !isOpen;
+    chip.setAttribute('aria-expanded', String(isOpen));
+  }
+
+  async function share(): Promise<void> {
+    const link = commands.link();
+    commands.announce((await copyText(link)) ? 'Link to the room copied' : link);
+  }
+
+  function tell(state: State, { roundTrip, files, exchanges }: Room): void {
+    write(words, wordsOf(state));
+    const isKnown = state.kind === 'here' && roundTrip !== null;
+    write(figure, isKnown ? `Round trip ${milliseconds(1000 * roundTrip)}` : '');
+    write(source, files ? `${bytes(files.others)} from others, ${bytes(files.server)} from the server` : '');
+    exchange.show(exchanges);
+    words.dataset['wrong'] = String(state.kind === 'ended' || state.kind === 'waiting');
+    again.hidden = state.kind === 'here' || state.kind === 'joining';
+    leave.hidden = state.kind === 'ended';
+    // Announces spontaneous changes, which the user may not see.
+    const isNewest = state !== last && 'words' in state;
+    if (isNewest && !(last && 'words' in last && last.words === state.words)) commands.announce(state.words);
+    if (state.kind !== 'joining') last = state;
+  }
+
+  return {
+    button: point,
+    update(state, room) {
+      const isHere = state.kind === 'here';
+      write(chip, isHere ? `${room.guests.length + 1} here` : state.kind === 'joining' ? 'Joining' : 'Not connected');
+      chip.dataset['wrong'] = String(!isHere && state.kind !== 'joining');
+      tell(state, room);
+      const numbers = new Set(room.guests.map(({ number }) => number));
+      for (const number of rows.keys()) if (!numbers.has(number)) rows.delete(number);
+      you.show(`${room.name} (you)`, isHere ? cssOf(state.user) : '', null);
+      const others = room.guests.map((guest) => {
+        const found = rows.get(guest.number) ?? row((isMuted) => commands.mute(guest.number, isMuted));
+        rows.set(guest.number, found);
+        const isElsewhere = guest.group !== room.group;
+        const name = shownName(guest.name, guest.number);
+        found.show(isElsewhere ? `${name} (other group)` : name, cssOf(guest.number), guest.isMuted);
+        return found.element;
+      });
+      arrange(list, [you.element, ...others]);
+    },
+    refuse(reason) {
+      write(chip, 'No room');
+      write(words, reason);
+      chip.dataset['wrong'] = words.dataset['wrong'] = 'true';
+      for (const each of [again, leave, copy, point]) each.hidden = true;
+      commands.announce(reason);
+      open(true);
+    },
+  };
+}
+
+interface Row {
+  readonly element: HTMLElement;
+  /** Updates the row; `isMuted` is null for users who cannot be muted. */
+  show(name: string, color: string, isMuted: boolean | null): void;
+}
+
+function row(mute?: (isMuted: boolean) => void): Row {
+  const dot = make('span', { class: 'here-dot', 'aria-hidden': 'true' });
+  const name = make('span', { class: 'here-name' });
+  const button = make('button', { type: 'button', class: 'button-icon' }, icon(POINTER));
+  button.addEventListener('click', () => mute?.(button.getAttribute('aria-pressed') !== 'true'));
+  return {
+    element: make('li', {}, dot, name, ...(mute ? [button] : [])),
+    show(text, color, isMuted) {
+      write(name, text);
+      dot.style.setProperty('--color', color);
+      const title = `${isMuted ? 'Show' : 'Mute'} the pointer of ${text}`;
+      if (isMuted === null || button.title === title) return;
+      button.setAttribute('aria-pressed', String(isMuted));
+      button.setAttribute('aria-label', title);
+      button.title = title;
+    },
+  };
+}
+
+interface Exchange {
+  readonly element: HTMLElement;
+  /** Shows the state; null hides the element. */
+  show(isOn: boolean | null): void;
+}
+
+/** Creates a label about the exchange of files with its switch. */
+function createExchange(set: (isOn: boolean) => void): Exchange {
+  const box = make('input', { type: 'checkbox' });
+  const text = make('span', {});
+  const element = make('label', { class: 'here-words here-exchange', hidden: true }, box, text);
+  let isAfterwards = false;
+  box.addEventListener('change', () => {
+    isAfterwards = box.checked;
+    set(box.checked);
+  });
+  return {
+    element,
+    show(isOn) {
+      element.hidden = isOn === null;
+      if (isOn === null) return;
+      box.checked = isOn;
+      const when = isOn && isAfterwards ? ', after the page is reloaded' : '';
+      write(text, `Exchange files with other users of the room, who see the address of this device${when}`);
+    },
+  };
+}
+
+function wordsOf(state: State): string {
+  if (state.kind === 'here') return '';
+  if (state.kind === 'joining') return 'Joining the room';
+  return state.kind === 'waiting' ? `${state.words} Trying again in ${state.seconds} s.` : state.words;
+}
+
+/** Reorders children without touching those that are in place. */
+function arrange(list: HTMLElement, wanted: readonly HTMLElement[]): void {
+  const kept = new Set<Element>(wanted);
+  for (const child of [...list.children]) if (!kept.has(child)) child.remove();
+  // Rows in place keep the focus.
+  wanted.forEach((child, at) => {
+    if (list.children[at] !== child) list.insertBefore(child, list.children[at] ?? null);
+  });
+}
+
+/** Seconds between the first arrival and the sentence, and between two sentences. */
+const [GATHER, PAUSE] = [1, 5] as const;
+
+/** Announcements of arriving users for screen readers; users who arrive together share a sentence. */
+export interface Arrivals {
+  /** Records a user who has arrived, or was present when the connection began. */
+  come(number: number, name: string): void;
+  left(number: number): void;
+  /** Announces arrivals that are due; called often. */
+  tell(now: number): void;
+  /** Begins a new connection; the next `others` users were present before. */
+  begin(others: number): void;
+}
+
+export function createArrivals(announce: (sentence: string) => void): Arrivals {
+  const pending = new Map<number, string>();
+  let known = 0;
+  let [since, last]: [number | null, number] = [null, -Infinity];
+
+  return {
+    come(number, name) {
+      if (known > 0) known -= 1;
+      else pending.set(number, name);
+    },
+    left(number) {
+      pending.delete(number);
+    },
+    tell(now) {
+      const [name] = pending.values();
+      if (name === undefined) {
+        since = null;
+        return;
+      }
+      since ??= now;
+      if (now < Math.max(since + GATHER, last + PAUSE)) return;
+      announce(pending.size === 1 ? `${name} has joined` : `${pending.size} more have joined`);
+      pending.clear();
+      [since, last] = [null, now];
+    },
+    begin(others) {
+      known = others;
+      pending.clear();
+    },
+  };
+}

@@ -1,0 +1,138 @@
+/** Server of a room: its description, sockets to it, and its reasons for the end of a connection. */
+import { bytesOf } from '../base/bytes';
+
+/** Hexadecimal digits of a SHA-256. */
+const HASH = /^[0-9a-f]{64}$/;
+/** Timeout of the server's answer, milliseconds, after which the room is joined without it. */
+const ANSWERS = 3000;
+
+export interface About {
+  /** Whether pages may exchange files. */
+  readonly peers: boolean;
+  /** Endpoint for datagrams; null for none. */
+  readonly datagrams: Datagrams | null;
+}
+
+export interface Datagrams {
+  readonly port: number;
+  /** SHA-256 of self-signed certificates. */
+  readonly hashes: readonly Uint8Array<ArrayBuffer>[];
+}
+
+/** Requests the server's description; null if there is none. */
+export type Ask = () => Promise<About | null>;
+
+/** Requests the description from the server of a page, with a signal that ends the wait. */
+export async function askAbout(page: string, signal = AbortSignal.timeout(ANSWERS)): Promise<About | null> {
+  try {
+    const answer = await fetch(new URL('rooms', page), { cache: 'no-store', signal });
+    return answer.ok ? readAbout(await answer.json()) : null;
+  } catch {
+    return null;
+  }
+}
+
+/** Parses a description; null if it is malformed. */
+export function readAbout(described: unknown): About | null {
+  if (!isRecord(described) || typeof described['peers'] !== 'boolean') return null;
+  const { peers, datagrams } = described;
+  return { peers, datagrams: isRecord(datagrams) ? readDatagrams(datagrams) : null };
+}
+
+function readDatagrams({ port, hashes }: Readonly<Record<string, unknown>>): Datagrams | null {
+  const isPort = Number.isInteger(port) && Number(port) > 0 && Number(port) < 1 << 16;
+  const areHashes = Array.isArray(hashes) && hashes.every((hash) => typeof hash === 'string' && HASH.test(hash));
+  if (!isPort || !areHashes) return null;
+  return { port: Number(port), hashes: hashes.map(bytesOf) };
+}
+
+function isRecord(value: unknown): value is Readonly<Record<string, unknown>> {
+  return typeof value === 'object' && value !== null;
+}
+
+/** Timeout in seconds for the server to close the connection after a user has left, which frees the user's seat. */
+export const CLOSING = 5;
+
+export interface Socket {
+  /** Number of buffered bytes. */
+  readonly bufferedAmount: number;
+  /** Sends a frame; `isPassing` allows its loss because a later frame replaces it. */
+  send(data: Uint8Array<ArrayBuffer>, isPassing: boolean): void;
+  /** Closes after all sent frames, or at once; `closed` is called when the server has closed, too. */
+  close(isAtOnce: boolean): void;
+}
+
+/** Listener of a socket; not called before the socket is returned. */
+export interface Listener {
+  opened(): void;
+  /** Called with whole frames as an ArrayBuffer, or with malformed data. */
+  received(data: unknown): void;
+  /** Called with a WebSocket close code. */
+  closed(code: number): void;
+}
+
+export type Open = (url: string, listener: Listener) => Socket;
+
+export function openSocket(url: string, listener: Listener): Socket {
+  const socket = new WebSocket(url);
+  socket.binaryType = 'arraybuffer';
+  socket.onopen = () => listener.opened();
+  socket.onmessage = ({ data }) => listener.received(data);
+  socket.onclose = ({ code }) => listener.closed(code);
+  return {
+    get bufferedAmount() {
+      return socket.bufferedAmount;
+    },
+    send: (data) => socket.send(data),
+    close: () => socket.close(),
+  };
+}
+
+/** Codes of the reasons in docs/rooms.md. */
+const REASON = {
+  version: 2,
+  frame: 3,
+  token: 4,
+  full: 5,
+  flood: 6,
+  slow: 7,
+  silent: 8,
+  replaced: 9,
+  ending: 10,
+} as const;
+/** WebSocket close code of a broken connection. */
+export const BROKEN = 1006;
+/** Offset from a reason's code to its WebSocket close code. */
+const OWN = 4000;
+
+const WORDS: Readonly<Record<number, string>> = {
+  [REASON.version]: 'The server has another version of rooms than this page. Reload the page.',
+  [REASON.frame]: 'The server does not understand what this page sends.',
+  [REASON.token]: 'This link does not let you into the room. Ask for another one.',
+  [REASON.full]: 'The room is full.',
+  [REASON.flood]: 'This page has sent more than the server accepts.',
+  [REASON.slow]: 'The connection is too slow for this room.',
+  [REASON.silent]: 'The server has received nothing from this page.',
+  [REASON.replaced]: 'You have entered the room elsewhere.',
+  [REASON.ending]: 'The server is shutting down.',
+};
+/** Reasons after which a reconnection would not help. */
+const FINAL: ReadonlySet<number> = new Set([REASON.version, REASON.token, REASON.replaced]);
+
+/** End of a connection. */
+export interface End {
+  readonly words: string;
+  /** Whether a retry is useless. */
+  readonly isFinal: boolean;
+}
+
+/** Returns the end for a reason's code. */
+export function endOf(reason: number): End {
+  return { words: WORDS[reason] ?? 'The room has ended the connection.', isFinal: FINAL.has(reason) };
+}
+
+/** Returns the end for a WebSocket close code; `wasIn` if the user was in the room. */
+export function endOfCode(code: number, wasIn: boolean): End {
+  if (code > OWN) return endOf(code - OWN);
+  return { words: wasIn ? 'The connection to the room was lost.' : 'The room cannot be reached.', isFinal: false };
+}

@@ -1,0 +1,183 @@
+/** Drawing of pictures: morphed near geometry, the map in all other pixels, and a dark veil that covers jumps. */
+import {
+  BufferAttribute,
+  BufferGeometry,
+  type Camera,
+  CustomBlending,
+  GLSL3,
+  type Material,
+  Mesh,
+  type Object3D,
+  OneFactor,
+  OneMinusSrcAlphaFactor,
+  RawShaderMaterial,
+  Scene,
+  type WebGLRenderer,
+} from 'three';
+import type { Point } from '../bundle/manifest';
+import { farMaterial, type Shared } from './materials';
+import { cubeOf, hasMap, meshesOf, type Region } from './region';
+import type { Cube } from './textures';
+
+/** Content of a picture. */
+export interface Picture {
+  readonly region: Region;
+  /** Last ring whose geometry is drawn; its map shows everything beyond. */
+  readonly ring: number;
+  /** R, metres. */
+  readonly radius: number;
+  /**
+   * Strength of the morph, 0 to 1; null for the conventional picture: geometry unmorphed, the map as seen from the
+   * centre.
+   */
+  readonly strength: number | null;
+}
+
+/** Other users, drawn like dynamic objects: morphed, and hidden where the map is nearer. */
+export interface Guests {
+  readonly meshes: readonly (Mesh & { readonly material: Material })[];
+  /** Updates their positions for pictures with this centre at the origin. */
+  place(center: Point): void;
+}
+
+/** Parts of a picture that are omitted. */
+export interface Without {
+  readonly map?: boolean;
+  readonly guests?: boolean;
+}
+
+export interface Painter {
+  /** Compiles the shaders of the first picture while its files are loaded. */
+  prepare(camera: Camera): void;
+  /** Draws a picture over the previous content with an opacity. The map may be shown elsewhere. */
+  draw(picture: Picture, camera: Camera, opacity: number, without?: Without): void;
+  /** Sets the other users to draw; null for none. */
+  setGuests(guests: Guests | null): void;
+}
+
+/**
+ * Creates a painter for a renderer. `blank` returns an empty map for pictures without one. `place` moves the camera's
+ * rig so that a region's centre is at the origin.
+ */
+export function createPainter(
+  renderer: WebGLRenderer,
+  shared: Shared,
+  nearShare: number,
+  blank: () => Cube,
+  place: (center: Point) => void,
+): Painter {
+  const near = new Scene();
+  const far = new Scene();
+  far.add(screen(shared));
+  let guests: Guests | null = null;
+
+  return {
+    prepare(camera) {
+      renderer.compile(far, camera);
+    },
+    draw(picture, camera, opacity, without = {}) {
+      const { region, ring, radius, strength } = picture;
+      place(region.entry.center);
+      const cube = hasMap(region, ring) ? cubeOf(region, ring) : blank();
+      const inner = nearShare * radius;
+      // With R = 0 everything is shown as the centre sees it: the weight of the user's view is 0 everywhere.
+      const slope = radius > 0 ? 1 / (radius - inner) : 1;
+      shared.radii.value.set(inner, radius, slope, strength ?? -1);
+      shared.map.value = cube.color;
+      shared.codes.value = cube.codes;
+      const { least, step } = cube.scale;
+      shared.coding.value.set(least, step, cube.size, cube.hasRange ? 1 : 0);
+      shared.opacity.value = opacity;
+      const others = without.guests ? [] : (guests?.meshes ?? []);
+      if (others.length > 0) guests?.place(region.entry.center);
+      const groups = region.groups.slice(0, ring + 1);
+      const drawn = opacity < 1 ? [...groups.flatMap(meshesOf), ...others] : [];
+      near.children = [...groups, ...others] as Object3D[];
+      renderer.clearDepth();
+      if (opacity < 1) {
+        // Depth prepass: otherwise an occluded surface would shine through.
+        setWrites(drawn, false, true);
+        renderer.render(near, camera);
+        setWrites(drawn, true, false);
+      }
+      renderer.render(near, camera);
+      if (opacity < 1) setWrites(drawn, true, true);
+      if (!without.map) renderer.render(far, camera);
+      near.children = [];
+    },
+    setGuests(next) {
+      guests = next;
+    },
+  };
+}
+
+function setWrites(meshes: Guests['meshes'], color: boolean, depth: boolean): void {
+  for (const { material } of meshes) {
+    material.colorWrite = color;
+    material.depthWrite = depth;
+  }
+}
+
+/** Triangle that covers the whole picture. */
+function screen(shared: Shared): Mesh {
+  const mesh = new Mesh(covering(), farMaterial(shared));
+  mesh.frustumCulled = false;
+  return mesh;
+}
+
+const VERTEX = /* glsl */ `
+in vec3 position;
+
+void main() {
+  gl_Position = vec4(position.xy, 0.0, 1.0);
+}
+`;
+
+const FRAGMENT = /* glsl */ `
+precision mediump float;
+uniform float darkness;
+out vec4 shade;
+
+void main() {
+  shade = vec4(0.0, 0.0, 0.0, darkness);
+}
+`;
+
+export interface Veil {
+  readonly mesh: Mesh;
+  /** Sets the darkness: 0 for none, 1 for black. */
+  set(darkness: number): void;
+}
+
+export function createVeil(): Veil {
+  const darkness = { value: 0 };
+  const material = new RawShaderMaterial({
+    vertexShader: VERTEX,
+    fragmentShader: FRAGMENT,
+    glslVersion: GLSL3,
+    uniforms: { darkness },
+    blending: CustomBlending,
+    blendSrc: OneFactor,
+    blendDst: OneMinusSrcAlphaFactor,
+    depthTest: false,
+    depthWrite: false,
+    transparent: true,
+  });
+  const mesh = new Mesh(covering(), material);
+  mesh.frustumCulled = false;
+  mesh.visible = false;
+  return {
+    mesh,
+    set(value) {
+      darkness.value = value;
+      mesh.visible = value > 0;
+    },
+  };
+}
+
+/** Triangle that covers the whole picture. */
+export function covering(): BufferGeometry {
+  const geometry = new BufferGeometry();
+  geometry.setAttribute('position', new BufferAttribute(new Float32Array([-1, -1, 0, 3, -1, 0, -1, 3, 0]), 3));
+  return geometry;
+}

@@ -1,0 +1,139 @@
+/**
+ * Elements over the picture: the divider between both pictures, the mark of the left thumb, and a line while waiting.
+ */
+import { type Thumb, THUMB_REACH } from '../control/pointers';
+import { icon, ICONS, make } from './dom';
+
+/** Shares of the width by which keys move it. */
+const [STEP, LEAP] = [0.01, 0.1] as const;
+/** Pixels from the line to a label and from there to the edge, together. */
+const BESIDE = 40;
+/** Initial position. */
+export const MIDDLE = 0.5;
+
+export interface Divider {
+  /** Sets the share of the picture that is conventional, 0 to 1; null removes the divider. */
+  set(share: number | null): void;
+}
+
+/** Creates a divider; `changed` is called after every change, by the user or by `set`. */
+export function createDivider(root: HTMLElement, changed: (share: number | null) => void): Divider {
+  const label = (side: string, text: string): HTMLElement =>
+    make('span', { class: `divider-label divider-${side}`, 'aria-hidden': 'true' }, text);
+  const [left, right] = [label('left', 'Conventional'), label('right', 'Continuous')];
+  const line = make(
+    'div',
+    {
+      class: 'divider',
+      role: 'slider',
+      tabindex: '0',
+      'aria-label': 'Divider between the conventional picture, left, and the continuous one, right',
+      'aria-orientation': 'horizontal',
+      'aria-valuemin': '0',
+      'aria-valuemax': '100',
+    },
+    left,
+    make('span', { class: 'divider-grip' }, icon(ICONS.grip)),
+    right,
+  );
+  const layer = make('div', { class: 'divider-layer', hidden: true }, line);
+  root.prepend(layer);
+  new ResizeObserver(arrange).observe(layer);
+  let share: number | null = null;
+
+  function set(next: number | null): void {
+    const wanted = next === null || Number.isNaN(next) ? null : Math.min(Math.max(next, 0), 1);
+    if (wanted === share) return;
+    share = wanted;
+    layer.hidden = share === null;
+    if (share !== null) {
+      const percent = String(Math.round(100 * share));
+      // The page's security policy forbids style attributes, not properties that a script sets.
+      layer.style.setProperty('--share', String(share));
+      line.setAttribute('aria-valuenow', percent);
+      line.setAttribute('aria-valuetext', `${percent} percent conventional`);
+      arrange();
+    }
+    changed(share);
+  }
+
+  /** Hides labels without enough room beside the line. */
+  function arrange(): void {
+    const [width, part] = [layer.clientWidth, share ?? MIDDLE];
+    left.classList.toggle('is-cut', left.offsetWidth + BESIDE > part * width);
+    right.classList.toggle('is-cut', right.offsetWidth + BESIDE > (1 - part) * width);
+  }
+
+  function drag(event: PointerEvent): void {
+    if (!line.hasPointerCapture(event.pointerId)) return;
+    const { left, width } = layer.getBoundingClientRect();
+    set((event.clientX - left) / Math.max(width, 1));
+  }
+
+  line.addEventListener('pointerdown', (event) => {
+    if (event.button !== 0) return;
+    line.setPointerCapture(event.pointerId);
+    line.focus({ preventScroll: true });
+    event.preventDefault();
+  });
+  line.addEventListener('pointermove', drag);
+  line.addEventListener('keydown', (event) => {
+    const next = nextShare(event.key, share ?? MIDDLE);
+    if (next === undefined || event.ctrlKey || event.metaKey || event.altKey) return;
+    set(next);
+    // The same keys would also move the user.
+    event.preventDefault();
+    event.stopPropagation();
+  });
+
+  return { set };
+}
+
+/** Returns the new position after a key; null removes the divider, undefined for other keys. */
+export function nextShare(key: string, share: number): number | null | undefined {
+  const moves = new Map<string, number | null>([
+    ['ArrowLeft', share - STEP],
+    ['ArrowDown', share - STEP],
+    ['ArrowRight', share + STEP],
+    ['ArrowUp', share + STEP],
+    ['PageDown', share - LEAP],
+    ['PageUp', share + LEAP],
+    ['Home', 0],
+    ['End', 1],
+    ['Escape', null],
+  ]);
+  const next = moves.get(key);
+  return typeof next === 'number' ? Math.min(Math.max(next, 0), 1) : next;
+}
+
+export interface ThumbMark {
+  show(thumb: Thumb | null): void;
+}
+
+export function createThumbMark(root: HTMLElement): ThumbMark {
+  const ring = make('div', { class: 'thumb', hidden: true, 'aria-hidden': 'true' }, make('span', {}));
+  root.append(ring);
+  return {
+    show(thumb) {
+      ring.hidden = thumb === null;
+      if (!thumb) return;
+      const { x, y, right, down } = thumb;
+      const share = Math.min(1, THUMB_REACH / Math.max(Math.hypot(right, down), 1));
+      const places = { '--x': x, '--y': y, '--right': right * share, '--down': down * share };
+      for (const [name, pixels] of Object.entries(places)) ring.style.setProperty(name, `${pixels}px`);
+    },
+  };
+}
+
+export interface Wait {
+  readonly begin: () => void;
+  readonly end: () => void;
+}
+
+export function createWait(root: HTMLElement): Wait {
+  const line = make('p', { class: 'wait card', role: 'status' }, 'The server loads the scene…');
+  return {
+    begin: () => root.append(line),
+    end: () => line.remove(),
+  };
+}
