@@ -15,8 +15,8 @@ import nearfar as nf
 from nearfar.stream._client_pictures import SceneParts
 from nearfar.stream._head_path import HeadPath
 from nearfar.stream._measures import mean_over_time, measured
+from nearfar.stream._strategies import STRATEGIES
 
-STRATEGIES = ("vis0", "vis1", "clovr", "clovrd")
 USERS, AWAY = 20, 2.0
 """Number of users, and their distance in metres from the centre."""
 ALPHA = 0.05 / 6

@@ -13,7 +13,7 @@ import numpy as np
 
 import nearfar as nf
 from benchmarks.harness.loads import Network
-from nearfar.stream._strategies import Plan, plan_of
+from nearfar.stream._strategies import Plan, Strategy, plan_of
 from tests.support.reader_cases import SECONDS
 
 SIZE = (320, 200)
@@ -57,13 +57,13 @@ class Loaded:
     """Seconds from navigation to the request of the manifest, spent on the page itself."""
 
 
-def stages(strategy: str, last: int) -> dict[str, int]:
+def stages(strategy: Strategy, last: int) -> dict[str, int]:
     """Numbers of the rings that complete the picture, the first near geometry and everything."""
     picture = 0 if strategy.startswith("clovr") else last
     return {"picture": picture, "first_ring": last if strategy == "vis0" else 1, "total": last}
 
 
-def plan(bundle: nf.stream.Bundle, strategy: str) -> Plan:
+def plan(bundle: nf.stream.Bundle, strategy: Strategy) -> Plan:
     return plan_of(strategy, bundle._region, bundle.number, bundle._manifest["dynamic"])
 
 
@@ -79,7 +79,7 @@ def files_until(steps: Plan, ring: int) -> set[str]:
     return names
 
 
-def show(page: Any, url: str, strategy: str, last: int) -> None:
+def show(page: Any, url: str, strategy: Strategy, last: int) -> None:
     """Open a bundle's page by a strategy, and wait until the last ring is shown."""
     page.goto(f"{url}?strategy={strategy}")
     deadline = time.monotonic() + SECONDS
@@ -89,7 +89,7 @@ def show(page: Any, url: str, strategy: str, last: int) -> None:
         time.sleep(0.25)
 
 
-def load(way: Network, chromium: Any, url: str, bundle: nf.stream.Bundle, strategy: str) -> Loaded:
+def load(way: Network, chromium: Any, url: str, bundle: nf.stream.Bundle, strategy: Strategy) -> Loaded:
     """Open the page by a strategy and wait until all is shown."""
     steps = plan(bundle, strategy)
     last = len(steps.radii)
@@ -100,7 +100,7 @@ def load(way: Network, chromium: Any, url: str, bundle: nf.stream.Bundle, strate
     return _loaded(told, steps, strategy, last)
 
 
-def _loaded(told: dict[str, Any], steps: Plan, strategy: str, last: int) -> Loaded:
+def _loaded(told: dict[str, Any], steps: Plan, strategy: Strategy, last: int) -> Loaded:
     files = {file["url"].partition("?")[0]: file for file in told["files"]}
     manifest = next(file for url, file in files.items() if url.endswith("/manifest.json"))
     start = manifest["begin"]
@@ -177,7 +177,7 @@ TRIPS = """async (name) => {
 }"""
 
 
-def by_stage(times: dict[str, float], steps: Plan, strategy: str) -> dict[str, float]:
+def by_stage(times: dict[str, float], steps: Plan, strategy: Strategy) -> dict[str, float]:
     """Time of the last file of each stage."""
     rings = stages(strategy, len(steps.radii))
     return {name: max(times[file] for file in files_until(steps, ring)) for name, ring in rings.items()}
@@ -192,7 +192,7 @@ def round_trip(way: Network, chromium: Any, url: str, bundle: nf.stream.Bundle) 
         return float(np.median(page.evaluate(TRIPS, least)))
 
 
-def requests(way: Network, chromium: Any, url: str, bundle: nf.stream.Bundle, strategy: str) -> dict[str, float]:
+def requests(way: Network, chromium: Any, url: str, bundle: nf.stream.Bundle, strategy: Strategy) -> dict[str, float]:
     """Seconds from the request of the manifest until the files of each stage had arrived."""
     steps = plan(bundle, strategy)
     given = [{"asked": step.requests, "files": step.files, "isAhead": step.is_ahead} for step in steps.steps]
@@ -203,7 +203,9 @@ def requests(way: Network, chromium: Any, url: str, bundle: nf.stream.Bundle, st
     return by_stage(times, steps, strategy)
 
 
-def simulated_requests(bundle: nf.stream.Bundle, link: nf.stream.Link, strategy: str, seed: int) -> dict[str, float]:
+def simulated_requests(
+    bundle: nf.stream.Bundle, link: nf.stream.Link, strategy: Strategy, seed: int
+) -> dict[str, float]:
     """The same for a simulated load from `nearfar serve`, without decoding."""
     line = nf.stream.simulate(bundle, link=link, strategy=strategy, gzip=True, seed=seed)
     # The first connection is already open.

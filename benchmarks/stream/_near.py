@@ -102,7 +102,8 @@ class Near:
 
         def encode() -> list[dict[str, Any]]:
             textures = whole_textures(rings.scene, quality)
-            return list(Geometry(rings, files, textures, step=STEP, compressed=compressed).groups("ring"))
+            settings = nf.stream.ExportSettings(step=STEP, compression="meshopt" if compressed else None)
+            return list(Geometry(rings, files, textures, settings).groups("ring"))
 
         entries, spent = timed(encode)
         return cls(rings, files, entries, spent.wall)

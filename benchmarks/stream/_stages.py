@@ -14,7 +14,7 @@ import nearfar as nf
 from benchmarks.harness.process import run_module
 from benchmarks.harness.report import folder_or_temporary
 from benchmarks.harness.timing import Result, resident, timed
-from benchmarks.stream._near import STEP, Place, places, whole_textures
+from benchmarks.stream._near import Place, places, whole_textures
 from nearfar import _core
 from nearfar.stream import _store
 from nearfar.stream._encode import Files, Geometry, encode_maps, scale_of
@@ -57,7 +57,7 @@ def stages(place: Place, *, instanced: bool, samples: int, folder: Path) -> dict
     watch("encode maps", lambda: list(encode_maps(maps, files, quality=90, scale=scale_of(maps, 2.0**-11))))
 
     def geometry() -> None:
-        encoder = Geometry(rings, files, whole_textures(scene, 90), step=STEP, compressed=True)
+        encoder = Geometry(rings, files, whole_textures(scene, 90), nf.stream.ExportSettings())
         list(encoder.groups("ring")), encoder.moving()
 
     watch("encode geometry", geometry)

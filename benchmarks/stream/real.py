@@ -29,6 +29,7 @@ from benchmarks.harness.report import folder_or_temporary, start, table
 from benchmarks.harness.timing import ahead_of_others
 from benchmarks.stream._loaded import Loaded, load, requests, round_trip, simulated_requests
 from benchmarks.stream._near import EYE_HEIGHT, Place, places
+from nearfar.stream._strategies import Strategy
 
 LINK = nf.stream.Link(50, rtt_ms=20, http=1, handshake=1)
 """Link of files from `nearfar serve`, by HTTP/1.1 without TLS."""
@@ -36,7 +37,7 @@ FAST = nf.stream.Link(1000, http=1, handshake=1)
 """Link on which decoding is measured."""
 CONTENT = 1448 / 1500
 """Share of payload in a full packet; simulated links count payload only."""
-STRATEGIES = ("clovr", "clovrd", "vis0", "vis1")
+STRATEGIES: tuple[Strategy, ...] = ("clovr", "clovrd", "vis0", "vis1")
 STAGES = ("picture", "first_ring", "total")
 KINDS = ("received", "ready", "shown")
 
@@ -47,7 +48,7 @@ class Outcome:
 
     place: str
     loss: float
-    strategy: str
+    strategy: Strategy
     real: list[dict[str, dict[str, float]]]
     """Seconds until each load's stages were received, ready and shown."""
     simulated: dict[str, float]
@@ -74,7 +75,7 @@ def content(link: nf.stream.Link) -> nf.stream.Link:
 
 
 def simulate_stages(
-    bundle: nf.stream.Bundle, link: nf.stream.Link, strategy: str, seed: int, *, decode_mbs: float
+    bundle: nf.stream.Bundle, link: nf.stream.Link, strategy: Strategy, seed: int, *, decode_mbs: float
 ) -> dict[str, float]:
     """Seconds until each stage is ready in a simulation, on an open connection."""
     line = nf.stream.simulate(

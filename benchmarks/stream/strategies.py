@@ -13,11 +13,11 @@ import nearfar as nf
 from benchmarks.harness.report import folder_or_temporary, start, table
 from benchmarks.harness.timing import timed
 from benchmarks.stream import _comparison, _strategy_plots as plots
-from benchmarks.stream._comparison import STRATEGIES
 from benchmarks.stream._near import EYE_HEIGHT, Place, places
 from nearfar.stream._client_pictures import Pictures, SceneParts
 from nearfar.stream._head_path import HeadPath
 from nearfar.stream._radii import PUBLISHED
+from nearfar.stream._strategies import STRATEGIES, Strategy
 
 MBPS, RTT = 50.0, 20.0
 """Rate in megabits per second, as in CloVR, and round trip in milliseconds."""
@@ -81,12 +81,13 @@ def lines_of(case: Case, link: nf.stream.Link, gzip: bool) -> plots.Lines:
 
 def by_radius(case: Case, link: nf.stream.Link, gzip: bool, quick: bool) -> dict[str, list[float]]:
     """Seconds of vis0 and vis1 until everything is loaded, by the last radius, with a separate bundle for each."""
-    found: dict[str, list[float]] = {"vis0": [], "vis1": []}
+    strategies: tuple[Strategy, ...] = ("vis0", "vis1")
+    found: dict[str, list[float]] = {name: [] for name in strategies}
     for count in range(1, len(PUBLISHED) + 1):
         with folder_or_temporary() as folder:
             bundle = write_bundle(case.scene, case.place, folder / "bundle", PUBLISHED[:count], quick)
-            for name, times in found.items():
-                times.append(nf.stream.simulate(bundle, link=link, strategy=name, gzip=gzip).total)
+            for name in strategies:
+                found[name].append(nf.stream.simulate(bundle, link=link, strategy=name, gzip=gzip).total)
     return found
 
 

@@ -11,6 +11,7 @@ import numpy as np
 import nearfar as nf
 from benchmarks.harness.loads import Network
 from benchmarks.stream._loaded import plan, show
+from nearfar.stream._strategies import Strategy
 
 WINDOW = 0.5
 """Length of the window of a rate, seconds."""
@@ -51,7 +52,7 @@ def rates(begins: Sequence[float]) -> list[float]:
     return [*map(float, counts / WINDOW)]
 
 
-def loading(way: Network, chromium: Any, url: str, bundle: nf.stream.Bundle, strategy: str, size: Any) -> Loading:
+def loading(way: Network, chromium: Any, url: str, bundle: nf.stream.Bundle, strategy: Strategy, size: Any) -> Loading:
     """Open a bundle's page by a strategy, and watch until everything is shown."""
     last = len(plan(bundle, strategy).radii)
     with way.page(chromium, size) as page:

@@ -28,6 +28,7 @@ from benchmarks.stream.real import LINK, STRATEGIES, all_places
 from benchmarks.view._loading import Loading, loading
 from benchmarks.view._turns import Turn, measure_turn, of_page, of_whole, photo, renderer
 from benchmarks.view.load import ANGLE, one_glb, write_script
+from nearfar.stream._strategies import Strategy
 from tests.support.browser import started
 
 SCREEN = (1920, 1080)
@@ -53,7 +54,7 @@ class Load:
     """A load at a place."""
 
     place: str
-    strategy: str
+    strategy: Strategy
     load: Loading
 
 

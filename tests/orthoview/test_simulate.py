@@ -9,6 +9,7 @@ import pytest
 
 import nearfar as nf
 from nearfar.orthoview._parts import Part
+from nearfar.orthoview._simulate import Value
 from tests.support import need
 from tests.support.flight_cases import FOV
 from tests.support.orthoview_cases import CORNER
@@ -181,7 +182,8 @@ def test_logs_are_plotted(tree: Tree, monkeypatch: pytest.MonkeyPatch) -> None:
     from matplotlib import pyplot
 
     log = nf.orthoview.simulate(tree, still(10), link=Link(20.0))
-    for value, row in (("bytes", log.received), ("missing", log.missing), ("error_px", log.error_px)):
+    rows: dict[Value, Any] = {"bytes": log.received, "missing": log.missing, "error_px": log.error_px}
+    for value, row in rows.items():
         ax = log.plot(value=value)
         points = [np.asarray(line.get_ydata()) for line in ax.get_lines()]
         assert set(np.concatenate(points)) == set(row.astype(float))

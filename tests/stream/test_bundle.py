@@ -243,3 +243,13 @@ def test_other_folders_are_not_overwritten(city: nf.Scene, tmp_path: Path) -> No
         nf.stream.export(city, tmp_path, **{**SETTINGS, "face_size": 64, "radii": [10.0]})
     with pytest.raises(FileNotFoundError):
         nf.stream.open(tmp_path)
+
+
+def test_a_bundle_says_what_its_files_approximate(bundle: nf.stream.Bundle, city: nf.Scene, tmp_path: Path) -> None:
+    assert bundle.losses[0] == "colours are 8-bit sRGB"
+    assert bundle.losses[1] == "ranges of maps have a relative error of at most 0.00049"
+    assert bundle.losses[2].startswith("positions are rounded by at most ")
+    lossy = nf.stream.ExportSettings(face_size=64, samples=1, pixels_per_degree=None)
+    other = nf.stream.export(city, tmp_path / "b", center=CENTER, radii=RADII, settings=lossy)
+    assert other.losses[0] == "colours are lossy WebP images"
+    assert len(other.losses) == 3

@@ -201,7 +201,7 @@ def test_radii_are_chosen_for_each_centre(tmp_path: Path) -> None:
     scene = nf.Scene.from_arrays(box, faces)
     beside = np.add(box.mean(axis=0), (3.0, 0.0, 0.0))
     bundle = nf.stream.export(scene, tmp_path / "one", center=[beside], face_size=64, samples=1)
-    assert bundle.radii == nf.stream.rings(scene, center=beside)
+    assert bundle.radii == nf.stream.ring_radii(scene, center=beside)
     far = (5000.0, 1.0, 0.0)
     with pytest.raises(
         ValueError, match=r"center: .* objects around it, got \(5000, 1, 0\), where none reaches within 63 m; .* radii"

@@ -122,7 +122,7 @@ def test_objects_beyond_the_rings_need_no_texels(tmp_path: Path) -> None:
     panel(builder, "beyond", materials[1], (0, -50))
     scene = builder.build()
     rings = nf.stream.assign(scene, center=CENTER, radii=SETTINGS["radii"])
-    assert Detail.from_options(scene, None, 25.0, 1.0).halvings([rings]).tolist() == [0, 32]
+    assert Detail.from_options(None, None, 25.0, 1.0).halvings([rings]).tolist() == [0, 32]
     bundle = nf.stream.export(scene, tmp_path / "b", **SETTINGS)
     assert sizes(bundle, tmp_path / "b") == [(TEXELS, TEXELS)]
 

@@ -15,7 +15,7 @@ import pytest
 
 import nearfar as nf
 from nearfar._base import files
-from nearfar.stream import _encode, _export, _map_files, _region
+from nearfar.stream import _encode, _map_files, _stages
 from tests.support import bundle_cases, need, printed_by_threads
 from tests.support.bundle_cases import content, use
 
@@ -161,8 +161,8 @@ def test_a_file_size_limit_keeps_the_old_bundle(tmp_path: Path, versions: Any, s
 @pytest.mark.parametrize(
     ("module", "name", "call"),
     [
-        (_export, "assign", 1),
-        (_region, "bake_maps", 1),
+        (_stages, "assign", 1),
+        (_stages, "bake_maps", 1),
         (_map_files, "encode_color", 4),
         (_encode, "referenced", 2),
         (files, "write", 3),

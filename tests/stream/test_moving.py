@@ -145,7 +145,7 @@ def test_nodes_without_faces_are_omitted() -> None:
     scene = mixed()
     rings = nf.stream.assign(scene, center=(0, 0, 0), radii=[5.0])
     files = _encode.Files()
-    moving = _encode.Geometry(rings, files, [], step=2.0**-10, compressed=True).moving()
+    moving = _encode.Geometry(rings, files, [], nf.stream.ExportSettings()).moving()
     assert moving is not None
     rows = rows_of(scene, files.content[moving["geometry"]])
     assert [row["object"] for row in rows] == ["left", "right", "both", "both"]

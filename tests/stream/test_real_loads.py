@@ -10,7 +10,8 @@ import pytest
 import nearfar as nf
 from benchmarks.harness.loads import Network, network
 from benchmarks.stream._loaded import files_until, load, plan, requests, simulated_requests, stages
-from nearfar.stream._compressed import transfer_size
+from nearfar.stream._simulate import transfer_size
+from nearfar.stream._strategies import Strategy
 from tests.support import need
 from tests.support.bundled_scenes import bundled_scenes
 
@@ -29,7 +30,7 @@ def bundle(tmp_path_factory: pytest.TempPathFactory) -> nf.stream.Bundle:
     return made
 
 
-def least_seconds(bundle: nf.stream.Bundle, strategy: str, ring: int) -> float:
+def least_seconds(bundle: nf.stream.Bundle, strategy: Strategy, ring: int) -> float:
     """Transfer time on the link of the files that a ring needs."""
     assert LINK.mbps
     return bytes_of(bundle, files_until(plan(bundle, strategy), ring)) * 8e-6 / LINK.mbps
@@ -41,7 +42,7 @@ def bytes_of(bundle: nf.stream.Bundle, names: set[str]) -> int:
     return int(0.97 * sum(transfer_size(name, int(listed[name]["bytes"]), read) for name in names))
 
 
-def check(way: Network, opened: tuple[Any, str], bundle: nf.stream.Bundle, strategy: str) -> None:
+def check(way: Network, opened: tuple[Any, str], bundle: nf.stream.Bundle, strategy: Strategy) -> None:
     found = load(way, *opened, bundle, strategy)
     rings = stages(strategy, len(plan(bundle, strategy).radii))
     for name, ring in rings.items():
@@ -58,7 +59,7 @@ def check(way: Network, opened: tuple[Any, str], bundle: nf.stream.Bundle, strat
         assert way.real.counts()["down"]["delivered_bytes"] > found.bytes
 
 
-def check_bound(way: Network, opened: tuple[Any, str], bundle: nf.stream.Bundle, strategy: str) -> None:
+def check_bound(way: Network, opened: tuple[Any, str], bundle: nf.stream.Bundle, strategy: Strategy) -> None:
     """Check that no link is faster than its simulation; Chromium's throttle has no windows and no handshakes."""
     real = requests(way, *opened, bundle, strategy)
     ours = simulated_requests(bundle, LINK, strategy, 0)
@@ -68,7 +69,7 @@ def check_bound(way: Network, opened: tuple[Any, str], bundle: nf.stream.Bundle,
 
 @pytest.mark.parametrize(("kind", "strategies"), [("real", ("clovrd", "vis1")), ("throttle", ("clovr", "vis0"))])
 def test_the_page_marks_loaded_and_displayed_rings(
-    bundle: nf.stream.Bundle, kind: str, strategies: tuple[str, ...]
+    bundle: nf.stream.Bundle, kind: str, strategies: tuple[Strategy, ...]
 ) -> None:
     need("browser")
     if kind == "real":

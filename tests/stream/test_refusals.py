@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 
 import nearfar as nf
-from nearfar.stream import _export
+from nearfar.stream import _stages
 from tests.support import bundle_cases, need
 from tests.support.bundle_cases import content
 
@@ -21,8 +21,8 @@ def _no_work(monkeypatch: pytest.MonkeyPatch) -> None:
     def work(*given: Any, **named: Any) -> None:
         raise AssertionError("the work began")
 
-    for name in ("choose_radii", "assign", "TextureFiles", "Writer"):
-        monkeypatch.setattr(_export, name, work)
+    for name in ("choose_radii", "assign", "TextureFiles", "Geometry"):
+        monkeypatch.setattr(_stages, name, work)
 
 
 def check_refused(path: Any, kind: type[Exception], text: str) -> None:

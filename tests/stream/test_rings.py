@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import nearfar as nf
+from nearfar.stream._assign import Rule
 from nearfar.stream._radii import equal_areas, merged
 from tests.support import data
 
@@ -35,7 +36,7 @@ def least_by_triangle(scene: nf.Scene, center: tuple[float, float, float], rule:
 
 
 @pytest.mark.parametrize("rule", ["object", "vertex"])
-def test_rings_contain_the_objects_that_extend_inside(city: nf.Scene, rule: str) -> None:
+def test_rings_contain_the_objects_that_extend_inside(city: nf.Scene, rule: Rule) -> None:
     radii = (10.0, 22.0, 63.0)
     rings = nf.stream.assign(city, center=CENTER, radii=radii, rule=rule)
     expected = least_by_triangle(city, CENTER, rule)
@@ -82,14 +83,14 @@ def test_distant_objects_are_not_measured() -> None:
 
 
 def test_published_radii_and_equal_areas(city: nf.Scene) -> None:
-    assert nf.stream.rings(city, center=CENTER, policy="published") == (10.0, 14.0, 17.0, 22.0, 32.0, 63.0)
-    assert nf.stream.rings(city, center=CENTER, policy="published", r_max=30.0, base_radius=5.0) == (
+    assert nf.stream.ring_radii(city, center=CENTER, policy="published") == (10.0, 14.0, 17.0, 22.0, 32.0, 63.0)
+    assert nf.stream.ring_radii(city, center=CENTER, policy="published", r_max=30.0, base_radius=5.0) == (
         *(5.0, 7.0, 8.5, 11.0, 16.0),
     )
     for reach in (5.0, 0.0003, 7.3, 9.999999999999998):
         for policy in ("published", "equal_area", "cost"):
-            assert nf.stream.rings(city, center=CENTER, policy=policy, r_max=reach) == (reach,), policy
-    area = np.array(nf.stream.rings(city, center=CENTER, policy="equal_area", r_max=50.0))
+            assert nf.stream.ring_radii(city, center=CENTER, policy=policy, r_max=reach) == (reach,), policy
+    area = np.array(nf.stream.ring_radii(city, center=CENTER, policy="equal_area", r_max=50.0))
     assert area[-1] == 50.0
     assert len(area) == 25
     assert np.diff(area**2) == pytest.approx(100.0)
@@ -123,12 +124,12 @@ def test_merging_finds_the_division_of_least_expected_time(seed: int) -> None:
 
 def test_costly_maps_make_fewer_rings(city: nf.Scene) -> None:
     def count(**link: Any) -> int:
-        return len(nf.stream.rings(city, center=CENTER, **link))
+        return len(nf.stream.ring_radii(city, center=CENTER, **link))
 
     assert count(map_bytes=0.0, latency=0.0) > count(map_bytes=200_000.0) >= count(map_bytes=1e9) == 1
     # On a fast link the wait for each ring matters.
     assert count(bandwidth=1e6, latency=0.5) == 1
-    rings = nf.stream.rings(city, center=CENTER)
+    rings = nf.stream.ring_radii(city, center=CENTER)
     assert rings[-1] == 63.0
     assert set(rings) <= set(equal_areas(10.0, 63.0))
 
@@ -150,9 +151,9 @@ def test_footprints_exclude_hidden_objects(city: nf.Scene) -> None:
 
 def test_wrong_settings_of_radii_are_refused(city: nf.Scene) -> None:
     with pytest.raises(ValueError, match="at most 1000 rings"):
-        nf.stream.rings(city, center=CENTER, base_radius=0.01)
+        nf.stream.ring_radii(city, center=CENTER, base_radius=0.01)
     with pytest.raises(ValueError, match="r_max: expected a radius that an object reaches inside"):
-        nf.stream.rings(city, center=(90_000.0, 0.0, 0.0))
+        nf.stream.ring_radii(city, center=(90_000.0, 0.0, 0.0))
 
 
 def test_the_centre_of_tokyo_is_a_corner_case() -> None:

@@ -13,7 +13,7 @@ import pytest
 
 import nearfar as nf
 from nearfar.serve._server import Server
-from nearfar.stream._strategies import STRATEGIES, plan_of
+from nearfar.stream._strategies import STRATEGIES, Strategy, plan_of
 from tests.support import need
 from tests.support.bundle_cases import write
 
@@ -34,7 +34,7 @@ def manifest_size(bundle: nf.stream.Bundle) -> int:
 
 
 @pytest.mark.parametrize("strategy", STRATEGIES)
-def test_without_delay_each_ring_appears_with_its_last_byte(bundle: nf.stream.Bundle, strategy: str) -> None:
+def test_without_delay_each_ring_appears_with_its_last_byte(bundle: nf.stream.Bundle, strategy: Strategy) -> None:
     line = nf.stream.simulate(bundle, link=LINK, strategy=strategy)
     plan = plan_of(strategy, bundle._region, 0, bundle._manifest["dynamic"])
     names: list[str] = []
@@ -114,7 +114,8 @@ def test_vis0_is_blank_until_loaded_and_vis1_shows_portions(bundle: nf.stream.Bu
 def test_a_distant_user_waits_for_a_radius_that_does_not_fold(bundle: nf.stream.Bundle) -> None:
     x, y, z = bundle.center
     # The margin of ring 1 is 0.7 · 5 m.
-    for strategy, shown in (("clovrd", [0.0, 1.0]), ("clovr", [0.0])):
+    strengths: dict[Strategy, list[float]] = {"clovrd": [0.0, 1.0], "clovr": [0.0]}
+    for strategy, shown in strengths.items():
         line = nf.stream.simulate(bundle, link=nf.stream.Link(0.5), strategy=strategy, head_path=(x + 4.0, y, z))
         of_ring = line.frames["strength"][(line.frames["ring"] == 1) & (line.frames["share"] == 0)]
         assert of_ring.tolist() == shown[: len(of_ring)] or not of_ring.any()

@@ -11,6 +11,7 @@ import nearfar as nf
 from nearfar.stream._client_pictures import Pictures, SceneParts
 from nearfar.stream._measures import mean_over_time
 from nearfar.stream._stage import Shown
+from nearfar.stream._strategies import Strategy
 from tests.support.bundle_cases import village, write
 
 LINK = nf.stream.Link(1.0)
@@ -28,7 +29,7 @@ def bundle(tmp_path_factory: pytest.TempPathFactory) -> nf.stream.Bundle:
     return write(tmp_path_factory.mktemp("seen") / "b", by_footprint=True)
 
 
-def simulate(bundle: nf.stream.Bundle, scene: nf.Scene, strategy: str, **more: Any) -> nf.stream.Timeline:
+def simulate(bundle: nf.stream.Bundle, scene: nf.Scene, strategy: Strategy, **more: Any) -> nf.stream.Timeline:
     given: dict[str, Any] = {"head_path": EYE, "size": SIZE, "every": 10.0, **more}
     return nf.stream.simulate(bundle, link=LINK, strategy=strategy, scene=scene, **given)
 

@@ -65,8 +65,8 @@ def export_all(scenes: Mapping[str, nf.Scene], folder: Path) -> dict[str, Path]:
     for name in NAMES:
         scene, kind = name.split("-")
         settings = {**SCENES[scene], "face_size": 64, "samples": 1}
-        compression = "meshopt" if kind == "packed" else None
-        nf.stream.export(scenes[scene], folder / name, **settings, compression=compression)
+        settings["compression"] = "meshopt" if kind == "packed" else None
+        nf.stream.export(scenes[scene], folder / name, **settings)
     return {name: folder / name for name in NAMES}
 
 

@@ -58,7 +58,7 @@ WRONG: dict[str, list[Any]] = {
     "lod.LodModel.sigma": [(1.0, 0.1)],
     "lod.LodRules.weight": ["pixels"],
     "lod.select.price lod.Selector.select.price": [0.1],
-    "orthoview.build.normal_bits": [20],
+    "orthoview.ViewSettings.normal_bits": [20],
     "range_from_depth?@matrix.near": [0.1],
     "range_from_depth?@matrix.reverse": [True, False],
     "regions?@area.path": [[(0.0, 1.0, 1.0), (0.0, 1.0, 2.0)]],

@@ -12,10 +12,11 @@ import pytest
 
 import nearfar as nf
 from nearfar.serve._server import Server
+from nearfar.stream._client_settings import ClientSettings
 from nearfar.stream._head_path import HeadPath
 from nearfar.stream._simulate import _course, _sizes
 from nearfar.stream._stage import Rates, Shown, Stage
-from nearfar.stream._strategies import STRATEGIES, plan_of
+from nearfar.stream._strategies import STRATEGIES, Strategy, plan_of
 from nearfar.stream._transport import Transport
 from tests.support import need
 from tests.support.browser import SMALL, open_page
@@ -93,11 +94,13 @@ def bundle(tmp_path_factory: pytest.TempPathFactory) -> nf.stream.Bundle:
 
 
 @pytest.mark.parametrize("strategy", STRATEGIES)
-def test_files_are_requested_in_the_order_of_the_page(strategy: str, chromium: Any, bundle: nf.stream.Bundle) -> None:
+def test_files_are_requested_in_the_order_of_the_page(
+    strategy: Strategy, chromium: Any, bundle: nf.stream.Bundle
+) -> None:
     plan = plan_of(strategy, bundle._region, 0, bundle._manifest["dynamic"])
     transport = Transport(nf.stream.Link(50.0, rtt_ms=5.0))
     path = HeadPath.parse(None, CENTER)
-    _course(bundle, plan, transport, path, _sizes(bundle, False), rate=72.0, duration=math.inf, seconds_per_byte=0.0)
+    _course(bundle, plan, transport, path, _sizes(bundle, False), ClientSettings(), math.inf)
     asked, urls = dict[str, None](), list[str]()
     names = [*bundle.files, "manifest.json"]
     with Server.of_bundle(bundle._reader.place) as server, open_page(chromium, *SMALL) as page:

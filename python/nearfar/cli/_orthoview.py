@@ -101,7 +101,7 @@ def build(
             directions=views.count,
             depth_bits=views.depth_bits,
             normal_bits=views.normal_bits,
-            color=views.color,
+            color=views.color,  # type: ignore[arg-type]  # checked by `build`
             quality=views.quality,
             geometry=views.geometry,
             layers=views.layers,

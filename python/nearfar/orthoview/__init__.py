@@ -8,6 +8,7 @@ from nearfar.orthoview._flight import Flight
 from nearfar.orthoview._motion_blur import motion_blur
 from nearfar.orthoview._prefetch import PrefetchQueue
 from nearfar.orthoview._resolution import size_for
+from nearfar.orthoview._settings import FlightSettings, ViewSettings
 from nearfar.orthoview._simulate import FlightLog, simulate
 from nearfar.orthoview._steady import Steady
 from nearfar.orthoview._tree import OrthoTree, open  # noqa: A004 - the name of the public face
@@ -15,10 +16,12 @@ from nearfar.orthoview._tree import OrthoTree, open  # noqa: A004 - the name of 
 __all__ = [
     "Flight",
     "FlightLog",
+    "FlightSettings",
     "OrthoCut",
     "OrthoTree",
     "PrefetchQueue",
     "Steady",
+    "ViewSettings",
     "build",
     "motion_blur",
     "open",

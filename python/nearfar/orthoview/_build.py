@@ -3,24 +3,24 @@
 from __future__ import annotations
 
 import os
-from functools import partial
 from pathlib import Path
-from typing import Any, Literal, SupportsFloat, SupportsIndex
+from typing import Any, Literal, SupportsFloat, Unpack
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nearfar import _core
 from nearfar._base import check, formats, locks, progress
 from nearfar._base.cluster import client_of
+from nearfar._base.settings import gather
 from nearfar._source.protocol import SceneSource, bounds_of, source_of
 from nearfar.orthoview import _on_cluster, _store
-from nearfar.orthoview._directions import COUNTS, directions_of
+from nearfar.orthoview._directions import directions_of
 from nearfar.orthoview._disocclusion import choose_directions
 from nearfar.orthoview._files import Local
 from nearfar.orthoview._grid import Grid
 from nearfar.orthoview._layout import FOLDER, Layout, check_zarr
 from nearfar.orthoview._leaves import Leaves
+from nearfar.orthoview._settings import ViewKeywords, ViewSettings
 from nearfar.orthoview._subtree import Outcome
 from nearfar.orthoview._tree import OrthoTree
 
@@ -34,15 +34,10 @@ def build(
     *,
     cell: SupportsFloat,
     aabb: ArrayLike | None = None,
-    size: SupportsIndex = 512,
-    directions: SupportsIndex | Literal["auto"] = 9,
-    depth_bits: SupportsIndex = 12,
-    normal_bits: SupportsIndex = 16,
-    color: str = "zstd",
-    quality: SupportsIndex | None = None,
     geometry: bool = True,
-    layers: SupportsIndex = 1,
     cluster: Any = None,
+    settings: ViewSettings | None = None,
+    **keywords: Unpack[ViewKeywords],
 ) -> OrthoTree:
     """Build the tree of orthographic depth images of a world.
 
@@ -60,32 +55,19 @@ def build(
         Side of the leaves' cubic cells, metres.
     aabb
         World box (2, 3): only the leaves that cover it are built; sides may be infinite. Default: the whole world.
-    size
-        Width and height of a view, pixels; a multiple of 4, at most 4096.
-    directions
-        5 views of each cell (from four sides and the top), 9 (also from the upper edges), 13 (also from the upper
-        corners) or 26 (from everywhere). "auto" takes the smallest set that hides little of sampled leaves from viewers
-        above, which takes seconds; a build that resumes keeps its set.
-    depth_bits
-        Bits of a depth, 8 to 16. They number the steps of a cell's depth range, 4,092 for 12 bits; a surface is taken
-        to lie in the middle of its step.
-    normal_bits
-        Bits of a normal, 16 or 24: its error is at most 0.96° or 0.06°.
-    color
-        Compression of colours: "zstd", which every Zarr reader has, or "webp", smaller for textured worlds.
-    quality
-        Quality of WebP, 0 to 100; None for lossless files.
     geometry
         Also write the triangles of leaves, static and moving, as 3D Tiles into the store's folder "geometry": clients
         draw near leaves as triangles.
-    layers
-        2 also keeps the next surface behind the first one, more than 2 pixels farther away, for views in which more
-        than 1 % of the non-empty pixels show by it what no view of the cell shows.
     cluster
         "local" distributes subtrees over one process for each core of this machine, a `distributed.Client` over its
         workers, which must see `path` as it is here. The source is pickled into the store for them, so a folder of
         tiles suits better than a scene in memory. Files do not depend on the number of workers. If a worker is lost,
         another one resumes its subtree.
+    settings
+        The views, as `ViewSettings`.
+    keywords
+        Fields of `settings`, which they replace: `size`, `directions`, `depth_bits`, `normal_bits`, `color`, `quality`,
+        `layers`.
 
     Returns
     -------
@@ -120,24 +102,21 @@ def build(
     grid = Grid.from_bounds(
         _bounds(world, None if aabb is None else check.box("aabb", aabb)), check.positive("cell", cell)
     )
-    numbers = (
-        check.integer("size", size, 4, 4096),
-        check.integer("depth_bits", depth_bits, 8, 16),
-        check.integer("normal_bits", normal_bits, 16, 24),
-    )
-    begin = partial(
-        Layout,
-        color=check.choice("color", color, ("zstd", "webp")),
-        quality=None if quality is None else check.integer("quality", quality, 0, 100),
-        geometry=check.flag("geometry", geometry),
-        layers=check.integer("layers", layers, 1, 2),
-    )
-    if quality is not None and color == "zstd":
-        raise ValueError("quality: expected None with color='zstd', which is lossless")
-    _core.orthoview_steps(numbers)  # rejects sizes and bits that pass the limits above
+    views = gather(ViewSettings, settings, keywords)
+    check.flag("geometry", geometry)
     check_zarr()
-    count = _count(directions, world, grid, target)
-    layout = begin(grid, directions_of(count), *numbers, SUBTREE)
+    layout = Layout(
+        grid,
+        directions_of(_count(views.directions, world, grid, target)),
+        views.size,
+        views.depth_bits,
+        views.normal_bits,
+        SUBTREE,
+        color=views.color,
+        quality=views.quality,
+        geometry=geometry,
+        layers=views.layers,
+    )
     _store.begin(target, layout)
     with locks.hold(target / FOLDER / "lock", f"another build writes into {target}"):
         outcome = _built(world, target, layout, cluster)
@@ -157,12 +136,10 @@ def _built(source: SceneSource, target: Path, layout: Layout, cluster: Any) -> O
         return Leaves(source, target, layout, elsewhere).run(report)
 
 
-def _count(directions: SupportsIndex | str, source: SceneSource, grid: Grid, target: Path) -> SupportsIndex:
+def _count(directions: int | Literal["auto"], source: SceneSource, grid: Grid, target: Path) -> int:
     """Number of directions; for "auto" that of a store that was begun, else the measured choice."""
-    if not isinstance(directions, str):
-        return directions
     if directions != "auto":
-        raise ValueError(f"directions: expected one of {COUNTS} or 'auto', got {check.shortened(directions)}")
+        return directions
     if (target / _store.DOCUMENT).is_file():
         attributes = _store.read(Local(target))
         with formats.guarded(target / _store.DOCUMENT):

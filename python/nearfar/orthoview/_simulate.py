@@ -2,30 +2,30 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, SupportsFloat, SupportsIndex
+from typing import TYPE_CHECKING, Literal, SupportsFloat, SupportsIndex, Unpack, get_args
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nearfar._base import check, plot
+from nearfar._base.settings import gather
 from nearfar._camera.camera import Camera
 from nearfar.orthoview._client import Client
 from nearfar.orthoview._cut import Cutter
-from nearfar.orthoview._flown import MARGIN
 from nearfar.orthoview._meter import Received
 from nearfar.orthoview._parts import RECORD, Part, kind
-from nearfar.orthoview._pilot import Ahead, Pilot, Plan
-from nearfar.orthoview._shown import settings_of
+from nearfar.orthoview._pilot import Pilot, Plan
+from nearfar.orthoview._settings import FlightKeywords, FlightSettings
 from nearfar.orthoview._tree import OrthoTree
 from nearfar.stream._link import Link
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-VALUES = ("bytes", "missing", "error_px")
+Value = Literal["bytes", "missing", "error_px"]
+"""Value that a plot shows."""
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -57,7 +57,7 @@ class FlightLog:
         coarser: NDArray[np.bool_] = self.error_px > self.error_px.min()
         return coarser
 
-    def plot(self, ax: Axes | None = None, *, value: str = "bytes") -> Axes:
+    def plot(self, ax: Axes | None = None, *, value: Value = "bytes") -> Axes:
         """Plot one value over time with matplotlib.
 
         Parameters
@@ -74,7 +74,7 @@ class FlightLog:
         ValueError, TypeError
             Another name, or a value that is not axes.
         """
-        check.choice("value", value, VALUES)
+        check.choice("value", value, get_args(Value))
         rows = {"bytes": self.received, "missing": self.missing, "error_px": self.error_px}
         return plot.over_time(ax, self.time, rows[value], value, steps=True)
 
@@ -91,14 +91,10 @@ def simulate(
     *,
     link: Link,
     rate: SupportsFloat = 72.0,
-    views: SupportsIndex = 3,
-    error_px: SupportsFloat = 1.0,
-    geometry: bool = True,
-    prefetch: bool = True,
-    margin_deg: SupportsFloat | None = MARGIN,
-    adapt: bool = True,
     cache_bytes: SupportsIndex = 1 << 30,
     seed: SupportsIndex = 0,
+    settings: FlightSettings | None = None,
+    **keywords: Unpack[FlightKeywords],
 ) -> FlightLog:
     """Fly through a tree over a link as `OrthoTree.fly` does, on a virtual clock; nothing is drawn.
 
@@ -115,12 +111,14 @@ def simulate(
         The link to the store.
     rate
         Frames a second, 1 to 1000.
-    views, error_px, geometry, prefetch, margin_deg, adapt
-        As in `OrthoTree.fly`.
     cache_bytes
         Size of the cache, bytes; parts of one picture and of the positions ahead are always kept.
     seed
         Random seed of packet loss.
+    settings
+        The flight, as `FlightSettings`.
+    keywords
+        Fields of `settings`, which they replace: `views`, `error_px`, `geometry`, `prefetch`, `margin_deg`, `adapt`.
 
     Returns
     -------
@@ -146,11 +144,10 @@ def simulate(
         raise ValueError("cameras: expected at least one, got none")
     check.instance("link", link, Link)
     frames = check.in_range("rate", rate, 1.0, 1000.0)
-    margin = None if margin_deg is None else math.radians(check.in_range("margin_deg", margin_deg, 0.0, 180.0))
-    ahead = Ahead(check.flag("prefetch", prefetch), margin, check.flag("adapt", adapt))
+    flight = gather(FlightSettings, settings, keywords)
     opened = own._open_store()
     cutter = opened.viewer.cutter
-    planner = _Planned(Pilot(cutter, settings_of(views, error_px, geometry), ahead), cutter)
+    planner = _Planned(Pilot(cutter, flight.cut, flight.ahead), cutter)
     kept = check.integer("cache_bytes", cache_bytes, 0, 1 << 62)
     client = Client(planner, opened.sizes, link, kept, check.integer("seed", seed, 0, 2**63 - 1))
     return flown(client, several, frames)

@@ -135,9 +135,9 @@ class LoadedScene:
             objects=len(scene.object_names),
             bounds=scene.bounds.tolist(),
             start={"position": list(start.eye), "yaw": math.atan2(-x, -z)},
-            face_size=made._stages[-1].face_size,
+            face_size=made.settings.face_size,
             near_share=NEAR_SHARE,
-            growth=Growth((1.0,), speed=made._speed).to_manifest(),
+            growth=Growth((1.0,), speed=made.settings.speed).to_manifest(),
             is_static=not scene.poses,
             notes=list(scene._notes),
         )

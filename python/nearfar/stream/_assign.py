@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 from itertools import islice, pairwise
-from typing import Any
+from typing import Any, Literal, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -15,7 +15,7 @@ from nearfar._base import card, check, progress
 from nearfar._scene.report import count
 from nearfar._scene.scene import Scene, core_of
 
-RULES = ("object", "vertex")
+Rule = Literal["object", "vertex"]
 """Points of an object that are compared with a radius: all points of its triangles, or only their vertices."""
 
 MAX_RINGS = 1000
@@ -36,7 +36,7 @@ class Rings:
     """World position of the centre O, metres."""
     radii: tuple[float, ...]
     """Radii of the rings 1 to n in metres, ascending."""
-    rule: str
+    rule: Rule
     """Rule for what counts as inside: "object" or "vertex"."""
     least: NDArray[np.float32]
     """(objects,) least ρ of each object in metres; infinite beyond the last radius."""
@@ -95,7 +95,7 @@ class Rings:
         return f"Rings({count(self.count, 'ring')} to {self.radii[-1]:g} m: {objects})"
 
 
-def assign(scene: Scene, *, center: ArrayLike, radii: Iterable[float], rule: str = "object") -> Rings:
+def assign(scene: Scene, *, center: ArrayLike, radii: Iterable[float], rule: Rule = "object") -> Rings:
     """Divide the objects of a scene into rings.
 
     Parameters
@@ -105,7 +105,7 @@ def assign(scene: Scene, *, center: ArrayLike, radii: Iterable[float], rule: str
     center
         World position of the centre O, metres; its height does not matter.
     radii
-        Radii of the rings in metres, positive and ascending, for example from `rings`.
+        Radii of the rings in metres, positive and ascending, for example from `ring_radii`.
     rule
         "object": an object belongs to the first ring that any point of its triangles reaches. "vertex": to the first
         ring that contains one of their vertices, as published, for reproduction: a floor whose corners are far away
@@ -129,7 +129,7 @@ def assign(scene: Scene, *, center: ArrayLike, radii: Iterable[float], rule: str
     """
     core_of(scene)
     middle = check.vector("center", center)
-    check.choice("rule", rule, RULES)
+    check.choice("rule", rule, get_args(Rule))
     bounds = ascending("radii", radii)
     least, rest, measured = object_radii(scene, middle, bounds[-1], rule)
     ring = 1 + np.searchsorted(bounds, least, side="left").astype(np.int32)
@@ -147,7 +147,7 @@ def loads(scene: Scene, codes: NDArray[np.uint16], last: int) -> list[dict[str, 
 
 
 def object_radii(
-    scene: Scene, center: tuple[float, float, float], reach: float, rule: str
+    scene: Scene, center: tuple[float, float, float], reach: float, rule: Rule
 ) -> tuple[NDArray[np.float32], float, int]:
     """Return the least ρ of objects and of faces without one, infinite beyond `reach`; and the triangles measured."""
     settings: dict[str, Any] = {"center": center, "reach": reach, "rule": rule}

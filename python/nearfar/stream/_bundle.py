@@ -21,6 +21,10 @@ from nearfar.stream._growth import Growth
 from nearfar.stream._manifest import NEAR_SHARE, layout_of, names_of
 from nearfar.stream._moving import moving_scene
 from nearfar.stream._regions import InRegions
+from nearfar.stream._strategies import Strategy
+
+LOSSLESS = b"VP8L"
+"""First chunk of a lossless WebP file."""
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -68,6 +72,22 @@ class Bundle(InRegions):
         """Display that the files suit; empty for bundles written before the manifest had this entry."""
         display: dict[str, float | None] = self._manifest.get("display", {})
         return display
+
+    @property
+    def losses(self) -> tuple[str, ...]:
+        """Approximations in the region's files, a sentence each: colours, ranges, positions, textures, triangles.
+
+        Reads a file of map 0 to see whether its images are lossless.
+        """
+        color, ranges = self._rings[0]["map"]["color"][0], self._region["range"]["error"]
+        positions = max((ring.get("error", 0.0) for ring in self._rings), default=0.0)
+        found = ["colours are 8-bit sRGB" if self.read(color)[12:16] == LOSSLESS else "colours are lossy WebP images"]
+        found.append(f"ranges of maps have a relative error of at most {ranges:.2g}")
+        if positions > 0.0:
+            found.append(f"positions are rounded by at most {positions:.2g} m")
+        if self.pixels_per_degree is not None:
+            found.append(f"textures suffice for {self.pixels_per_degree:g} pixels per degree")
+        return tuple(found)
 
     @property
     def count(self) -> int:
@@ -215,7 +235,7 @@ class Bundle(InRegions):
         return reduced.with_growth(shown, strength)
 
     def show(
-        self, *, size: tuple[int, int] = (640, 400), camera: Camera | None = None, strategy: str = "clovr"
+        self, *, size: tuple[int, int] = (640, 400), camera: Camera | None = None, strategy: Strategy = "clovr"
     ) -> View:
         """Show the bundle in a notebook: a viewer in which the user walks and looks around.
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import SupportsFloat
 
 import numpy as np
@@ -9,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from nearfar._base import check
 from nearfar._reduce.walk.regions import Regions
+from nearfar.stream._growth import Growth
 
 Point = tuple[float, float, float]
 Floats = NDArray[np.float64]
@@ -125,6 +127,11 @@ def halfway(centers: Floats, near: list[list[int]]) -> float:
         if others
     ]
     return float(max(ways, default=0.0)) / 2.0
+
+
+def reach_of(grid: float | None, halfway: float = 0.0) -> float:
+    """Return the greatest horizontal distance in metres of a user from a centre, which a grid may have moved."""
+    return max(Growth.reach, halfway) + (0.0 if grid is None else math.sqrt(0.5) * float(grid))
 
 
 def _check_apart(points: Floats) -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -14,6 +14,7 @@ from nearfar import _core
 from nearfar._base import progress
 from nearfar._camera.camera import Camera, Fov
 from nearfar._render.level_choice import Lod, choose_levels, rule_of
+from nearfar._scene.levels import Leveled
 from nearfar._scene.scene import Scene
 from nearfar.stream._assign import Rings
 from nearfar.stream._manifest import NEAR_SHARE
@@ -32,8 +33,6 @@ VIEW_DEG = 90.0
 class Detail:
     """Detail of a scene that a client can see."""
 
-    scene: Scene
-    """The scene, whose objects may have levels."""
     rule: Any
     """Rule that chooses levels, as `rule_of` returns it; None for the scene's own meshes."""
     pixels_per_degree: float | None
@@ -42,21 +41,22 @@ class Detail:
     """Greatest horizontal distance between a user and a centre, metres."""
 
     @classmethod
-    def from_options(cls, scene: Scene, lod: Lod | None, pixels_per_degree: float | None, reach: float) -> Detail:
+    def from_options(
+        cls, leveled: Leveled | None, lod: Lod | None, pixels_per_degree: float | None, reach: float
+    ) -> Detail:
         """Check the rule for levels; ValueError if one is given and the scene has no levels."""
         if lod is None:
-            return cls(scene, None, pixels_per_degree, reach)
-        leveled = scene.leveled
+            return cls(None, pixels_per_degree, reach)
         if leveled is None:
             raise ValueError("lod: expected a scene whose objects have levels, got one without; see Scene.with_levels")
-        return cls(scene, rule_of(lod, leveled), pixels_per_degree, reach)
+        return cls(rule_of(lod, leveled), pixels_per_degree, reach)
 
     def select_levels(self, rings: Rings) -> Rings:
         """Return the rings with each static object at the level for the nearest user position within `reach`.
 
         Selectors see all objects straight ahead, where they look largest through a lens and to the eye.
         """
-        leveled = self.scene.leveled
+        leveled = rings.scene.leveled
         if self.rule is None or leveled is None:
             return rings
         away = np.linalg.norm(leveled.centers - rings.center, axis=1)
@@ -64,7 +64,7 @@ class Detail:
         ahead[:, 2] = -np.maximum(away - self.reach, 0.0)
         levels, _ = choose_levels(self.rule, replace(leveled, centers=ahead), [self._camera()])
         is_static = rings.ring[leveled.numbers] > 0
-        return replace(rings, scene=self.scene.at_levels(np.where(is_static, levels, 0)))
+        return replace(rings, scene=rings.scene.at_levels(np.where(is_static, levels, 0)))
 
     def halvings(self, divided: Sequence[Rings]) -> NDArray[np.uint32]:
         """Return how often the sides of each texture can be halved while its texels suffice for all users.
@@ -72,23 +72,21 @@ class Detail:
         Along the direction in which they are finest, no face gets larger texels than the client's pixels, unless they
         were larger before. Textures that no ring shows become one texel.
         """
-        count = self.scene._core.texture_count
+        count = divided[0].scene._core.texture_count
         if self.pixels_per_degree is None or not count:
             return np.zeros(count, np.uint32)
-        texels = np.full(count, np.inf)
+        texels, least = np.full(count, np.inf), [least_distances(rings, self.reach) for rings in divided]
+        shown: Iterable[tuple[Scene, NDArray[np.float64]]] = (
+            [(divided[0].scene, np.min(least, axis=0))]  # all regions show the same levels
+            if self.rule is None
+            else zip((self.select_levels(rings).scene for rings in divided), least, strict=True)
+        )
         with progress.bar("textures") as report:
-            for scene, distances in self._views(divided):
+            for scene, distances in shown:
                 np.minimum(texels, _core.texels_per_radian(scene._core, distances, report=report), out=texels)
         with np.errstate(divide="ignore"):
             times = np.floor(np.log2(texels / math.degrees(self.pixels_per_degree)))
         return np.clip(times, 0, MAX_HALVINGS).astype(np.uint32)
-
-    def _views(self, divided: Sequence[Rings]) -> Iterator[tuple[Scene, NDArray[np.float64]]]:
-        """Yield scenes with the least distances of their objects; one scene if no region shows other levels."""
-        if self.rule is None:
-            yield self.scene, np.min([least_distances(rings, self.reach) for rings in divided], axis=0)
-        else:
-            yield from ((self.select_levels(rings).scene, least_distances(rings, self.reach)) for rings in divided)
 
     def _camera(self) -> Camera:
         """Return the client's view straight ahead."""

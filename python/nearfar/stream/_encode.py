@@ -18,6 +18,7 @@ from nearfar._scene.texture_file import encode_texture
 from nearfar.stream import _map_files as codec
 from nearfar.stream._map_files import RangeScale
 from nearfar.stream._maps import TILE, RingMaps
+from nearfar.stream._settings import ExportSettings
 from nearfar.stream._store import FOLDER, content_name, file_entry
 
 ACROSS = 16
@@ -159,7 +160,7 @@ class Groups(Protocol):
 class Geometry:
     """Encodes groups of objects, and the dynamic ones; shared meshes and images become separate files."""
 
-    def __init__(self, groups: Groups, files: Files, textures: Textures, *, step: float, compressed: bool) -> None:
+    def __init__(self, groups: Groups, files: Files, textures: Textures, settings: ExportSettings) -> None:
         self._groups, self._files, self._textures = groups, files, textures
         # Only names of moving objects are written; there may be millions of others.
         most = int(groups.scene._core.moving_objects().max(initial=-1)) + 1
@@ -170,8 +171,8 @@ class Geometry:
                 groups.count + 2,
                 names=list(groups.scene.object_names[:most]),
                 images=[_beside(name) for name, _ in textures],
-                step=step,
-                compressed=compressed,
+                step=settings.step,
+                compressed=settings.compression is not None,
                 report=report,
             )
         self._uris: list[str | None] = []

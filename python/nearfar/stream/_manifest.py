@@ -30,6 +30,10 @@ NEAR_SHARE = 0.7
 """Share n of a ring's radius inside which nothing is morphed, as in CloVR (2024)."""
 
 
+EMPTY_RING: dict[str, Any] = {"radius": 0.0, "objects": 0, "triangles": 0, "stored": 0, "geometry": None, "parts": []}
+"""Entry of ring 0, which has no geometry."""
+
+
 def read(reader: _store.Reader) -> dict[str, Any]:
     """Read and check the manifest of a bundle; FormatError that names it if it is damaged or newer."""
     where = f"{reader.place}/{_store.MANIFEST}"

@@ -95,6 +95,10 @@ class RangeScale:
         """Greatest relative error of a stored range from `NEAREST` on, before it is rounded to float32."""
         return math.expm1(0.5 * self.step)
 
+    def to_manifest(self) -> dict[str, float]:
+        """Return the manifest entry."""
+        return {"least": self.least, "step": self.step, "error": self.error}
+
     def codes(self, ranges: NDArray[Any]) -> Codes:
         """Return the codes of ranges in metres, which may be infinite."""
         is_hit = np.isfinite(ranges)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from itertools import islice, pairwise, product
 
 import numpy as np
@@ -27,21 +28,24 @@ MAX_NAMED = 3
 
 def findings_of(rings: Rings) -> list[str]:
     """Describe why the bundle of a scene's rings may show little: units, centre, empty rings, endless objects."""
-    note = extent_note(rings.scene.bounds)
-    found = [_outside(rings), _note_enclosed_center(rings), _empty(rings), _endless(rings)]
+    scene, center, reach = rings.scene, np.array(rings.center), rings.radii[-1]
+    note = extent_note(scene.bounds)
+    found = [
+        _outside(scene.bounds, center, reach) if scene.triangle_count else "",
+        _note_enclosed_center(rings),
+        _empty(rings.radii, [row["triangles"] for row in rings.summary()]),
+        _endless({_object_label(scene.object_names, n): size for n, size in sorted(_endless_objects(rings).items())}),
+    ]
     return [note] * bool(note) + [sentence for sentence in found if sentence]
 
 
-def _outside(rings: Rings) -> str:
+def _outside(bounds: NDArray[np.float64], center: NDArray[np.float64], reach: float) -> str:
     """Report a centre beside or below the scene, or farther above it than the last radius."""
-    if not rings.scene.triangle_count:
-        return ""
-    low, high = rings.scene.bounds
-    center = np.array(rings.center)
+    low, high = bounds
     away = np.maximum(np.maximum(low - center, center - high), 0.0)
     distance = math.hypot(*away)
     is_beside = bool(away[[0, 2]].any())
-    if not distance or (not is_beside and 0.0 < center[1] - high[1] <= rings.radii[-1]):
+    if not distance or (not is_beside and 0.0 < center[1] - high[1] <= reach):
         return ""
     where = "outside the bounds of the scene"
     if not is_beside:
@@ -70,13 +74,12 @@ def _note_enclosed_center(rings: Rings) -> str:
     )
 
 
-def _empty(rings: Rings) -> str:
-    """Report rings without geometry."""
-    bounds = list(pairwise((0.0, *rings.radii)))
-    rows = zip(bounds, rings.summary()[: rings.count], strict=True)
-    empty = [number for number, (_, row) in enumerate(rows, 1) if not row["triangles"]]
-    if len(empty) == rings.count:
-        return f"all rings are empty: no static object lies within {rings.radii[-1]:g} m of the centre's vertical axis"
+def _empty(radii: tuple[float, ...], triangles: list[int]) -> str:
+    """Report rings without geometry, given the triangles of each ring."""
+    bounds = list(pairwise((0.0, *radii)))
+    empty = [number for number, _ in enumerate(radii, 1) if not triangles[number - 1]]
+    if len(empty) == len(radii):
+        return f"all rings are empty: no static object lies within {radii[-1]:g} m of the centre's vertical axis"
     if not empty:
         return ""
     named = [f"ring {number} ({bounds[number - 1][0]:g} to {bounds[number - 1][1]:g} m)" for number in empty]
@@ -84,16 +87,12 @@ def _empty(rings: Rings) -> str:
     return f"{_enumerate_names(named)} {verb} empty: no object begins there, so that the map before stays"
 
 
-def _endless(rings: Rings) -> str:
-    """Report objects that reach from within the first ring beyond the last one: they are sent whole with ring 1."""
-    found = _endless_objects(rings)
+def _endless(found: dict[str, int]) -> str:
+    """Report objects that reach from within the first ring beyond the last one, by the triangles that ring 1 sends."""
     if not found:
         return ""
     total = sum(found.values())
-    named = [
-        f"{_object_label(rings, number)} ({count(size, 'triangle')})"
-        for number, size in sorted(found.items(), key=lambda item: (-item[1], item[0]))
-    ]
+    named = [f"{label} ({count(size, 'triangle')})" for label, size in sorted(found.items(), key=lambda item: -item[1])]
     verb, them, noun = ("is", "it", "reaches") if len(named) == 1 else ("are", "they", "reach")
     whole = "" if len(named) == 1 else f", {count(total, 'triangle')} together"
     names = _enumerate_names(named)
@@ -143,8 +142,8 @@ def _sphere(number: int) -> NDArray[np.float64]:
     return np.column_stack([flat * np.cos(turn), height, flat * np.sin(turn)])
 
 
-def _object_label(rings: Rings, number: int) -> str:
-    return "faces without an object" if number < 0 else f"'{rings.scene.object_names[number]}'"
+def _object_label(names: Sequence[str], number: int) -> str:
+    return "faces without an object" if number < 0 else f"'{names[number]}'"
 
 
 def _enumerate_names(names: list[str]) -> str:

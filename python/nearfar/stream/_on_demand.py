@@ -2,31 +2,33 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, replace
-from typing import Any, SupportsFloat, SupportsIndex
+from typing import Any, SupportsFloat, Unpack
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from nearfar._base import check, formats, progress
+from nearfar._base.settings import gather
 from nearfar._render.level_choice import Lod
 from nearfar._scene.scene import Scene, core_of
-from nearfar.stream import _store, _tileset
-from nearfar.stream._assign import Rings, ascending, assign
-from nearfar.stream._centers import Point, snap
+from nearfar.stream import _stages, _store
+from nearfar.stream._assign import Rings, ascending
+from nearfar.stream._centers import Point, reach_of, snap
 from nearfar.stream._detail import Detail
 from nearfar.stream._encode import Files, Geometry, TextureFiles
-from nearfar.stream._growth import Growth
+from nearfar.stream._manifest import EMPTY_RING
 from nearfar.stream._notes import findings_of
-from nearfar.stream._radii import REACH, choose_radii
-from nearfar.stream._region import NOTHING, Writer, manifest_of
-from nearfar.stream._settings import Settings
+from nearfar.stream._radii import REACH
+from nearfar.stream._settings import ExportKeywords, ExportSettings
 from nearfar.stream._tiles import Tiles
 
 COARSE = 512
 """Face size in texels of the coarse maps, which are shown until the full-size maps arrive; one sample per texel."""
+
+LAST = 1
+"""Number of the last stage, which has full-size maps."""
 
 NO_TILESET = b""
 """Content of the tileset of an incomplete region."""
@@ -59,9 +61,9 @@ class OnDemand:
     grid
         Spacing in metres of the horizontal grid to which centres move (`snap`).
     radii
-        Radii of the rings in metres, ascending; by default those of `nearfar.stream.rings` for each centre.
-    face_size, samples, quality, range_error, step, compression, pixels_per_degree, lod, speed
-        As for `nearfar.stream.export`.
+        Radii of the rings in metres, ascending; by default those of `nearfar.stream.ring_radii` for each centre.
+    lod, settings, keywords
+        As for `nearfar.stream.export`, but without `split_px` and `by_footprint`.
 
     Raises
     ------
@@ -80,29 +82,23 @@ class OnDemand:
         *,
         grid: SupportsFloat = 2.0,
         radii: Iterable[float] | None = None,
-        face_size: SupportsIndex = 1024,
-        samples: SupportsIndex = 4,
-        quality: SupportsIndex | None = 90,
-        range_error: SupportsFloat = 2.0**-11,
-        step: SupportsFloat = 2.0**-10,
-        compression: str | None = "meshopt",
-        pixels_per_degree: SupportsFloat | None = 25.0,
         lod: Lod | None = None,
-        speed: SupportsFloat = 0.7,
+        settings: ExportSettings | None = None,
+        **keywords: Unpack[ExportKeywords],
     ) -> None:
         core_of(scene)
         self.grid = check.in_range("grid", grid, 1e-3, 1e6)
         self._radii = None if radii is None else ascending("radii", radii)
-        fine = Settings.validate(face_size, samples, quality, range_error, step, compression, pixels_per_degree, False)
-        coarse = replace(fine, face_size=min(COARSE, fine.face_size), samples=1)
-        self._stages = (coarse, fine)
+        self.settings = fine = gather(ExportSettings, settings, keywords)
+        for name in ("split_px", "by_footprint"):
+            if getattr(fine, name):
+                raise ValueError(f"{name}: expected none for regions on demand, got {getattr(fine, name)}")
+        self._coarse = replace(fine, face_size=min(COARSE, fine.face_size), samples=1)
         # Built after the settings are checked, because it takes seconds.
         self._tiles = Tiles.divide(scene)
-        self.scene = scene = self._tiles.scene
-        reach = Growth.reach + math.sqrt(0.5) * self.grid
-        self._detail = Detail.from_options(scene, lod, fine.pixels_per_degree, reach)
-        self._speed = check.positive("speed", speed)
-        self._textures = TextureFiles(scene, fine.quality)
+        self.scene = self._tiles.scene
+        self._detail = Detail.from_options(self.scene.leveled, lod, fine.pixels_per_degree, reach_of(self.grid))
+        self._textures = TextureFiles(self.scene, fine.quality)
         self._moving = Files()
         self._dynamic = self._encoded_moving()
 
@@ -131,61 +127,39 @@ class OnDemand:
         """
         place = self.snapped(center)
         scene = self._tiles.about(place, REACH if self._radii is None else self._radii[-1])
-        radii = choose_radii(scene, np.array([place]))[0] if self._radii is None else self._radii
-        rings = assign(scene, center=place, radii=radii)
+        (rings,) = _stages.rings_about(scene, [place], self._radii)
         geometry, sent = Files(dict(self._moving.content)), set[str]()
         near: Iterable[dict[str, Any]] = self._near(rings, geometry)
-        last = len(self._stages) - 1
-        for stage, settings in enumerate(self._stages):
-            maps = Files()
-            writer = Writer(settings, [], maps)
-            baked = writer.bake(rings)
+        for stage, settings in enumerate((self._coarse, self.settings)):
+            files = Files()
+            maps, scale = _stages.bake(rings, settings)
             # Findings take an additional 0.1 s.
-            head = baked.head(findings_of(rings) if stage else [])
-            outline = _region(head, _outline(rings))
-            manifest = self._manifest(settings, radii, outline, self._moving, NO_TILESET)
+            findings = findings_of(rings) if stage else []
+            outline = _stages.region_entry(rings, scale, _outline(rings), findings)
+            manifest = _stages.manifest_of(self.scene, settings, [outline], self._dynamic, self._moving, NO_TILESET)
             yield _part(stage, stage, {"event": "begin", "manifest": manifest}, self._moving, sent=sent)
             entries = []
-            for ring, entry in enumerate(writer.rings(baked, near)):
+            for ring, entry in enumerate(_stages.ring_entries(maps, scale, near, files, settings)):
                 entries.append(entry)
-                then = min(stage + (ring == rings.count), last)
-                yield _part(stage, then, {"event": "ring", "ring": ring, "entry": entry}, geometry, maps, sent=sent)
+                then = min(stage + (ring == rings.count), LAST)
+                yield _part(stage, then, {"event": "ring", "ring": ring, "entry": entry}, geometry, files, sent=sent)
             near = [{name: value for name, value in entry.items() if name != "map"} for entry in entries[1:]]
-        whole = Files({**geometry.content, **maps.content})
-        tileset = _tileset.encode(place, entries, self._dynamic, whole.content)
-        manifest = self._manifest(settings, radii, _region(head, entries), whole, tileset)
-        text = formats.to_json(manifest, compact=True).encode()
-        line = {"event": "end", "stage": last}
-        yield Part(last, _line(line), {_store.TILESET: tileset, _store.MANIFEST: text}, None)
+        whole = Files({**geometry.content, **files.content})
+        region = _stages.region_entry(rings, scale, entries, findings)
+        closing = _stages.closing_files(self.scene, self.settings, [region], self._dynamic, whole)
+        yield Part(LAST, _line({"event": "end", "stage": LAST}), closing, None)
 
     def _near(self, rings: Rings, files: Files) -> Iterator[dict[str, Any]]:
-        """Encode the geometry of the rings in order."""
+        """Encode the geometry of the rings in order; begins when the first is taken, after the map of ring 0."""
         textures = self._textures.halved(self._detail.halvings([rings]))
-        step, compressed = self._stages[0].step, self._stages[0].compressed
-        yield from Geometry(
-            self._detail.select_levels(rings), files, textures, step=step, compressed=compressed
-        ).groups("ring")
-
-    def _manifest(
-        self, settings: Settings, radii: tuple[float, ...], region: dict[str, Any], files: Files, tileset: bytes
-    ) -> dict[str, Any]:
-        return manifest_of(
-            self.scene,
-            settings,
-            growth=Growth(radii, speed=self._speed),
-            regions=[region],
-            dynamic=self._dynamic,
-            tileset=_store.file_entry(tileset),
-            files=files,
-        )
+        yield from Geometry(self._detail.select_levels(rings), files, textures, self.settings).groups("ring")
 
     def _encoded_moving(self) -> dict[str, Any] | None:
         """Encode the dynamic objects, which are the same in all regions."""
-        rings = assign(self.scene, center=(0.0, 0.0, 0.0), radii=[1.0])
+        (rings,) = _stages.rings_about(self.scene, [(0.0, 0.0, 0.0)], (1.0,))
         alone = replace(rings, ring=np.where(rings.ring > 0, 2, 0).astype(np.int32), rest=2)
         textures = self._textures.halved(self._detail.halvings([alone]))
-        step, compressed = self._stages[0].step, self._stages[0].compressed
-        return Geometry(alone, self._moving, textures, step=step, compressed=compressed).moving()
+        return Geometry(alone, self._moving, textures, self.settings).moving()
 
 
 def next_part(parts: Iterator[Part], look: Callable[[], None]) -> Part | None:
@@ -198,15 +172,10 @@ def next_part(parts: Iterator[Part], look: Callable[[], None]) -> Part | None:
         return next(parts, None)
 
 
-def _region(head: dict[str, Any], rings: list[dict[str, Any]]) -> dict[str, Any]:
-    """Return the entry of a bundle's only region."""
-    return {**head, "rings": rings, "by_footprint": None, "neighbours": []}
-
-
 def _outline(rings: Rings) -> list[dict[str, Any]]:
     """Return the entries of rings before any file is ready."""
     rows = rings.summary()[: rings.count]
-    return [{**NOTHING, "map": None}, *({**row, "geometry": None, "parts": [], "map": None} for row in rows)]
+    return [{**EMPTY_RING, "map": None}, *({**row, "geometry": None, "parts": [], "map": None} for row in rows)]
 
 
 def _part(stage: int, then: int, told: dict[str, Any], *files: Files, sent: set[str]) -> Part:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import Literal, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -11,11 +12,10 @@ from nearfar import _core
 from nearfar._base import check
 from nearfar._scene.scene import Scene, core_of
 from nearfar.stream._assign import MAX_RINGS, object_radii
-from nearfar.stream._centers import Floats
 from nearfar.stream._footprints import footprints
 
-POLICIES = ("cost", "published", "equal_area")
-"""Policies for choosing radii."""
+Policy = Literal["cost", "published", "equal_area"]
+"""Policy for choosing radii."""
 
 PUBLISHED = (10.0, 14.0, 17.0, 22.0, 32.0, 63.0)
 """Radii in metres that CloVR (2024) prints for its City; they are about 10 √i for i = 1, 2, 3, 5, 10, 40."""
@@ -33,7 +33,7 @@ MAP_BYTES = 700_000.0
 """Bytes of the map changes from one ring to the next."""
 
 
-def rings(
+def ring_radii(
     scene: Scene,
     *,
     center: ArrayLike,
@@ -42,7 +42,7 @@ def rings(
     bandwidth: float = 50.0,
     latency: float = 0.05,
     map_bytes: float = MAP_BYTES,
-    policy: str = "cost",
+    policy: Policy = "cost",
 ) -> tuple[float, ...]:
     """Choose the radii of rings about a centre.
 
@@ -95,7 +95,7 @@ def rings(
         check.in_range("latency", latency, 0.0, 1e6),
     )
     size = check.in_range("map_bytes", map_bytes, 0.0, 1e15)
-    check.choice("policy", policy, POLICIES)
+    check.choice("policy", policy, get_args(Policy))
     if base > reach:
         raise ValueError(f"base_radius: expected at most r_max = {reach:g} m, got {base:g}")
     if policy == "published":
@@ -103,7 +103,16 @@ def rings(
         scaled = [base * (radius / PUBLISHED[0]) for radius in PUBLISHED]
         return tuple(radius for radius in scaled if radius <= reach)
     area = equal_areas(base, reach)
-    return area if policy == "equal_area" else _cheapest(scene, middle, area, rate, wait, size)
+    if policy == "equal_area":
+        return area
+    least, rest, _ = object_radii(scene, middle, reach, "object")
+    place = np.searchsorted(area, np.append(least, rest))
+    loads = _core.ring_loads(scene._core, place.astype(np.uint16), len(area) + 1)[:-1]
+    sizes = loads[:, 1] * TRIANGLE_BYTES + loads[:, 2] * INSTANCE_BYTES
+    if not sizes.any():
+        raise ValueError(f"r_max: expected a radius that an object reaches inside, got {reach:g} m")
+    seen = np.bincount(place[:-1], footprints(scene, center=middle), len(area) + 1)[:-1]
+    return tuple(area[n] for n in merged(sizes.astype(np.float64), seen.astype(np.float64), rate, wait, size))
 
 
 def equal_areas(base: float, reach: float) -> tuple[float, ...]:
@@ -112,25 +121,6 @@ def equal_areas(base: float, reach: float) -> tuple[float, ...]:
     if count > MAX_RINGS:
         raise ValueError(f"base_radius: expected at most {MAX_RINGS} rings of equal area, got {base:g} for {reach:g} m")
     return (*(base * math.sqrt(n) for n in range(1, count)), reach)
-
-
-def _cheapest(
-    scene: Scene,
-    center: tuple[float, float, float],
-    radii: tuple[float, ...],
-    rate: float,
-    wait: float,
-    map_bytes: float,
-) -> tuple[float, ...]:
-    """Choose a subset of the radii, including the last, with the least expected time."""
-    least, rest, _ = object_radii(scene, center, radii[-1], "object")
-    place = np.searchsorted(radii, np.append(least, rest))
-    loads = _core.ring_loads(scene._core, place.astype(np.uint16), len(radii) + 1)[:-1]
-    sizes = loads[:, 1] * TRIANGLE_BYTES + loads[:, 2] * INSTANCE_BYTES
-    if not sizes.any():
-        raise ValueError(f"r_max: expected a radius that an object reaches inside, got {radii[-1]:g} m")
-    seen = np.bincount(place[:-1], footprints(scene, center=center), len(radii) + 1)[:-1]
-    return tuple(radii[n] for n in merged(sizes.astype(np.float64), seen.astype(np.float64), rate, wait, map_bytes))
 
 
 def merged(
@@ -174,16 +164,13 @@ def merged(
     return ends[::-1]
 
 
-def choose_radii(scene: Scene, centers: Floats) -> list[tuple[float, ...]]:
-    """Choose radii about each centre, before baking; ValueError that names a centre without objects around it."""
-    found = []
-    for place in centers:
-        try:
-            found.append(rings(scene, center=place))
-        except ValueError:
-            x, y, z = place
-            raise ValueError(
-                f"center: expected one with objects around it, got ({x:g}, {y:g}, {z:g}), where none reaches within "
-                f"{REACH:g} m; with radii that are given any centre can be taken"
-            ) from None
-    return found
+def choose_radii(scene: Scene, center: ArrayLike) -> tuple[float, ...]:
+    """Choose radii about a centre, before baking; ValueError that names the centre if no object is around it."""
+    try:
+        return ring_radii(scene, center=center)
+    except ValueError:
+        x, y, z = check.vector("center", center)
+        raise ValueError(
+            f"center: expected one with objects around it, got ({x:g}, {y:g}, {z:g}), where none reaches within "
+            f"{REACH:g} m; pass radii to use it nevertheless"
+        ) from None

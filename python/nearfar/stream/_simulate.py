@@ -3,49 +3,53 @@
 from __future__ import annotations
 
 import math
-from typing import Any, SupportsFloat, SupportsIndex
-
-from numpy.typing import ArrayLike
+import zlib
+from collections.abc import Callable
+from typing import SupportsFloat, SupportsIndex, Unpack
 
 from nearfar._base import check
-from nearfar._camera.camera import Camera
+from nearfar._base.settings import gather
 from nearfar._scene.scene import Scene
 from nearfar.stream import _store
 from nearfar.stream._bundle import Bundle
 from nearfar.stream._client_pictures import SceneParts
-from nearfar.stream._compressed import sent_now, transfer_size
+from nearfar.stream._client_settings import ClientKeywords, ClientSettings
 from nearfar.stream._head_path import HeadPath
 from nearfar.stream._link import Link
 from nearfar.stream._loading import MANIFEST, Course, Loader, follow
 from nearfar.stream._measures import measured
 from nearfar.stream._stage import Rates, least_radius
-from nearfar.stream._strategies import STRATEGIES, Plan, plan_of
+from nearfar.stream._strategies import Plan, plan_of
 from nearfar.stream._timeline import Timeline
 from nearfar.stream._transport import Transport
 
-RATE = 72.0
-"""Frames per second of the headset in CloVR (2024)."""
 MAX_SECONDS = 1e6
 """Greatest duration, seconds."""
+MIN_COMPRESSED, MAX_COMPRESSED = 1 << 10, 1 << 26
+"""Sizes in bytes outside of which files are sent uncompressed."""
+WORTH = 0.95
+"""Greatest ratio of compressed to original size for which the compressed copy is sent."""
+COMPRESSED = (".webp", ".range")
+"""Suffixes of files whose content is already compressed."""
+
+_FORMAT = 16 + zlib.MAX_WBITS
+"""zlib's `wbits` for the gzip format."""
+_known: dict[str, int] = {}
+"""Compressed sizes by file name; a name identifies the content."""
 
 
 def simulate(
     bundle: Bundle,
     *,
     link: Link,
-    strategy: str = "clovr",
     gzip: bool = False,
-    head_path: ArrayLike | None = None,
     duration: SupportsFloat | None = None,
-    rate: SupportsFloat = RATE,
-    decode_mbs: SupportsFloat | None = None,
-    frame_ms: SupportsFloat = 0.0,
-    triangles_per_second: SupportsFloat | None = None,
     seed: SupportsIndex = 0,
     scene: Scene | None = None,
-    camera: Camera | None = None,
     size: SupportsIndex = 128,
     every: SupportsFloat = 0.5,
+    settings: ClientSettings | None = None,
+    **keywords: Unpack[ClientKeywords],
 ) -> Timeline:
     """Load a region of a bundle over a link as the page does, on a virtual clock.
 
@@ -58,34 +62,24 @@ def simulate(
         The bundle; its current region is loaded.
     link
         The link to the server.
-    strategy
-        "clovr": rings fade in, and the morph grows. "clovrd": the same rings without transitions. "vis0": blank until
-        the near objects visible from the centre and the last map have arrived. "vis1": these objects in order of
-        arrival, the map last. The last two need `export(by_footprint=True)`.
     gzip
         Whether the server compresses uncompressed files, as `nearfar serve` does; plain file servers often do not.
-    head_path
-        Position of the user's eye: one position in world metres, or rows of a time in seconds and a position, (N, 4),
-        interpolated linearly and constant before and after. Default: the centre.
     duration
         Seconds after which the simulation ends; by default when nothing changes any more.
-    rate
-        Frames per second, 1 to 1000.
-    decode_mbs
-        Megabytes per second that a worker decodes, one worker for maps and one for geometry; None for no decoding time.
-    frame_ms, triangles_per_second
-        Drawing time of a frame: fixed milliseconds, and triangles drawn per second; None for no time.
     seed
         Seed of the packet losses.
     scene
         The exported scene, to measure how much of it the user sees: its rings in front of maps, without the losses of
         file encoding. None measures nothing.
-    camera
-        View for the measurement, moved to the user's eye; by default all directions, as six cube faces of `size`².
     size
-        Pixels along a face, 16 to 4096.
+        Pixels along a face of the measured cubes, 16 to 4096; without a `camera`.
     every
         Seconds between measured frames, in addition to those in which a ring or a cross-fade begins.
+    settings
+        The client, as `ClientSettings`.
+    keywords
+        Fields of `settings`, which they replace: `strategy`, `head_path`, `camera`, `rate`, `decode_mbs`, `frame_ms`,
+        `triangles_per_second`.
 
     Returns
     -------
@@ -103,30 +97,22 @@ def simulate(
     ----------
     CloVR (2024): the four strategies.
     """
+    client = gather(ClientSettings, settings, keywords)
     check.instance("bundle", bundle, Bundle)
     check.instance("link", link, Link)
-    check.choice("strategy", strategy, STRATEGIES)
-    path = HeadPath.parse(head_path, bundle.center)
+    path = HeadPath.parse(client.head_path, bundle.center)
     ends = math.inf if duration is None else check.in_range("duration", duration, 0.0, MAX_SECONDS)
-    frames = check.in_range("rate", rate, 1.0, 1000.0)
-    per_byte = 0.0 if decode_mbs is None else 1e-6 / check.in_range("decode_mbs", decode_mbs, 1e-6, 1e9)
-    frame = check.in_range("frame_ms", frame_ms, 0.0, 1e9) / 1e3
-    pace = triangles_per_second
-    each = 0.0 if pace is None else 1.0 / check.in_range("triangles_per_second", pace, 1.0, 1e15)
     pixels, gap = check.integer("size", size, 16, 4096), check.in_range("every", every, 1e-3, MAX_SECONDS)
     if scene is not None:
         check.instance("scene", scene, Scene)
-    if camera is not None:
-        check.instance("camera", camera, Camera)
-    plan = plan_of(strategy, bundle._region, bundle.number, bundle._manifest["dynamic"])
+    plan = plan_of(client.strategy, bundle._region, bundle.number, bundle._manifest["dynamic"])
     transport = Transport(link, seed=check.integer("seed", seed, 0, 2**63 - 1))
-    sizes = _sizes(bundle, check.flag("gzip", gzip))
-    course = _course(bundle, plan, transport, path, sizes, rate=frames, duration=ends, seconds_per_byte=per_byte)
-    line = Timeline._build(strategy, plan, course, transport.curve, frame_seconds=frame, triangle_seconds=each)
+    course = _course(bundle, plan, transport, path, _sizes(bundle, check.flag("gzip", gzip)), client, ends)
+    line = Timeline._build(plan, course, transport.curve, client)
     if scene is None:
         return line
-    parts = SceneParts.bake(scene, bundle, camera, pixels)
-    return measured(line, parts, path, every=gap, rate=frames, duration=ends)
+    parts = SceneParts.bake(scene, bundle, client.camera, pixels)
+    return measured(line, parts, path, every=gap, rate=client.rate, duration=ends)
 
 
 def radius_for(bundle: Bundle, *, link: Link, seconds: SupportsFloat, gzip: bool = False) -> float:
@@ -168,15 +154,40 @@ def _sizes(bundle: Bundle, gzip: bool) -> dict[str, tuple[int, int]]:
     if gzip:
         read = bundle._reader.read
         sizes = {name: (transfer_size(name, size, read), size) for name, (size, _) in sizes.items() if name != MANIFEST}
-        sizes[MANIFEST] = sent_now(manifest), len(manifest)
+        sizes[MANIFEST] = _document_size(manifest), len(manifest)
     return sizes
 
 
+def transfer_size(name: str, size: int, read: Callable[[str], bytes]) -> int:
+    """Return the transfer size of a file in bytes."""
+    if name.endswith(COMPRESSED) or not MIN_COMPRESSED <= size <= MAX_COMPRESSED:
+        return size
+    if name not in _known:
+        _known[name] = _compressed_size(read(name))
+    return _known[name] if _known[name] < WORTH * size else size
+
+
+def _document_size(content: bytes) -> int:
+    """Return the transfer size in bytes of a document whose name does not identify its content."""
+    packed = _compressed_size(content)
+    return packed if len(content) >= MIN_COMPRESSED and packed < WORTH * len(content) else len(content)
+
+
+def _compressed_size(content: bytes) -> int:
+    packer = zlib.compressobj(wbits=_FORMAT)
+    return len(packer.compress(content)) + len(packer.flush())
+
+
 def _course(
-    bundle: Bundle, plan: Plan, transport: Transport, path: HeadPath, sizes: dict[str, tuple[int, int]], **settings: Any
+    bundle: Bundle,
+    plan: Plan,
+    transport: Transport,
+    path: HeadPath,
+    sizes: dict[str, tuple[int, int]],
+    client: ClientSettings,
+    duration: float,
 ) -> Course:
-    per_byte = settings.pop("seconds_per_byte")
-    loader = Loader(plan, sizes, transport, per_byte, lambda ring: True)
+    loader = Loader(plan, sizes, transport, client.seconds_per_byte, lambda ring: True)
     growth = bundle.growth
     rates = Rates(plan.radii, math.radians(growth.speed) / growth.reach, growth.fade)
     margin = float(bundle.fold_margins[bundle.number])
@@ -184,4 +195,4 @@ def _course(
     def least(time: float) -> float:
         return least_radius(path.away(time), margin)
 
-    return follow(plan, loader, rates, least=least, moves=path.moves_after, **settings)
+    return follow(plan, loader, rates, rate=client.rate, duration=duration, least=least, moves=path.moves_after)

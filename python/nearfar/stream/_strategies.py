@@ -7,11 +7,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Literal, get_args
 
 from nearfar.stream._manifest import names_of
 
-STRATEGIES = ("vis0", "vis1", "clovr", "clovrd")
+Strategy = Literal["vis0", "vis1", "clovr", "clovrd"]
+STRATEGIES: tuple[Strategy, ...] = get_args(Strategy)
 
 
 @dataclass(frozen=True)
@@ -57,7 +58,7 @@ class Plan:
         return sum(step.triangles for step in self.steps if step.ring is not None)
 
 
-def plan_of(strategy: str, region: Mapping[str, Any], number: int, dynamic: Mapping[str, Any] | None) -> Plan:
+def plan_of(strategy: Strategy, region: Mapping[str, Any], number: int, dynamic: Mapping[str, Any] | None) -> Plan:
     """Order the files of a region, given its manifest entry."""
     rings = list(region["rings"])
     if strategy in ("vis0", "vis1"):

@@ -12,8 +12,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nearfar._base import check, files, plot
+from nearfar.stream._client_settings import ClientSettings
 from nearfar.stream._loading import Course
-from nearfar.stream._strategies import Plan
+from nearfar.stream._strategies import Plan, Strategy
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -28,7 +29,7 @@ class Timeline:
     Arrays of frames have an entry for each frame whose state differs from the previous frame. Times are seconds.
     """
 
-    strategy: str
+    strategy: Strategy
     """Name of the strategy."""
     radii: tuple[float, ...]
     """Radii in metres of the loaded rings 1 to n. For vis0 and vis1 these are portions of objects, and the map as
@@ -57,13 +58,10 @@ class Timeline:
     @classmethod
     def _build(
         cls,
-        strategy: str,
         plan: Plan,
         course: Course,
         received: list[tuple[float, int]],
-        *,
-        frame_seconds: float,
-        triangle_seconds: float,
+        client: ClientSettings,
     ) -> Timeline:
         """Build the arrays; a frame takes constant seconds, plus seconds for each triangle."""
         rings = np.full(len(plan.radii) + 1, math.inf)
@@ -74,9 +72,9 @@ class Timeline:
         columns = dict(zip(FRAME_COLUMNS, np.array(rows, np.float64).T, strict=False))
         columns["ring"] = columns["ring"].astype(np.int64)
         columns["triangles"] = np.array([frame.triangles for frame in course.frames], np.int64)
-        columns["seconds"] = frame_seconds + triangle_seconds * columns["triangles"]
+        columns["seconds"] = client.frame_ms / 1e3 + client.seconds_per_triangle * columns["triangles"]
         return cls(
-            strategy,
+            client.strategy,
             plan.radii,
             tuple(name for name, _ in course.files),
             np.array([time for _, time in course.files], np.float64),

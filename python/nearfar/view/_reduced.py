@@ -23,18 +23,16 @@ from nearfar.stream import _store
 from nearfar.stream._assign import Rings, assign
 from nearfar.stream._encode import ACROSS, Files, Geometry, TextureFiles, encode_maps, scale_of
 from nearfar.stream._growth import Growth
-from nearfar.stream._manifest import NAME, ORIENTATION, VERSION
+from nearfar.stream._manifest import EMPTY_RING, NAME, ORIENTATION, VERSION
 from nearfar.stream._map_files import with_neighbours
 from nearfar.stream._maps import TILE, RingMaps
-from nearfar.stream._region import NOTHING
-from nearfar.stream._settings import MAX_FACE_SIZE
+from nearfar.stream._settings import MAX_FACE_SIZE, ExportSettings
 
 SAMPLES = 4
 """Colour samples per texel of map 0 where it shows the near part."""
 
-RANGE_ERROR = 2.0**-11
-STEP = 2.0**-10
-"""Greatest relative error of ranges, and rounding step of positions in metres; the defaults of bundles."""
+SETTINGS = ExportSettings(quality=None)
+"""Settings of bundles for lossless images."""
 
 BLANK = 64
 """Texels along a face of the blank map of scenes without a map."""
@@ -53,20 +51,20 @@ def files_of(reduced: ReducedScene) -> dict[str, bytes]:
     rings = _rings(near, reduced)
     maps = _maps(near, reduced, rings)
     files = Files()
-    textures = TextureFiles(near, None).halved(np.zeros(near._core.texture_count, np.uint32))
-    geometry = Geometry(rings, files, textures, step=STEP, compressed=True)
+    textures = TextureFiles(near, SETTINGS.quality).halved(np.zeros(near._core.texture_count, np.uint32))
+    geometry = Geometry(rings, files, textures, SETTINGS)
     dynamic = geometry.moving()
-    scale = scale_of(maps, RANGE_ERROR)
-    pictures = encode_maps(maps, files, quality=None, scale=scale)
+    scale = scale_of(maps, SETTINGS.range_error)
+    pictures = encode_maps(maps, files, quality=SETTINGS.quality, scale=scale)
     region: dict[str, Any] = {
         "center": list(reduced.center),
         "fold_margin": max(reduced._core.fold_margin(reduced.center, None, 1.0), 0.0),
         "neighbours": [],
         "findings": [],
-        "range": {"least": scale.least, "step": scale.step, "error": scale.error},
+        "range": scale.to_manifest(),
         "rings": [
             {**ring, "map": picture}
-            for ring, picture in zip([NOTHING, *geometry.groups("ring")], pictures, strict=True)
+            for ring, picture in zip([EMPTY_RING, *geometry.groups("ring")], pictures, strict=True)
         ],
         "by_footprint": None,
     }

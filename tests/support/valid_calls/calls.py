@@ -32,7 +32,11 @@ PASSED_ON = {
     "metrics.ms_ssim": "SsimSettings",
     "metrics.ssim_pairs": "SsimSettings",
     "open_source": "LoadOptions",
+    "orthoview.build": "orthoview.ViewSettings",
+    "orthoview.simulate": "orthoview.FlightSettings",
     "ssim": "SsimSettings",
+    "stream.export": "stream.ExportSettings",
+    "stream.simulate": "stream.ClientSettings",
 }
 """Callables to which others pass all keywords that they do not name."""
 

@@ -1,0 +1,153 @@
+"""Settings of a tree's views and of flights through it."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any, Literal, TypedDict, get_args
+
+from nearfar import _core
+from nearfar._base import check
+from nearfar.orthoview._cut import Settings
+from nearfar.orthoview._directions import COUNTS, directions_of
+from nearfar.orthoview._flown import MARGIN
+from nearfar.orthoview._pilot import Ahead
+from nearfar.orthoview._shown import settings_of
+
+Compression = Literal["zstd", "webp"]
+"""Compression of colours."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class ViewSettings:
+    """Settings of `build`: number, size and format of the views of each cell.
+
+    Parameters
+    ----------
+    size
+        Width and height of a view, pixels; a multiple of 4, at most 4096.
+    directions
+        5 views of each cell (from four sides and the top), 9 (also from the upper edges), 13 (also from the upper
+        corners) or 26 (from everywhere). "auto" takes the smallest set that hides little of sampled leaves from viewers
+        above, which takes seconds; a build that resumes keeps its set.
+    depth_bits
+        Bits of a depth, 8 to 16. They number the steps of a cell's depth range, 4,092 for 12 bits; a surface is taken
+        to lie in the middle of its step.
+    normal_bits
+        Bits of a normal, 16 or 24: its error is at most 0.96° or 0.06°.
+    color
+        Compression of colours: "zstd", which every Zarr reader has, or "webp", smaller for textured worlds.
+    quality
+        Quality of WebP, 0 to 100; None for lossless files.
+    layers
+        2 also keeps the next surface behind the first one, more than 2 pixels farther away, for views in which more
+        than 1 % of the non-empty pixels show by it what no view of the cell shows.
+
+    Raises
+    ------
+    ValueError, TypeError
+        Settings out of range or of another type, and a quality for zstd.
+    """
+
+    size: int = 512
+    directions: int | Literal["auto"] = 9
+    depth_bits: int = 12
+    normal_bits: int = 16
+    color: Compression = "zstd"
+    quality: int | None = None
+    layers: int = 1
+
+    def __post_init__(self) -> None:
+        count, quality = self.directions, self.quality
+        if isinstance(count, str) and count != "auto":
+            raise ValueError(f"directions: expected one of {COUNTS} or 'auto', got {check.shortened(count)}")
+        checked: dict[str, Any] = {
+            "size": check.integer("size", self.size, 4, 4096),
+            "directions": count if isinstance(count, str) else len(directions_of(count)),
+            "depth_bits": check.integer("depth_bits", self.depth_bits, 8, 16),
+            "normal_bits": check.integer("normal_bits", self.normal_bits, 16, 24),
+            "color": check.choice("color", self.color, get_args(Compression)),
+            "quality": None if quality is None else check.integer("quality", quality, 0, 100),
+            "layers": check.integer("layers", self.layers, 1, 2),
+        }
+        if quality is not None and self.color == "zstd":
+            raise ValueError("quality: expected None with color='zstd', which is lossless")
+        # The core rejects sizes and bits between those limits.
+        _core.orthoview_steps((checked["size"], checked["depth_bits"], checked["normal_bits"]))
+        for name, value in checked.items():
+            object.__setattr__(self, name, value)
+
+
+class ViewKeywords(TypedDict, total=False):
+    """Fields of `ViewSettings` as keywords of `build`; a test compares both."""
+
+    size: int
+    directions: int | Literal["auto"]
+    depth_bits: int
+    normal_bits: int
+    color: Compression
+    quality: int | None
+    layers: int
+
+
+@dataclass(frozen=True, kw_only=True)
+class FlightSettings:
+    """Settings of the flight that `simulate` simulates; as those of `OrthoTree.fly`.
+
+    Parameters
+    ----------
+    views, error_px, geometry
+        As in `OrthoTree.cut`.
+    prefetch
+        Whether to read what the viewer needs soon, besides what the picture shows.
+    margin_deg
+        Margin around the picture for prefetching, degrees, 0 to 180; None for all directions.
+    adapt
+        Whether pictures become coarser when the viewer moves faster than views arrive.
+
+    Raises
+    ------
+    ValueError, TypeError
+        Settings out of range or of another type.
+    """
+
+    views: int = 3
+    error_px: float = 1.0
+    geometry: bool = True
+    prefetch: bool = True
+    margin_deg: float | None = MARGIN
+    adapt: bool = True
+
+    def __post_init__(self) -> None:
+        cut, margin = self.cut, self.margin_deg
+        checked: dict[str, Any] = {
+            "views": cut.views,
+            "error_px": cut.error_px,
+            "prefetch": check.flag("prefetch", self.prefetch),
+            "margin_deg": None if margin is None else check.in_range("margin_deg", margin, 0.0, 180.0),
+            "adapt": check.flag("adapt", self.adapt),
+        }
+        for name, value in checked.items():
+            object.__setattr__(self, name, value)
+
+    @property
+    def cut(self) -> Settings:
+        """Settings of the cuts."""
+        return settings_of(self.views, self.error_px, self.geometry)
+
+    @property
+    def ahead(self) -> Ahead:
+        """Settings of prefetching."""
+        margin = None if self.margin_deg is None else math.radians(self.margin_deg)
+        return Ahead(self.prefetch, margin, self.adapt)
+
+
+class FlightKeywords(TypedDict, total=False):
+    """Fields of `FlightSettings` as keywords of `simulate`; a test compares both."""
+
+    views: int
+    error_px: float
+    geometry: bool
+    prefetch: bool
+    margin_deg: float | None
+    adapt: bool

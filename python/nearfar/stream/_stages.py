@@ -1,0 +1,164 @@
+"""Order of the steps from a scene to the files of a bundle, for `export` and regions on demand; it computes nothing.
+
+Settings and centres are checked. Then come rings, maps, near parts with their levels and splits, files, and last the
+manifest with its notes.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Iterator, Sequence
+from typing import Any
+
+from numpy.typing import ArrayLike
+
+from nearfar._base import check, formats
+from nearfar._reduce.walk.regions import Regions
+from nearfar._render.level_choice import Lod
+from nearfar._scene.scene import Scene, core_of
+from nearfar.stream import _store
+from nearfar.stream._assign import Rings, ascending, assign
+from nearfar.stream._by_footprint import Portions, encode_whole
+from nearfar.stream._centers import centers_of, halfway, neighbours, reach_of
+from nearfar.stream._detail import Detail
+from nearfar.stream._encode import ACROSS, Files, Geometry, TextureFiles, encode_maps, scale_of
+from nearfar.stream._growth import Growth
+from nearfar.stream._manifest import EMPTY_RING, NAME, NEAR_SHARE, ORIENTATION, VERSION
+from nearfar.stream._map_files import RangeScale
+from nearfar.stream._maps import TILE, RingMaps, bake_maps
+from nearfar.stream._notes import findings_of
+from nearfar.stream._radii import choose_radii
+from nearfar.stream._settings import ExportSettings
+from nearfar.stream._split import Splitting
+
+
+def write_bundle(
+    scene: Scene,
+    path: str | os.PathLike[str],
+    *,
+    center: ArrayLike | Regions,
+    grid: float | None,
+    radii: Iterable[float] | None,
+    lod: Lod | None,
+    settings: ExportSettings,
+) -> None:
+    """Write a scene as a bundle; arguments as in `export`."""
+    core_of(scene)
+    centers, given = centers_of(center, grid), None if radii is None else ascending("radii", radii)
+    near = neighbours(centers)
+    detail = Detail.from_options(scene.leveled, lod, settings.pixels_per_degree, reach_of(grid, halfway(centers, near)))
+    _store.check_target(path, f"nearfar.{NAME}")
+    splitting = Splitting.from_pixels(settings.split_px, detail)
+    divided = rings_about(scene, centers, given, splitting)
+    textures = TextureFiles(scene, settings.quality).halved(detail.halvings(divided))
+    files, regions, dynamic = Files(), list[dict[str, Any]](), None
+    for rings, beside in zip(divided, near, strict=True):
+        shown = detail.select_levels(rings)
+        geometry = Geometry(shown if splitting is None else splitting.split(shown), files, textures, settings)
+        dynamic = geometry.moving() if not regions else dynamic
+        maps, scale = bake(rings, settings)
+        entries = list(ring_entries(maps, scale, geometry.groups("ring"), files, settings))
+        by_footprint = None
+        if settings.by_footprint:
+            portions = Geometry(Portions.from_rings(rings, scene=shown.scene), files, textures, settings)
+            by_footprint = {
+                "portions": list(portions.groups("portion")),
+                "map": encode_whole(maps.map(rings.count), files, settings.quality, scale),
+            }
+        regions.append(
+            region_entry(rings, scale, entries, findings_of(rings), by_footprint=by_footprint, neighbours=beside)
+        )
+    last = closing_files(scene, settings, regions, dynamic, files)
+    _store.write(path, {**files.content, **last})
+
+
+def rings_about(
+    scene: Scene, centers: Iterable[ArrayLike], radii: tuple[float, ...] | None, splitting: Splitting | None = None
+) -> list[Rings]:
+    """Divide the objects about each centre, by the same radii or by those chosen for each centre."""
+    places = [check.vector("center", center) for center in centers]
+    bounds = [(place, choose_radii(scene, place) if radii is None else radii) for place in places]
+    if splitting is not None:
+        for place, own in bounds:
+            splitting.check(place, own)
+    return [assign(scene, center=place, radii=own) for place, own in bounds]
+
+
+def bake(rings: Rings, settings: ExportSettings) -> tuple[RingMaps, RangeScale]:
+    """Bake the maps of rings; return them with the scale of their ranges."""
+    maps = bake_maps(rings, face_size=settings.face_size, samples=settings.samples)
+    return maps, scale_of(maps, settings.range_error)
+
+
+def ring_entries(
+    maps: RingMaps, scale: RangeScale, near: Iterable[dict[str, Any]], files: Files, settings: ExportSettings
+) -> Iterator[dict[str, Any]]:
+    """Encode the rings in order, from ring 0 on; `near` has the geometry entries of rings 1 to n."""
+    pictures = encode_maps(maps, files, quality=settings.quality, scale=scale)
+    yield {**EMPTY_RING, "map": next(pictures)}
+    for ring, picture in zip(near, pictures, strict=True):
+        yield {**ring, "map": picture}
+
+
+def region_entry(
+    rings: Rings,
+    scale: RangeScale,
+    entries: list[dict[str, Any]],
+    findings: Sequence[str],
+    *,
+    by_footprint: dict[str, Any] | None = None,
+    neighbours: Sequence[int] = (),
+) -> dict[str, Any]:
+    """Return a region's manifest entry, from the entries of its rings and the findings on them."""
+    return {
+        "center": list(rings.center),
+        "fold_margin": NEAR_SHARE * rings.radii[-1],
+        "findings": findings,
+        "range": scale.to_manifest(),
+        "rings": entries,
+        "by_footprint": by_footprint,
+        "neighbours": neighbours,
+    }
+
+
+def closing_files(
+    scene: Scene,
+    settings: ExportSettings,
+    regions: list[dict[str, Any]],
+    dynamic: dict[str, Any] | None,
+    files: Files,
+) -> dict[str, bytes]:
+    """Encode the tileset and the manifest of a bundle, by name; they are written after its other files."""
+    from nearfar.stream import _tileset
+
+    first = regions[0]
+    tileset = _tileset.encode(first["center"], first["rings"], dynamic, files.content)
+    manifest = manifest_of(scene, settings, regions, dynamic, files, tileset)
+    return {_store.TILESET: tileset, _store.MANIFEST: formats.to_json(manifest, compact=True).encode()}
+
+
+def manifest_of(
+    scene: Scene,
+    settings: ExportSettings,
+    regions: list[dict[str, Any]],
+    dynamic: dict[str, Any] | None,
+    files: Files,
+    tileset: bytes,
+) -> dict[str, Any]:
+    """Return the manifest of a bundle."""
+    return formats.header(
+        NAME,
+        VERSION,
+        color_space="sRGB",
+        morph={"kind": "cylinder", "near_share": NEAR_SHARE},
+        growth=Growth((1.0,), speed=settings.speed).to_manifest(),
+        triangles=scene.triangle_count,
+        bounds=scene.bounds.tolist(),
+        display={"pixels_per_degree": settings.pixels_per_degree, "split_px": settings.split_px},
+        map={"face_size": settings.face_size, "orientation": ORIENTATION, "tile": TILE, "across": ACROSS},
+        regions=regions,
+        dynamic=dynamic,
+        tileset=_store.file_entry(tileset),
+        notes=list(scene._notes),
+        files=files.file_entries(),
+    )
