@@ -159,7 +159,7 @@ fn check(device: &Device, [width, height]: [u32; 2]) -> Result<()> {
     if pixels > most {
         let label = device.report().label();
         return Err(Error::Device(format!(
-            "{label}: a frame of {width} × {height} pixels, {most} pixels can be sorted; use nearfar.discontinuity"
+            "{label}: a frame of {width} × {height} pixels, {most} pixels can be sorted; use nearfar.metrics.discontinuity"
         )));
     }
     Ok(())

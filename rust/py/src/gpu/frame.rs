@@ -56,7 +56,7 @@ struct Contents {
 
 impl Contents {
     /// Images by name, and the counters as `stats`.
-    fn to_dict<'py>(&self, py: Python<'py>, frame: Frame) -> PyResult<Bound<'py, PyDict>> {
+    fn to_dict<'py>(self, py: Python<'py>, frame: Frame) -> PyResult<Bound<'py, PyDict>> {
         let images = images(py, frame, self.shape)?;
         if let Some(counts) = &self.counts {
             add_counts(&images, counts)?;
