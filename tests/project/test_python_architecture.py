@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 import statistics
 import subprocess
+from collections.abc import Iterator
 from pathlib import Path
 
 from tests.support import need
@@ -58,6 +59,9 @@ MAX_ENTRIES = 30
 MEDIAN_LINES, MAX_LINES = 150, 400
 """Maximum median and maximum number of lines of the package's Python files; the stub may be longer."""
 
+MAX_PUBLIC_PARAMETERS, MAX_PRIVATE_PARAMETERS = 10, 8
+"""Maximum numbers of parameters; more mean that a type is missing."""
+
 
 def test_the_command_line_uses_only_public_names() -> None:
     wrong = []
@@ -102,3 +106,44 @@ def test_every_stage_has_its_tests_benchmarks_and_page() -> None:
         assert bool(runs) != bool(why_no_benchmark), f"{stage}: expected a benchmark, or the reason why there is none"
     folders = {path.name for path in (CHECKOUT / "tests").iterdir() if any(path.glob("test_*.py"))}
     assert folders <= set(ROOMS) | {"attack", "project", "vectors"}
+
+
+def public_names() -> set[str]:
+    """Return the names that the package and its subpackages export."""
+    names: set[str] = set()
+    for path in [PACKAGE / "__init__.pyi", *PACKAGE.rglob("__init__.py")]:
+        for node in ast.parse(path.read_text(encoding="utf-8")).body:
+            match node:
+                case ast.Assign(targets=[ast.Name(id="__all__")], value=ast.List() as listed):
+                    names.update(ast.literal_eval(listed))
+    return names
+
+
+def parameter_counts(path: Path) -> Iterator[tuple[str, str, int]]:
+    """Yield outer name, own name and number of parameters of each function; self and cls do not count."""
+
+    def visit(node: ast.AST, outer: str) -> Iterator[tuple[str, str, int]]:
+        for child in ast.iter_child_nodes(node):
+            name = getattr(child, "name", "")
+            if isinstance(child, ast.FunctionDef | ast.AsyncFunctionDef):
+                args = child.args
+                named = [
+                    arg for arg in (*args.posonlyargs, *args.args, *args.kwonlyargs) if arg.arg not in ("self", "cls")
+                ]
+                yield outer or name, name, len(named) + bool(args.vararg) + bool(args.kwarg)
+            yield from visit(child, outer or (name if isinstance(child, ast.ClassDef) else ""))
+
+    yield from visit(ast.parse(path.read_text(encoding="utf-8")), "")
+
+
+def test_functions_take_few_parameters() -> None:
+    public, wrong = public_names(), []
+    for path in sorted(PACKAGE.rglob("*.py")):
+        is_command = path.parent.name == "cli"
+        for outer, name, count in parameter_counts(path):
+            # A public class may inherit its methods from others, whose names tell nothing about that.
+            is_method = outer != name and not outer.startswith("_") and (name == "__init__" or not name.startswith("_"))
+            is_public = is_command or is_method or name in public
+            if count > (MAX_PUBLIC_PARAMETERS if is_public else MAX_PRIVATE_PARAMETERS):
+                wrong.append(f"{path.relative_to(PACKAGE)}: {outer}.{name} takes {count}")
+    assert wrong == []

@@ -158,7 +158,7 @@ async fn sessions_that_do_not_read_are_closed_and_others_receive_all() {
     say_until_left(&mut sender, &mut friend, slow.number).await;
     // It reads on up to the reason.
     let sentence = slow.is_refused(Reason::Slow).await;
-    assert!(sentence.ends_with("before 131072 bytes wait for it"), "{sentence}");
+    assert!(sentence.ends_with("before 131072 bytes are queued"), "{sentence}");
 }
 
 #[tokio::test]

@@ -58,7 +58,7 @@ async fn slow_readers_are_disconnected_and_others_receive_all() {
     say_until_left(&mut sender, &mut friend, slow.number).await;
     // Its queue was discarded; it reads on up to the reason.
     let sentence = slow.is_refused(Reason::Slow).await;
-    assert!(sentence.ends_with("before 131072 bytes wait for it"), "{sentence}");
+    assert!(sentence.ends_with("before 131072 bytes are queued"), "{sentence}");
 }
 
 #[tokio::test]
