@@ -1,4 +1,4 @@
-"""What every benchmark reads and prints: options of the command line, the machine, tables, plots and folders."""
+"""Input and output of every benchmark: options of the command line, the machine, tables, plots and folders."""
 
 from __future__ import annotations
 

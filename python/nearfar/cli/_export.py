@@ -101,7 +101,7 @@ def export(
     file: SceneOptions,
     as_json: options.Json = False,
 ) -> None:
-    """Write near geometry in rings about centres, each with the map of what lies beyond it, as files for the web."""
+    """Write near geometry in rings about centres, each with a map of the scene beyond it, as files for the web."""
     loaded = open_scene(scene, file.loading)
     started = time.perf_counter()
     with _options_named():

@@ -75,7 +75,7 @@ class EncryptionOptions(Options):
 
 @dataclass(frozen=True, kw_only=True)
 class AccessOptions(Options):
-    """Who may read, and how many at the same time."""
+    """Clients that may connect, and limits on their numbers."""
 
     origin: Annotated[
         str | None,
