@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { addressOf, gatherer, openDatagrams, readAll, splitter } from '../src/rooms/datagrams';
-import { askAbout, type Datagrams, type Listener, readAbout, type Socket } from '../src/rooms/server';
+import { askDescription, type Datagrams, type Listener, readDescription, type Socket } from '../src/rooms/server';
 import { createOpen } from '../src/rooms/way';
 
 const TO: Datagrams = { port: 8443, hashes: [] };
@@ -101,7 +101,7 @@ test('the page does not wait for a server that does not answer', async () => {
   globalThis.fetch = (_, init) =>
     new Promise((_, reject) => init?.signal?.addEventListener('abort', () => reject((isEnded = true))));
   try {
-    const told = askAbout('http://host:8/', ends.signal);
+    const told = askDescription('http://host:8/', ends.signal);
     ends.abort();
     assert.equal(await told, null);
     assert.ok(isEnded);
@@ -230,14 +230,14 @@ test('frames of one task are one datagram, up to its size', async () => {
 
 test('the description that a server gives of rooms is parsed, or ignored as a whole', () => {
   const hash = '0a'.repeat(32);
-  const told = readAbout({ peers: true, datagrams: { port: 8443, hashes: [hash] } });
+  const told = readDescription({ peers: true, datagrams: { port: 8443, hashes: [hash] } });
   assert.equal(told?.peers, true);
   assert.deepEqual([told?.datagrams?.port, [...(told?.datagrams?.hashes[0] ?? [])]], [8443, Array(32).fill(10)]);
-  assert.deepEqual(readAbout({ peers: false, datagrams: null }), { peers: false, datagrams: null });
+  assert.deepEqual(readDescription({ peers: false, datagrams: null }), { peers: false, datagrams: null });
   for (const datagrams of [{ port: 0, hashes: [] }, { port: 1.5, hashes: [] }, { port: 1, hashes: ['0A'] }, { port: 1 }, 3]) {
-    assert.deepEqual(readAbout({ peers: true, datagrams }), { peers: true, datagrams: null });
+    assert.deepEqual(readDescription({ peers: true, datagrams }), { peers: true, datagrams: null });
   }
-  for (const wrong of [null, 'text', [], {}, { peers: 1 }]) assert.equal(readAbout(wrong), null);
+  for (const wrong of [null, 'text', [], {}, { peers: 1 }]) assert.equal(readDescription(wrong), null);
 });
 
 test('datagrams may have a separate port', () => {
