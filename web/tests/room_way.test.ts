@@ -22,8 +22,8 @@ function bench(ask: () => Promise<Datagrams | null>, isTaken: () => boolean, has
   const [opened, told]: [string[], string[]] = [[], []];
   const socket = (name: string): Socket => ({
     bufferedAmount: 7,
-    send: (data, isPassing) => told.push(`${name} ${data.length} ${isPassing}`),
-    close: (isAtOnce) => told.push(`${name} closes${isAtOnce ? ' at once' : ''}`),
+    send: (data, mayBeLost) => told.push(`${name} ${data.length} ${mayBeLost}`),
+    close: (isImmediate) => told.push(`${name} closes${isImmediate ? ' at once' : ''}`),
   });
   const listener: Listener = { opened: () => told.push('opened'), received: () => {}, closed: (code) => told.push(`closed ${code}`) };
   const ways = {
@@ -147,7 +147,7 @@ test('the end of an unused session is not reported', async () => {
 
 test('a session ends with its stream, which the server closes, or after some seconds', async (context) => {
   context.mock.timers.enable({ apis: ['setTimeout'] });
-  for (const [isAtOnce, isAnswered] of [[false, true], [false, false], [true, false]] as const) {
+  for (const [isImmediate, isAnswered] of [[false, true], [false, false], [true, false]] as const) {
     const done: string[] = [];
     let end = (_: object): void => {};
     class Fake {
@@ -171,14 +171,14 @@ test('a session ends with its stream, which the server closes, or after some sec
     const socket = await openDatagrams(RELAY, TO, listener);
     await settle();
     socket.send(new Uint8Array(3), false);
-    socket.close(isAtOnce);
+    socket.close(isImmediate);
     await settle();
     if (isAnswered) end({ closeCode: 1000 });
     await settle();
     context.mock.timers.tick(5000);
     await settle();
     const [graceful, sent] = [['wrote 3', 'stream closed'], new Set(done)];
-    if (isAtOnce) assert.ok(sent.has('closed') && !sent.has('stream closed'));
+    if (isImmediate) assert.ok(sent.has('closed') && !sent.has('stream closed'));
     else assert.deepEqual(done, [...graceful, isAnswered ? 'told 1000' : 'closed']);
   }
 });

@@ -48,7 +48,7 @@ export interface Connection {
   /** Reconnects after the end, or immediately while waiting. */
   retry(): void;
   /** Leaves the room; immediately if the page is being closed. */
-  leave(isAtOnce?: boolean): void;
+  leave(isImmediate?: boolean): void;
 }
 
 export function connect(settings: ConnectionSettings): Connection {
@@ -156,16 +156,16 @@ export function connect(settings: ConnectionSettings): Connection {
     return true;
   }
 
-  /** Sends a frame; `isPassing` allows its loss because a later frame replaces it. */
-  function send(frame: FromUser, isPassing = false): void {
-    socket?.send(writeFrame(frame), isPassing);
+  /** Sends a frame; `mayBeLost` if a later frame replaces it. */
+  function send(frame: FromUser, mayBeLost = false): void {
+    socket?.send(writeFrame(frame), mayBeLost);
   }
 
-  function drop(isAtOnce = false): void {
+  function drop(isImmediate = false): void {
     stop();
     if (!socket) return;
     [closing, socket] = [socket, null];
-    closing.close(isAtOnce);
+    closing.close(isImmediate);
   }
 
   function end({ message, isFinal }: End): void {
@@ -214,9 +214,9 @@ export function connect(settings: ConnectionSettings): Connection {
     retry() {
       if (state.kind === 'waiting' || state.kind === 'ended') join();
     },
-    leave(isAtOnce) {
+    leave(isImmediate) {
       if (state.kind === 'here') send({ kind: 'bye' });
-      drop(isAtOnce);
+      drop(isImmediate);
       set({ kind: 'ended', words: 'You have left the room.' });
     },
   };

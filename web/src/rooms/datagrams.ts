@@ -59,16 +59,16 @@ function sending(transport: WebTransport, writable: WritableStream, closed: Prom
     get bufferedAmount() {
       return bytes;
     },
-    send(data, isPassing) {
-      if (isPassing && data.length <= datagrams.maxDatagramSize) {
+    send(data, mayBeLost) {
+      if (mayBeLost && data.length <= datagrams.maxDatagramSize) {
         gather(data, datagrams.maxDatagramSize);
         return;
       }
       bytes += data.length;
       stream.write(data).then(() => (bytes -= data.length), ignore);
     },
-    close(isAtOnce) {
-      if (isAtOnce) {
+    close(isImmediate) {
+      if (isImmediate) {
         transport.close();
         return;
       }

@@ -71,12 +71,12 @@ function deferredSocket(opening: Promise<Found>, listener: Listener): Socket {
     get bufferedAmount() {
       return socket?.bufferedAmount ?? 0;
     },
-    send(data, isPassing) {
-      socket?.send(data, isPassing);
+    send(data, mayBeLost) {
+      socket?.send(data, mayBeLost);
     },
-    close(isAtOnce) {
+    close(isImmediate) {
       isClosed = true;
-      socket?.close(isAtOnce);
+      socket?.close(isImmediate);
     },
   };
 }
