@@ -182,7 +182,7 @@ def test_subtrees_list_available_cells(levels: int, tmp_path: Path) -> None:
                 if depth == depths:
                     assert read.children.bit(number) == (cell in whole)
                     continue
-                bit = subtrees.start_of(depth, 3) + number
+                bit = subtrees.tiles_above(depth, 3) + number
                 assert read.tiles.bit(bit) == (cell in whole)
                 assert read.contents[0].bit(bit) == (cell in whole and cell[0] == levels - 1)
                 if cell in whole:

@@ -215,11 +215,11 @@ def wrong_subtree(**changes: Any) -> bytes:
         (
             wrong_subtree(tileAvailability={"bitstream": 9}),
             bytes(24),
-            "tileAvailability.bitstream: expected the number of one of 3",
+            "tileAvailability.bitstream: expected the index of one of 3",
         ),
         (wrong_subtree(tileAvailability={}), bytes(24), "tileAvailability.bitstream"),
         (wrong_subtree(tileAvailability=None), bytes(24), "tileAvailability: expected an object, got none"),
-        (wrong_subtree(), bytes(24), "tileAvailability: it states 5 as available, and its bits 0"),
+        (wrong_subtree(), bytes(24), "tileAvailability: availableCount is 5, but 0 bits are set"),
         (
             wrong_subtree(bufferViews=[{"buffer": 0, "byteLength": 0}] * 3),
             bytes(24),
@@ -228,20 +228,24 @@ def wrong_subtree(**changes: Any) -> bytes:
         (
             wrong_subtree(bufferViews=[{"buffer": 7, "byteLength": 1}] * 3),
             bytes(24),
-            "bufferViews[0].buffer: expected the number",
+            "bufferViews[0].buffer: expected the index",
         ),
         (wrong_subtree(buffers=[{"uri": "../x"}]), bytes(24), "which lies outside its folder"),
         (
             subtree([False, True, False, False, False], False, False)[0],
             b"",
-            "tile 0 of its level 1 is there, but not its parent",
+            "tile 0 of its level 1 as available, but not its parent",
         ),
         (
             subtree([True, False, True, True, True], [True] * 5, False)[0],
             b"",
-            "the content of tile 1 is there, but not the tile",
+            "the content of tile 1 as available, but not the tile",
         ),
-        (subtree([True] * 4 + [False], False, [True] * 16)[0], b"", "subtree 12 is there, but not the tile above it"),
+        (
+            subtree([True] * 4 + [False], False, [True] * 16)[0],
+            b"",
+            "subtree 12 as available, but not the tile above it",
+        ),
     ],
 )
 def test_damaged_subtrees(tmp_path: Path, data: bytes, stored: bytes, words: str) -> None:

@@ -93,7 +93,7 @@ def test_metadata_of_other_classes_is_ignored(tmp_path: Path) -> None:
         ({"propertyTables": [{"class": "kind", "count": 3}]}, "propertyTables[0].properties: expected an object"),
         (
             {"propertyTables": [{"class": "kind", "count": 3, "properties": {"b": {"values": 7}}}]},
-            "expected the number of one of 2, got 7",
+            "expected the index of one of 2, got 7",
         ),
     ],
 )

@@ -199,7 +199,7 @@ def test_implicit_trees_of_several_subtrees(tmp_path: Path, scheme: str, binary:
 @given(st.lists(st.booleans(), min_size=1, max_size=200))
 def test_bits_are_decoded(values: list[bool]) -> None:
     read = subtrees.Bits(len(values), bits(values))
-    assert [read.bit(n) for n in range(len(values))] == read.unpacked().tolist() == values
+    assert [read.bit(n) for n in range(len(values))] == read.unpack().tolist() == values
 
 
 def test_regions_of_implicit_tiles_hold_their_content() -> None:

@@ -9,7 +9,7 @@ import { type Pose, readLink, writeLink } from './control/pose';
 import { openAddress } from './opened';
 import type { Room } from './room';
 import { createMeter } from './show/meter';
-import { LONGEST_FRAME, LOST } from './show/renderer';
+import { GRAPHICS_LOST, MAX_FRAME_SECONDS } from './show/renderer';
 import { strategyOf } from './show/stage';
 import { createViewer, type Viewer } from './show/viewer';
 import { find } from './ui/dom';
@@ -43,7 +43,7 @@ async function main(): Promise<void> {
   // A failure is reported below, when the panel exists.
   script?.catch(() => {});
   const opened = await openAddress(base, query, strategy, meter.receive, wait.begin).finally(wait.end);
-  meter.restart();
+  meter.reset();
   const { centers, files, world } = opened;
   if (opened.title !== null) document.title = `${opened.title} – nearfar`;
   let headset: Headset | null = null;
@@ -57,7 +57,7 @@ async function main(): Promise<void> {
   };
   const retry = (): void => {
     // Some browsers restore lost graphics only to a reloaded page.
-    if (problems.includes(LOST)) {
+    if (problems.includes(GRAPHICS_LOST)) {
       history.replaceState(null, '', writeLink(pose));
       location.reload();
       return;
@@ -85,7 +85,7 @@ async function main(): Promise<void> {
       if (viewer.facts.arrived < 0) showError(reason);
     },
     lost(isLost) {
-      problems = isLost ? [LOST] : [];
+      problems = isLost ? [GRAPHICS_LOST] : [];
       // The lost context belonged to the headset's session, and the restored one does not.
       if (isLost && headset?.isPresenting) void headset.toggle();
     },
@@ -176,9 +176,9 @@ async function main(): Promise<void> {
   viewer.renderer.setAnimationLoop((now: number) => {
     const seconds = Math.max(now - last, 0) / 1000;
     last = now;
-    pose = headset?.update(Math.min(seconds, LONGEST_FRAME)) ?? controls.update(seconds);
+    pose = headset?.update(Math.min(seconds, MAX_FRAME_SECONDS)) ?? controls.update(seconds);
     room?.frame(pose);
-    viewer.frame(pose, Math.min(seconds, LONGEST_FRAME));
+    viewer.frame(pose, Math.min(seconds, MAX_FRAME_SECONDS));
     controls.setBounds(viewer.facts.bounds);
     meter.frame(seconds);
     sincePanel += seconds;
@@ -191,7 +191,7 @@ async function main(): Promise<void> {
       ring: Math.min(shown?.ring ?? 0, rings),
       rings,
       isSharp: entry !== null && (!entry.isCoarse || (shown?.ring ?? 0) > rings),
-      making: opened.progressOf(goal ?? region),
+      serverProgress: opened.progressOf(goal ?? region),
       radius: shown?.grown.radius ?? 0,
       ...meter.read(),
       received,
@@ -201,7 +201,7 @@ async function main(): Promise<void> {
       sceneTriangles: opened.triangles,
       region,
       regions: centers?.length ?? null,
-      away: distance(pose.position, { center, metres: fold_margin }),
+      distance: distance(pose.position, { center, metres: fold_margin }),
       foldMargin: fold_margin,
       problems,
     });

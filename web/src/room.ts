@@ -14,7 +14,7 @@ import { type Activity, createPointing } from './rooms/pointing';
 import { type Body, isWithin } from './rooms/pose';
 import { createPresence, type Presence, type Seen } from './rooms/presence';
 import { createSender } from './rooms/sending';
-import { type Ask, askAbout } from './rooms/server';
+import { type Ask, askDescription } from './rooms/server';
 import { createTicketStore, followPage } from './rooms/ticket';
 import { createOpen } from './rooms/way';
 import type { Viewer } from './show/viewer';
@@ -110,7 +110,7 @@ function join(host: Host, address: Address, hold: Hold, onUpdate: (room: Room) =
   const arrivals = createArrivals(host.announce);
   const tickets = createTicketStore(relayOf(location.href, { ...address, token: null }));
   const isWithoutDatagrams = new URLSearchParams(location.search).get('datagrams') === 'off';
-  const ask: Ask = () => askAbout(location.href);
+  const ask: Ask = () => askDescription(location.href);
   const connection = connect({
     address,
     page: location.href,

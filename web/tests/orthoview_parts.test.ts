@@ -5,7 +5,7 @@ import { REST } from '../src/control/drive';
 import { Cells } from '../src/orthoview/cut/cells';
 import type { Cut } from '../src/orthoview/cut/cut';
 import { crc32c, statedSize, decompressZstd, xxh64 } from '../src/orthoview/decode/codecs';
-import { advanceFlight, startOf } from '../src/orthoview/fly';
+import { advanceFlight, startPose } from '../src/orthoview/fly';
 import { Queue } from '../src/orthoview/show/queue';
 import { choose, type Near } from '../src/orthoview/show/stand_in';
 import { Resident } from '../src/orthoview/show/stock';
@@ -310,7 +310,7 @@ test('flight is faster at greater height, and follows the view', () => {
 });
 
 test('without a link the viewer begins above the world and looks at its middle', () => {
-  const { position, pitch } = startOf(LAYOUT);
+  const { position, pitch } = startPose(LAYOUT);
   assert.equal(position[0], 20);
   assert.ok(Math.abs((position[1] - 0) / (position[2] - 20) - Math.tan(-pitch)) < 1e-9);
   assert.ok(position[1] > 0);

@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { createChoice, refusalHere, refusalThere, UNWANTED } from '../src/peers/choice';
+import { createChoice, refusalOfPage, refusalOfServer, SWITCHED_OFF } from '../src/peers/choice';
 
 function storage(): Storage {
   const kept = new Map<string, string>();
@@ -19,10 +19,10 @@ test('the choice of a user holds for later pages', () => {
   assert.equal(choice.isOn, false);
   const next = createChoice(() => kept);
   assert.equal(next.isOn, false);
-  assert.equal(refusalHere(new URLSearchParams(), next), UNWANTED);
+  assert.equal(refusalOfPage(new URLSearchParams(), next), SWITCHED_OFF);
   next.set(true);
   assert.ok(createChoice(() => kept).isOn);
-  assert.notEqual(refusalHere(new URLSearchParams(), next), UNWANTED);
+  assert.notEqual(refusalOfPage(new URLSearchParams(), next), SWITCHED_OFF);
 });
 
 test('if the browser forbids storage, the choice holds for the page', () => {
@@ -36,9 +36,9 @@ test('if the browser forbids storage, the choice holds for the page', () => {
 
 test('a page shares files if its address, its browser and the server allow it', () => {
   const choice = createChoice(storage);
-  assert.match(refusalHere(new URLSearchParams('peers=off'), choice) ?? '', /address/);
-  assert.match(refusalHere(new URLSearchParams(), choice) ?? '', /WebRTC/);
-  assert.equal(refusalThere({ peers: true, datagrams: null }), null);
-  assert.match(refusalThere({ peers: false, datagrams: null }) ?? '', /server does not allow/);
-  assert.match(refusalThere(null) ?? '', /does not say/);
+  assert.match(refusalOfPage(new URLSearchParams('peers=off'), choice) ?? '', /address/);
+  assert.match(refusalOfPage(new URLSearchParams(), choice) ?? '', /WebRTC/);
+  assert.equal(refusalOfServer({ peers: true, datagrams: null }), null);
+  assert.match(refusalOfServer({ peers: false, datagrams: null }) ?? '', /server does not allow/);
+  assert.match(refusalOfServer(null) ?? '', /does not say/);
 });

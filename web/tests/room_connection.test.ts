@@ -13,20 +13,20 @@ class Fake implements Socket {
   /** For each sent frame, whether it may get lost. */
   readonly passing: boolean[] = [];
   isClosed = false;
-  isAtOnce = false;
+  isImmediate = false;
 
   constructor(
     readonly url: string,
     private readonly listener: Listener,
   ) {}
 
-  send(data: Uint8Array, isPassing: boolean): void {
+  send(data: Uint8Array, mayBeLost: boolean): void {
     this.sent.push(data);
-    this.passing.push(isPassing);
+    this.passing.push(mayBeLost);
   }
 
-  close(isAtOnce: boolean): void {
-    [this.isClosed, this.isAtOnce] = [true, isAtOnce];
+  close(isImmediate: boolean): void {
+    [this.isClosed, this.isImmediate] = [true, isImmediate];
   }
 
   open(): void {
@@ -357,10 +357,10 @@ test('joining again waits some seconds until the server has closed the previous 
 });
 
 test('a closing page waits for nothing', () => {
-  for (const isAtOnce of [true, false]) {
+  for (const isImmediate of [true, false]) {
     const { connection, socket } = enterRoom();
-    connection.leave(isAtOnce);
-    assert.deepEqual([socket().isClosed, socket().isAtOnce], [true, isAtOnce]);
+    connection.leave(isImmediate);
+    assert.deepEqual([socket().isClosed, socket().isImmediate], [true, isImmediate]);
   }
 });
 

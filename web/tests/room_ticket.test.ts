@@ -47,7 +47,7 @@ test('a closing page says bye and leaves its ticket, and joins again when it ret
   const connection = {
     state: { kind: 'here' },
     ticket: new Uint8Array([5]),
-    leave: (isAtOnce: boolean) => calls.push(`leave ${isAtOnce}`),
+    leave: (isImmediate: boolean) => calls.push(`leave ${isImmediate}`),
     retry: () => calls.push('retry'),
   };
   followPage(connection as unknown as Connection, createTicketStore('ws://h/rooms/x', () => storage), page);

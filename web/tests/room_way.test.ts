@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { addressOf, gatherer, openDatagrams, readAll, splitter } from '../src/rooms/datagrams';
-import { askAbout, type Datagrams, type Listener, readAbout, type Socket } from '../src/rooms/server';
+import { askDescription, type Datagrams, type Listener, readDescription, type Socket } from '../src/rooms/server';
 import { createOpen } from '../src/rooms/way';
 
 const TO: Datagrams = { port: 8443, hashes: [] };
@@ -22,8 +22,8 @@ function bench(ask: () => Promise<Datagrams | null>, isTaken: () => boolean, has
   const [opened, told]: [string[], string[]] = [[], []];
   const socket = (name: string): Socket => ({
     bufferedAmount: 7,
-    send: (data, isPassing) => told.push(`${name} ${data.length} ${isPassing}`),
-    close: (isAtOnce) => told.push(`${name} closes${isAtOnce ? ' at once' : ''}`),
+    send: (data, mayBeLost) => told.push(`${name} ${data.length} ${mayBeLost}`),
+    close: (isImmediate) => told.push(`${name} closes${isImmediate ? ' at once' : ''}`),
   });
   const listener: Listener = { opened: () => told.push('opened'), received: () => {}, closed: (code) => told.push(`closed ${code}`) };
   const ways = {
@@ -101,7 +101,7 @@ test('the page does not wait for a server that does not answer', async () => {
   globalThis.fetch = (_, init) =>
     new Promise((_, reject) => init?.signal?.addEventListener('abort', () => reject((isEnded = true))));
   try {
-    const told = askAbout('http://host:8/', ends.signal);
+    const told = askDescription('http://host:8/', ends.signal);
     ends.abort();
     assert.equal(await told, null);
     assert.ok(isEnded);
@@ -147,7 +147,7 @@ test('the end of an unused session is not reported', async () => {
 
 test('a session ends with its stream, which the server closes, or after some seconds', async (context) => {
   context.mock.timers.enable({ apis: ['setTimeout'] });
-  for (const [isAtOnce, isAnswered] of [[false, true], [false, false], [true, false]] as const) {
+  for (const [isImmediate, isAnswered] of [[false, true], [false, false], [true, false]] as const) {
     const done: string[] = [];
     let end = (_: object): void => {};
     class Fake {
@@ -171,14 +171,14 @@ test('a session ends with its stream, which the server closes, or after some sec
     const socket = await openDatagrams(RELAY, TO, listener);
     await settle();
     socket.send(new Uint8Array(3), false);
-    socket.close(isAtOnce);
+    socket.close(isImmediate);
     await settle();
     if (isAnswered) end({ closeCode: 1000 });
     await settle();
     context.mock.timers.tick(5000);
     await settle();
     const [graceful, sent] = [['wrote 3', 'stream closed'], new Set(done)];
-    if (isAtOnce) assert.ok(sent.has('closed') && !sent.has('stream closed'));
+    if (isImmediate) assert.ok(sent.has('closed') && !sent.has('stream closed'));
     else assert.deepEqual(done, [...graceful, isAnswered ? 'told 1000' : 'closed']);
   }
 });
@@ -230,14 +230,14 @@ test('frames of one task are one datagram, up to its size', async () => {
 
 test('the description that a server gives of rooms is parsed, or ignored as a whole', () => {
   const hash = '0a'.repeat(32);
-  const told = readAbout({ peers: true, datagrams: { port: 8443, hashes: [hash] } });
+  const told = readDescription({ peers: true, datagrams: { port: 8443, hashes: [hash] } });
   assert.equal(told?.peers, true);
   assert.deepEqual([told?.datagrams?.port, [...(told?.datagrams?.hashes[0] ?? [])]], [8443, Array(32).fill(10)]);
-  assert.deepEqual(readAbout({ peers: false, datagrams: null }), { peers: false, datagrams: null });
+  assert.deepEqual(readDescription({ peers: false, datagrams: null }), { peers: false, datagrams: null });
   for (const datagrams of [{ port: 0, hashes: [] }, { port: 1.5, hashes: [] }, { port: 1, hashes: ['0A'] }, { port: 1 }, 3]) {
-    assert.deepEqual(readAbout({ peers: true, datagrams }), { peers: true, datagrams: null });
+    assert.deepEqual(readDescription({ peers: true, datagrams }), { peers: true, datagrams: null });
   }
-  for (const wrong of [null, 'text', [], {}, { peers: 1 }]) assert.equal(readAbout(wrong), null);
+  for (const wrong of [null, 'text', [], {}, { peers: 1 }]) assert.equal(readDescription(wrong), null);
 });
 
 test('datagrams may have a separate port', () => {

@@ -28,7 +28,7 @@ from nearfar._scene.materials import BaseColor
 from nearfar._scene.mesh_list import MeshList
 from nearfar._scene.names import MAX_OBJECTS, names_of
 from nearfar._scene.placing import OWN_OBJECTS, Placements, core_scene
-from nearfar._scene.undrawn import Undrawn
+from nearfar._scene.undrawn import GltfMaterial
 
 
 @dataclass(frozen=True)
@@ -45,7 +45,7 @@ class Assembled:
     """Parts of the source that are ignored or drawn differently, one sentence each."""
     used: tuple[str, ...] = ()
     """Parts of the source that the scene uses, one phrase each."""
-    undrawn: Mapping[int, Undrawn] = field(default_factory=dict)
+    undrawn: Mapping[int, GltfMaterial] = field(default_factory=dict)
     """Properties of materials that are not drawn, by their tags in `core`."""
 
 

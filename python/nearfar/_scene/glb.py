@@ -24,7 +24,7 @@ from nearfar._scene.glb_surfaces import SurfaceWriter
 from nearfar._scene.materials import colors_of
 from nearfar._scene.names import Names
 from nearfar._scene.srgb import to_linear
-from nearfar._scene.undrawn import Undrawn
+from nearfar._scene.undrawn import GltfMaterial
 
 _IDENTITY = np.eye(4)[:3]
 _NO_OBJECT = -1
@@ -34,7 +34,7 @@ _EXACT_V = "_V"
 _TURNED = "turned"
 
 
-def encode(core: _core.Scene, names: tuple[str, ...], undrawn: Mapping[int, Undrawn]) -> bytes:
+def encode(core: _core.Scene, names: tuple[str, ...], undrawn: Mapping[int, GltfMaterial]) -> bytes:
     """Encode all content of a scene as a GLB; the scene's origin becomes the root node's translation."""
     return Encoder(core, names, undrawn).encode()
 
@@ -42,7 +42,7 @@ def encode(core: _core.Scene, names: tuple[str, ...], undrawn: Mapping[int, Undr
 class Encoder:
     """Writes instances of a scene as glTF nodes, with their meshes, materials and textures."""
 
-    def __init__(self, core: _core.Scene, names: Sequence[str], undrawn: Mapping[int, Undrawn]) -> None:
+    def __init__(self, core: _core.Scene, names: Sequence[str], undrawn: Mapping[int, GltfMaterial]) -> None:
         self._parts = _core.scene_parts(core)
         self._ids = core.mesh_ids().tolist()
         self._names = names
@@ -238,12 +238,12 @@ class Decoder:
         return self._surfaces[0]
 
     @property
-    def undrawn(self) -> dict[int, Undrawn]:
+    def undrawn(self) -> dict[int, GltfMaterial]:
         """Undrawn properties of materials, by tag."""
         return self._surfaces[1]
 
     @cached_property
-    def _surfaces(self) -> tuple[dict[str, Any], dict[int, Undrawn]]:
+    def _surfaces(self) -> tuple[dict[str, Any], dict[int, GltfMaterial]]:
         return glb_surfaces.read(self._reader, upright=self._upright)
 
     def _node_names(self) -> tuple[str, ...]:

@@ -19,7 +19,7 @@ from nearfar._scene.coordinates import TRANSFORM, is_texture
 from nearfar._scene.emission import DARK, MAP, Light, emission_of, entries, is_unlit
 from nearfar._scene.gltf import ktx2
 from nearfar._scene.materials import MAX_TEXELS, texels_of
-from nearfar._scene.undrawn import EncodedImage, TextureSource, Undrawn
+from nearfar._scene.undrawn import EncodedImage, GltfMaterial, TextureSource
 
 _SURFACE, _BASE = "pbrMetallicRoughness", "baseColorTexture"
 _PLAIN_KINDS = ("image/png", "image/jpeg")
@@ -28,13 +28,13 @@ _KIND_EXTENSIONS = {
     "image/avif": "EXT_texture_avif",
     "image/ktx2": "KHR_texture_basisu",
 }
-_NONE = Undrawn(undrawn_parts.PLAIN)
+_NONE = GltfMaterial(undrawn_parts.PLAIN)
 
 
 class SurfaceWriter:
     """Writes a scene's materials, from the result of `_core.scene_parts`, with the textures that they use."""
 
-    def __init__(self, writer: glb.Writer, parts: dict[str, Any], undrawn: Mapping[int, Undrawn]) -> None:
+    def __init__(self, writer: glb.Writer, parts: dict[str, Any], undrawn: Mapping[int, GltfMaterial]) -> None:
         self._writer, self._parts, self._undrawn = writer, parts, undrawn
         self._numbers: dict[int, int] = {}
         self._base_images: dict[int, int] = {}
@@ -111,7 +111,7 @@ class SurfaceWriter:
             if key != _BASE:
                 source = textures[item["index"]]
                 assert source.image is not None
-                item["index"] = self._texture(self._other_image(source.image), source.sampler, source.image.kind)
+                item["index"] = self._texture(self._other_image(source.image), source.sampler, source.image.media_type)
 
     def _base_texture(self, texture: int, sampler: str) -> int:
         if texture not in self._base_images:
@@ -120,7 +120,7 @@ class SurfaceWriter:
 
     def _other_image(self, image: EncodedImage) -> int:
         if image not in self._other_images:
-            self._other_images[image] = self._image(image.data, image.kind)
+            self._other_images[image] = self._image(image.data, image.media_type)
         return self._other_images[image]
 
     def _image(self, data: bytes, kind: str) -> int:
@@ -155,7 +155,7 @@ def _place(entries: list[dict[str, Any]], entry: dict[str, Any]) -> int:
     return entries.index(entry)
 
 
-def read(reader: glb.Reader, *, upright: bool) -> tuple[dict[str, Any], dict[int, Undrawn]]:
+def read(reader: glb.Reader, *, upright: bool) -> tuple[dict[str, Any], dict[int, GltfMaterial]]:
     """Read the materials and textures that `SurfaceWriter` wrote.
 
     Parameters
@@ -205,7 +205,7 @@ def read(reader: glb.Reader, *, upright: bool) -> tuple[dict[str, Any], dict[int
 class _Emissions:
     """Emission of materials and its textures: known images keep their index, others are numbered from `first` on."""
 
-    def __init__(self, materials: Sequence[Undrawn | None], known: Sequence[EncodedImage], first: int) -> None:
+    def __init__(self, materials: Sequence[GltfMaterial | None], known: Sequence[EncodedImage], first: int) -> None:
         self.lights: list[Light] = []
         self.links: list[int] = []
         self.textures: list[NDArray[np.uint8]] = []
@@ -216,7 +216,7 @@ class _Emissions:
             self.lights.append(light)
             self.links.append(-1 if link is None else link)
 
-    def _emission_and_image(self, undrawn: Undrawn) -> tuple[Light, int | None]:
+    def _emission_and_image(self, undrawn: GltfMaterial) -> tuple[Light, int | None]:
         light = emission_of(undrawn.material)
         if light == DARK or MAP not in undrawn.material:
             return light, None
@@ -227,7 +227,7 @@ class _Emissions:
 
     def _number(self, image: EncodedImage) -> int | None:
         if image not in self._numbers:
-            texels = ktx2.decode(image.data, Budget(MAX)) if image.kind == ktx2.KIND else texels_of(image.data)
+            texels = ktx2.decode(image.data, Budget(MAX)) if image.media_type == ktx2.KIND else texels_of(image.data)
             self._numbers[image] = None if texels is None else self._first + len(self.textures)
             if texels is not None:
                 self.textures.append(texels)
@@ -251,8 +251,8 @@ def _texture(reader: glb.Reader, number: int) -> TextureSource:
     described = glb.entry(reader.document, "textures", number)
     sampler = glb.entry(reader.document, "samplers", described["sampler"]) if "sampler" in described else None
     image = _image(reader, _source(reader.document, number))
-    if image.kind not in (*_PLAIN_KINDS, *_KIND_EXTENSIONS):
-        raise ValueError(f"expected images of known kinds, got {image.kind!r}")
+    if image.media_type not in (*_PLAIN_KINDS, *_KIND_EXTENSIONS):
+        raise ValueError(f"expected images of known kinds, got {image.media_type!r}")
     return TextureSource(image, "" if sampler is None else json.dumps(sampler))
 
 

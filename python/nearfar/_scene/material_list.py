@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from nearfar._scene.arrays import texture_of
 from nearfar._scene.materials import BaseColor
-from nearfar._scene.undrawn import Undrawn
+from nearfar._scene.undrawn import GltfMaterial
 
 _NONE = -1
 """Index that means no texture."""
@@ -37,7 +37,7 @@ class MaterialList:
         self._numbers: dict[_Material, int] = {}
         self._textures: dict[int, tuple[NDArray[np.uint8], NDArray[np.uint8], int]] = {}
         """Maps a texture's id to the passed array, its converted form, and its number."""
-        self.undrawn: dict[int, Undrawn] = {}
+        self.undrawn: dict[int, GltfMaterial] = {}
         """Undrawn properties of materials, by tag."""
 
     def __len__(self) -> int:

@@ -17,7 +17,7 @@ from nearfar._scene.arrays import MAX_CUTOFF
 from nearfar._scene.budget import Budget
 from nearfar._scene.emission import DARK, MAP, Light, emission_of, is_unlit
 from nearfar._scene.srgb import to_linear
-from nearfar._scene.undrawn import EncodedImage, TextureSource, Undrawn
+from nearfar._scene.undrawn import EncodedImage, GltfMaterial, TextureSource
 
 MAX_TEXELS = 1 << 27
 """Greatest number of texels of a texture (half a gigabyte); a damaged header can claim billions."""
@@ -44,7 +44,7 @@ class BaseColor:
     """Whether the base colour is shown unshaded."""
     notes: tuple[str, ...] = ()
     """Differences from the source's material, phrased to follow "2 materials"."""
-    undrawn: Undrawn | None = None
+    undrawn: GltfMaterial | None = None
     """The source's material with its undrawn properties; None if it has none."""
     blend: str = ""
     """Kind of transparency, "blending" or "transparency"; empty for opaque materials."""
@@ -228,7 +228,9 @@ class Materials:
         blend = "blending" if mode == "BLEND" else ""
         return BaseColor(factor, texture, cutoff, light, glow, unlit, notes, undrawn, blend)
 
-    def _emission(self, undrawn: Undrawn | None, image: Any) -> tuple[Light, NDArray[np.uint8] | None, tuple[str, ...]]:
+    def _emission(
+        self, undrawn: GltfMaterial | None, image: Any
+    ) -> tuple[Light, NDArray[np.uint8] | None, tuple[str, ...]]:
         """Drawn part of a material's emission, and notes on the rest; `image` is the emission's texture."""
         light = DARK if undrawn is None else emission_of(undrawn.material)
         if undrawn is None or light == DARK or MAP not in undrawn.material:

@@ -24,7 +24,7 @@ from nearfar._scene.pictures import InPictures
 from nearfar._scene.poses import checked_pose, frame_of, placements_in, pose_of
 from nearfar._scene.report import Report
 from nearfar._scene.serialize import core_of_parts, parts_of
-from nearfar._scene.undrawn import Undrawn
+from nearfar._scene.undrawn import GltfMaterial
 
 if TYPE_CHECKING:
     import trimesh
@@ -50,13 +50,13 @@ class Scene(InParts, InPictures):
         notes: tuple[str, ...] = (),
         used: tuple[str, ...] = (),
         table: LevelTable | None = None,
-        undrawn: Mapping[int, Undrawn] | None = None,
+        undrawn: Mapping[int, GltfMaterial] | None = None,
     ) -> None:
         self._core = check.instance("core", core, _core.Scene, "what Scene.load, from_arrays and others pass")
         self._names, self._frames = check.instance("names", names, Names, "what Scene.load and others pass"), frames
         self._rest = core.moving_placements() if rest is None else rest
         self._dropped, self._notes, self._used, self._table = dropped, notes, used, table
-        self._undrawn: Mapping[int, Undrawn] = {} if undrawn is None else undrawn
+        self._undrawn: Mapping[int, GltfMaterial] = {} if undrawn is None else undrawn
 
     @classmethod
     def _from_assembled(cls, parts: Assembled) -> Scene:

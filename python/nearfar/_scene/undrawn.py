@@ -20,20 +20,25 @@ EXTENSIONS = frozenset(
         *("pbrSpecularGlossiness", "sheen", "specular", "transmission", "unlit", "volume"),
     )
 )
-"""Material extensions that refer only to textures, so that they can be copied."""
+"""Material extensions that can be copied, because they refer to nothing but textures."""
 
-_SURFACE = "pbrMetallicRoughness"
-_BASE = "baseColorTexture"
-_SURFACE_SIZES = {"baseColorFactor": 4, "metallicFactor": 1, "roughnessFactor": 1}
+_METALLIC_ROUGHNESS = "pbrMetallicRoughness"
+_BASE_TEXTURE = "baseColorTexture"
+_METALLIC_ROUGHNESS_SIZES = {"baseColorFactor": 4, "metallicFactor": 1, "roughnessFactor": 1}
+"""Number of components of numeric entries of `pbrMetallicRoughness`."""
 _SIZES = {"emissiveFactor": 3, "alphaCutoff": 1}
+"""Number of components of other numeric entries of a material."""
 _TEXTURES = ("normalTexture", "occlusionTexture", emission.MAP)
-_DRAWN = (emission.UNLIT, emission.STRENGTH)
+_DRAWN_EXTENSIONS = (emission.UNLIT, emission.STRENGTH)
 """Extensions that affect drawing."""
 
-_REPEAT, _NEAREST = 10497, 9728
+_REPEAT = 10497
+"""Wrapping mode of a glTF sampler."""
+_NEAREST = 9728
+"""Filter of a glTF sampler."""
 
-PLAIN = {_SURFACE: {"metallicFactor": 0.0}, "doubleSided": True}
-"""glTF material, without base colour, that looks the way scenes are drawn."""
+PLAIN = {_METALLIC_ROUGHNESS: {"metallicFactor": 0.0}, "doubleSided": True}
+"""glTF material, without base colour, that other programs draw as scenes are drawn here."""
 
 
 @dataclass(frozen=True)
@@ -41,7 +46,7 @@ class EncodedImage:
     """An image file."""
 
     data: bytes
-    kind: str
+    media_type: str
     """Media type, such as "image/png"."""
 
     @cached_property
@@ -61,7 +66,7 @@ class TextureSource:
 
 
 @dataclass(frozen=True, eq=False)
-class Undrawn:
+class GltfMaterial:
     """A glTF material with all properties that can be written back."""
 
     material: Mapping[str, Any]
@@ -82,13 +87,15 @@ class Undrawn:
         """Whether it has textures other than the base colour's."""
         return any(texture.image is not None for texture in self.textures)
 
-    def without_textures(self) -> Undrawn | None:
-        """Copy for meshes without texture coordinates; textured emission is left out, too."""
+    def without_textures(self) -> GltfMaterial | None:
+        """Copy for meshes without texture coordinates. Emission with a texture is left out as a whole."""
         material = emission.without(self.material) if emission.MAP in self.material else self.material
-        return _unless_plain(replace(self, material=without_textures(material), textures=()))
+        return _none_if_plain(replace(self, material=without_textures(material), textures=()))
 
 
-def of_gltf(material: Any, texture_of: Callable[[int], TextureSource | None]) -> tuple[Undrawn | None, tuple[str, ...]]:
+def of_gltf(
+    material: Any, texture_of: Callable[[int], TextureSource | None]
+) -> tuple[GltfMaterial | None, tuple[str, ...]]:
     """Collect the properties of a glTF material.
 
     Parameters
@@ -107,17 +114,20 @@ def of_gltf(material: Any, texture_of: Callable[[int], TextureSource | None]) ->
         return None, ()
     collector = _Collector(texture_of)
     collected = collector.material(material)
-    undrawn = Undrawn(collected, tuple(collector.textures))
+    undrawn = GltfMaterial(collected, tuple(collector.textures))
     notes = (*_differences(undrawn), *dict.fromkeys(collector.losses))
-    return _unless_plain(undrawn), notes
+    return _none_if_plain(undrawn), notes
 
 
-def _unless_plain(undrawn: Undrawn) -> Undrawn | None:
+def _none_if_plain(undrawn: GltfMaterial) -> GltfMaterial | None:
+    """Return the material; None if it differs from `PLAIN` only in what the scene itself stores."""
     material = {key: value for key, value in undrawn.material.items() if key != "alphaCutoff"}
-    surface = {k: v for k, v in material.get(_SURFACE, {}).items() if not k.startswith("baseColor")}
+    metallic_roughness = {
+        k: v for k, v in material.get(_METALLIC_ROUGHNESS, {}).items() if not k.startswith("baseColor")
+    }
     if material.get("alphaMode") in ("OPAQUE", "MASK"):
         del material["alphaMode"]
-    is_plain = {**material, _SURFACE: surface} == PLAIN
+    is_plain = {**material, _METALLIC_ROUGHNESS: metallic_roughness} == PLAIN
     return None if is_plain and all(texture == TextureSource() for texture in undrawn.textures) else undrawn
 
 
@@ -135,55 +145,59 @@ class _Collector:
         self._texture_of = texture_of
         self.textures: list[TextureSource] = []
         self.losses: list[str] = []
-        self._drawn: Coordinates | None = None
+        self._base_coordinates: Coordinates | None = None
 
     def material(self, source: dict[str, Any]) -> dict[str, Any]:
-        surface = source.get(_SURFACE)
+        surface = source.get(_METALLIC_ROUGHNESS)
         surface = surface if isinstance(surface, dict) else {}
-        self._drawn = drawn_texture_coordinates(source)
-        kept: dict[str, Any] = {}
+        self._base_coordinates = drawn_texture_coordinates(source)
+        entries: dict[str, Any] = {}
         if isinstance(source.get("name"), str):
-            kept["name"] = source["name"]
-        if found := _numbers(surface, _SURFACE_SIZES) | self._infos(surface, (_BASE, "metallicRoughnessTexture")):
-            kept[_SURFACE] = found
-        kept |= _numbers(source, _SIZES) | self._infos(source, _TEXTURES)
+            entries["name"] = source["name"]
+        if metallic_roughness := _numbers(surface, _METALLIC_ROUGHNESS_SIZES) | self._texture_infos(
+            surface, (_BASE_TEXTURE, "metallicRoughnessTexture")
+        ):
+            entries[_METALLIC_ROUGHNESS] = metallic_roughness
+        entries |= _numbers(source, _SIZES) | self._texture_infos(source, _TEXTURES)
         if source.get("alphaMode") in ("OPAQUE", "MASK", "BLEND"):
-            kept["alphaMode"] = source["alphaMode"]
+            entries["alphaMode"] = source["alphaMode"]
         if isinstance(source.get("doubleSided"), bool):
-            kept["doubleSided"] = source["doubleSided"]
+            entries["doubleSided"] = source["doubleSided"]
         extensions = source.get("extensions")
         for name, content in extensions.items() if isinstance(extensions, dict) else ():
             if name in EXTENSIONS and isinstance(content, dict):
-                kept.setdefault("extensions", {})[name] = self._extension(content)
+                entries.setdefault("extensions", {})[name] = self._extension(content)
             else:
                 self.losses.append(f"with the extension {name} drawn and saved without it")
-        if is_texture(emission.MAP, source.get(emission.MAP)) and emission.MAP not in kept:
+        if is_texture(emission.MAP, source.get(emission.MAP)) and emission.MAP not in entries:
             # The factor without its map would make dark parts glow.
-            return emission.without(kept)
-        return kept
+            return emission.without(entries)
+        return entries
 
-    def _infos(self, source: dict[str, Any], names: Iterable[str]) -> dict[str, Any]:
-        found = ((name, self._info(name, source[name])) for name in names if is_texture(name, source.get(name)))
+    def _texture_infos(self, source: dict[str, Any], names: Iterable[str]) -> dict[str, Any]:
+        found = ((name, self._texture_info(name, source[name])) for name in names if is_texture(name, source.get(name)))
         return {name: info for name, info in found if info is not None}
 
     def _extension(self, content: dict[str, Any]) -> dict[str, Any]:
         textures = [key for key, value in content.items() if is_texture(key, value)]
-        return {key: value for key, value in content.items() if _is_plain(value)} | self._infos(content, textures)
+        return {key: value for key, value in content.items() if _is_copyable(value)} | self._texture_infos(
+            content, textures
+        )
 
-    def _info(self, name: str, source: dict[str, Any]) -> dict[str, Any] | None:
+    def _texture_info(self, name: str, source: dict[str, Any]) -> dict[str, Any] | None:
         """Reference to a texture; None if it cannot be written back."""
-        transform = {} if name == _BASE else self._transform(source)
+        transform = {} if name == _BASE_TEXTURE else self._transform(source)
         if transform is None:
-            what = "emission" if name == emission.MAP else "a map"
-            self.losses.append(f"with {what} on other texture coordinates drawn and saved without it")
+            subject = "emission" if name == emission.MAP else "a map"
+            self.losses.append(f"with {subject} on other texture coordinates drawn and saved without it")
             return None
         texture = self._texture_of(source["index"]) if isinstance(source["index"], int) else None
-        if texture is None or (name != _BASE and texture.image is None):
-            if name != _BASE:
-                what = "an unreadable map of emission drawn and" if name == emission.MAP else "an unreadable map"
-                self.losses.append(f"with {what} saved without it")
+        if texture is None or (name != _BASE_TEXTURE and texture.image is None):
+            if name != _BASE_TEXTURE:
+                subject = "an unreadable map of emission drawn and" if name == emission.MAP else "an unreadable map"
+                self.losses.append(f"with {subject} saved without it")
             return None
-        if name == _BASE:
+        if name == _BASE_TEXTURE:
             texture = replace(texture, image=None)
         if texture not in self.textures:
             self.textures.append(texture)
@@ -193,17 +207,17 @@ class _Collector:
 
     def _transform(self, source: dict[str, Any]) -> dict[str, Any] | None:
         """A map's transform relative to the meshes' texture coordinates; None if it cannot be expressed."""
-        return {} if self._drawn is None else relative(source, self._drawn)
+        return {} if self._base_coordinates is None else relative(source, self._base_coordinates)
 
 
 def _numbers(source: dict[str, Any], sizes: dict[str, int]) -> dict[str, Any]:
     """Entries that are finite numbers, or lists of the expected length."""
-    kept = {}
+    numbers = {}
     for name, size in sizes.items():
         value = source.get(name)
         if _is_number(value) if size == 1 else _is_list(value, size):
-            kept[name] = value
-    return kept
+            numbers[name] = value
+    return numbers
 
 
 def _is_list(value: object, size: int) -> bool:
@@ -214,28 +228,28 @@ def _is_number(value: object) -> bool:
     return isinstance(value, int | float) and not isinstance(value, bool) and math.isfinite(value)
 
 
-def _is_plain(value: object) -> bool:
+def _is_copyable(value: object) -> bool:
     if isinstance(value, list):
         return all(map(_is_number, value))
     return isinstance(value, str | bool) or _is_number(value)
 
 
-def _differences(undrawn: Undrawn) -> list[str]:
+def _differences(undrawn: GltfMaterial) -> list[str]:
     """Notes on properties that are drawn differently, phrased to follow "2 materials"."""
     material = undrawn.material
     notes = [] if emission.is_unlit(material) else _lighting_differences(material)
     if not material.get("doubleSided", False):
         notes.append("with single-sided faces drawn from both sides")
-    names = [name for name in material.get("extensions", {}) if name not in _DRAWN]
+    names = [name for name in material.get("extensions", {}) if name not in _DRAWN_EXTENSIONS]
     notes += [f"with the extension {name} drawn without it" for name in names]
-    infos = [material.get(_SURFACE, {}).get(_BASE)]
+    infos = [material.get(_METALLIC_ROUGHNESS, {}).get(_BASE_TEXTURE)]
     if emission.emission_of(material) != emission.DARK:
         infos.append(material.get(emission.MAP))
-    return notes + list(dict.fromkeys(note for info in infos if info for note in _sampling(undrawn, info)))
+    return notes + list(dict.fromkeys(note for info in infos if info for note in _sampling_differences(undrawn, info)))
 
 
 def _lighting_differences(material: Mapping[str, Any]) -> list[str]:
-    surface = material.get(_SURFACE, {})
+    surface = material.get(_METALLIC_ROUGHNESS, {})
     notes = []
     if not emission.is_beside_base(material):
         notes.append("with emission on other texture coordinates drawn without it")
@@ -243,13 +257,13 @@ def _lighting_differences(material: Mapping[str, Any]) -> list[str]:
         notes.append("with a normal map drawn without it")
     if "occlusionTexture" in material:
         notes.append("with an occlusion map drawn without it")
-    shines = surface.get("metallicFactor", 1) > 0 or surface.get("roughnessFactor", 1) < 1
-    if shines or "metallicRoughnessTexture" in surface:
+    is_shiny = surface.get("metallicFactor", 1) > 0 or surface.get("roughnessFactor", 1) < 1
+    if is_shiny or "metallicRoughnessTexture" in surface:
         notes.append("with metal or gloss drawn matt")
     return notes
 
 
-def _sampling(undrawn: Undrawn, info: Mapping[str, Any]) -> list[str]:
+def _sampling_differences(undrawn: GltfMaterial, info: Mapping[str, Any]) -> list[str]:
     """Notes on the sampling of a drawn texture."""
     sampler = json.loads(undrawn.textures[info["index"]].sampler or "{}")
     notes = []

@@ -25,5 +25,5 @@ def scene_of(
         x, y, z = origin.tolist()
         return Scene(empty_core((x, y, z)), Names(()), notes=tuple(content.notes))
     parts = assemble(content, options, origin=origin)
-    # This scene is queried once only, so that building trees would not pay.
+    # Search trees would not pay: this scene is queried only once.
     return Scene._from_assembled(parts)._query(box, builds=False)

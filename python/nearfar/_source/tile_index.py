@@ -13,12 +13,14 @@ from numpy.typing import NDArray
 
 from nearfar._base import check, formats
 
-NAME, VERSION = "tiles", 1
-"""Name of the document's format without "nearfar.", and its version."""
+NAME = "tiles"
+"""Name of the document's format without "nearfar."."""
+VERSION = 1
+"""Version of the format."""
 DOCUMENT = "tiles.json"
-"""Name of the file in a folder."""
+"""Name of the index file in a folder of tiles."""
 
-_FILE = re.compile(r"tile_-?[0-9]{1,12}_-?[0-9]{1,12}\.glb")
+_FILE_NAME = re.compile(r"tile_-?[0-9]{1,12}_-?[0-9]{1,12}\.glb")
 
 
 @dataclass(frozen=True)
@@ -39,15 +41,15 @@ class TileIndex:
     """Content of `tiles.json`."""
 
     origin: tuple[float, float, float]
-    """World position that float32 coordinates are relative to."""
+    """World position to which the float32 coordinates in the files are relative."""
     settings: dict[str, Any]
-    """Arguments of `write_tiles`, so that only the same work is resumed: `cell`, `detail`, `bounds` and `aabb`."""
-    done: int
+    """Arguments of `write_tiles`: `cell`, `detail`, `bounds`, `aabb`. Only a call with equal ones resumes the work."""
+    written_cells: int
     """Number of cells whose tiles are written."""
-    cells: int
+    cell_count: int
     """Number of all cells."""
-    object_names: int | None
-    """Number of nameless objects; None if the tiles contain names."""
+    nameless_objects: int | None
+    """Number of objects if they have no names; None if the tiles contain names."""
     notes: tuple[str, ...]
     """Parts of the source that are not drawn or drawn differently."""
     tiles: tuple[Tile, ...]
@@ -60,11 +62,11 @@ class TileIndex:
             origin=list(self.origin),
             color_space="linear",
             settings=self.settings,
-            done=self.done,
-            cells=self.cells,
-            object_names=self.object_names,
+            done=self.written_cells,
+            cells=self.cell_count,
+            object_names=self.nameless_objects,
             notes=list(self.notes),
-            tiles=[_row(tile) for tile in self.tiles],
+            tiles=[_tile_row(tile) for tile in self.tiles],
         )
         formats.write_json(folder / DOCUMENT, document)
 
@@ -74,21 +76,21 @@ class TileIndex:
         path = folder / DOCUMENT
         document = formats.read_json(path, NAME, VERSION)
         with formats.guarded(path):
-            nameless = document["object_names"]
+            nameless_objects = document["object_names"]
             cells = check.integer("cells", document["cells"], 0, 2**53)
             return cls(
                 check.vector("origin", document["origin"]),
                 check.instance("settings", document["settings"], dict),
                 check.integer("done", document["done"], 0, cells),
                 cells,
-                None if nameless is None else check.integer("object_names", nameless, 0, 2**31 - 1),
+                None if nameless_objects is None else check.integer("object_names", nameless_objects, 0, 2**31 - 1),
                 tuple(check.texts("notes", document["notes"])),
-                tuple(_tile(row) for row in check.instance("tiles", document["tiles"], list)),
+                tuple(_tile_from_row(row) for row in check.instance("tiles", document["tiles"], list)),
             )
 
     @property
     def bounds(self) -> NDArray[np.float64]:
-        """World box (2, 3) of all tiles; infinite and inverted without tiles."""
+        """World box (2, 3) of all tiles; from +∞ to −∞ if there are none."""
         boxes = self.boxes
         return np.array([boxes[:, 0].min(axis=0, initial=np.inf), boxes[:, 1].max(axis=0, initial=-np.inf)])
 
@@ -98,14 +100,14 @@ class TileIndex:
         return np.array([tile.box for tile in self.tiles], np.float64).reshape(-1, 2, 3)
 
 
-def _row(tile: Tile) -> dict[str, Any]:
+def _tile_row(tile: Tile) -> dict[str, Any]:
     row: dict[str, Any] = {"file": tile.file, "box": tile.box.tolist(), "triangles": tile.triangles}
     return row | {"moving": list(tile.moving)} if tile.moving else row
 
 
-def _tile(row: dict[str, Any]) -> Tile:
+def _tile_from_row(row: dict[str, Any]) -> Tile:
     file = check.text("file", row["file"])
-    if not _FILE.fullmatch(file):
+    if not _FILE_NAME.fullmatch(file):
         raise ValueError(f"file: expected names such as tile_0_0.glb, got {check.shortened(file)}")
     box = check.box("box", row["box"])
     if not np.isfinite(box).all():

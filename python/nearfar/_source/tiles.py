@@ -27,13 +27,13 @@ class TileFolder:
     def __init__(self, folder: Path, cache_bytes: int) -> None:
         self._folder, self._most = folder, cache_bytes
         self._index = TileIndex.read(folder)
-        if self._index.done < self._index.cells:
+        if self._index.written_cells < self._index.cell_count:
             raise FormatError(
-                f"{os.fspath(folder / DOCUMENT)}: expected all tiles, got those of {self._index.done} of "
-                f"{self._index.cells} cells; write_tiles with the same arguments writes the others"
+                f"{os.fspath(folder / DOCUMENT)}: expected all tiles, got those of {self._index.written_cells} of "
+                f"{self._index.cell_count} cells; write_tiles with the same arguments writes the others"
             )
         self._boxes = self._index.boxes
-        nameless = self._index.object_names
+        nameless = self._index.nameless_objects
         self._names = None if nameless is None else Names(nameless)
         self._kept: OrderedDict[str, Scene] = OrderedDict()
         self._lock = Lock()

@@ -18,7 +18,7 @@ from nearfar._source.cells import Grid
 from nearfar._source.protocol import SceneSource, source_of
 from nearfar._source.tile_index import DOCUMENT, Tile, TileIndex
 
-_INTERVAL = 10.0
+_UPDATE_SECONDS = 10.0
 """Seconds between updates of the index; after a crash the next call repeats the work since the last update."""
 
 
@@ -53,7 +53,8 @@ def write_tiles(
     Raises
     ------
     ValueError
-        An unbounded world without `aabb`, too many cells, numbers out of range, a folder with tiles of other arguments.
+        An unbounded world without `aabb`, too many cells, numbers out of range, a folder with tiles that
+        were written with other arguments.
     TypeError
         A value that is not a source, and values that are not numbers.
     OSError
@@ -63,31 +64,31 @@ def write_tiles(
     size, error = check.positive("cell", cell), check.at_least_zero("detail", detail)
     bounds = check.array("source.bounds", source.bounds, dtype=np.float64)
     region = None if aabb is None else check.box("aabb", aabb)
-    whole = _common(bounds, region)
-    if np.isinf(whole).any() and (whole[0] <= whole[1]).all():
+    box = _intersection(bounds, region)
+    if np.isinf(box).any() and (box[0] <= box[1]).all():
         raise ValueError("aabb: expected a finite box for a source without end")
-    grid = Grid.from_bounds(whole, size)
+    grid = Grid.from_bounds(box, size)
     settings = {"cell": size, "detail": error, "bounds": _box_as_json(bounds), "aabb": _box_as_json(region)}
-    index = _begun(target, settings, len(grid))
-    _Writing(source, target, grid, region, error).run(index)
+    index = _open_index(target, settings, len(grid))
+    _TileWriter(source, target, grid, region, error).run(index)
 
 
-def _common(bounds: NDArray[np.float64], region: NDArray[np.float64] | None) -> NDArray[np.float64]:
-    """Intersection of the source's box and the region; infinite and inverted if it is empty."""
+def _intersection(bounds: NDArray[np.float64], region: NDArray[np.float64] | None) -> NDArray[np.float64]:
+    """Intersection of the source's box and the region; from +∞ to −∞ if it is empty."""
     if region is None:
         return bounds
-    both = np.array([np.maximum(bounds[0], region[0]), np.minimum(bounds[1], region[1])])
-    return both if (both[0] <= both[1]).all() else np.array([[np.inf] * 3, [-np.inf] * 3])
+    common = np.array([np.maximum(bounds[0], region[0]), np.minimum(bounds[1], region[1])])
+    return common if (common[0] <= common[1]).all() else np.array([[np.inf] * 3, [-np.inf] * 3])
 
 
 def _box_as_json(box: NDArray[np.float64] | None) -> list[list[float | None]] | None:
-    """Convert a box for JSON: infinite sides are null."""
+    """Convert a box for JSON: infinite coordinates become null."""
     if box is None:
         return None
-    return [[side if np.isfinite(side) else None for side in corner] for corner in box.tolist()]
+    return [[coordinate if np.isfinite(coordinate) else None for coordinate in corner] for corner in box.tolist()]
 
 
-def _begun(folder: Path, settings: dict[str, Any], cells: int) -> TileIndex:
+def _open_index(folder: Path, settings: dict[str, Any], cells: int) -> TileIndex:
     """Return the index of a folder that was written in part, or a new one."""
     if (folder / DOCUMENT).is_file():
         index = TileIndex.read(folder)
@@ -100,8 +101,8 @@ def _begun(folder: Path, settings: dict[str, Any], cells: int) -> TileIndex:
     return TileIndex((0.0, 0.0, 0.0), settings, 0, cells, None, (), ())
 
 
-class _Writing:
-    """Writes the tiles of `write_tiles` from one cell on."""
+class _TileWriter:
+    """Writes the tiles of `write_tiles`, cell by cell."""
 
     def __init__(
         self, source: SceneSource, folder: Path, grid: Grid, region: NDArray[np.float64] | None, detail: float
@@ -110,46 +111,47 @@ class _Writing:
         self._region, self._detail = region, detail
 
     def run(self, index: TileIndex) -> None:
-        """Write the missing tiles."""
-        written = index
-        saved = time.monotonic()
+        """Write the tiles of the cells that follow those of the index."""
+        current = index
+        saved_at = time.monotonic()
         try:
             with progress.bar("tiles") as report:
-                for number in range(index.done, len(self._grid)):
-                    report(number, len(self._grid))
-                    written = replace(self._with_cell(written, number), done=number + 1)
-                    if time.monotonic() - saved > _INTERVAL:
-                        written.write(self._folder)
-                        saved = time.monotonic()
+                for cell_number in range(index.written_cells, len(self._grid)):
+                    report(cell_number, len(self._grid))
+                    current = replace(self._write_cell(current, cell_number), written_cells=cell_number + 1)
+                    if time.monotonic() - saved_at > _UPDATE_SECONDS:
+                        current.write(self._folder)
+                        saved_at = time.monotonic()
         finally:
-            written.write(self._folder)
+            current.write(self._folder)
 
-    def _with_cell(self, index: TileIndex, number: int) -> TileIndex:
-        part = self._source.query(self._grid.box(number), self._detail)
-        if part.triangle_count:
-            part = self._triangles_of_cell(part, number)
-        if not part.triangle_count:
+    def _write_cell(self, index: TileIndex, cell_number: int) -> TileIndex:
+        """Write the tile of a cell, and return the index with it; a cell without triangles has no tile."""
+        cell_scene = self._source.query(self._grid.box(cell_number), self._detail)
+        if cell_scene.triangle_count:
+            cell_scene = self._triangles_of_cell(cell_scene, cell_number)
+        if not cell_scene.triangle_count:
             return index
-        names = part._names.source
+        names = cell_scene._names.source
         return replace(
             index,
-            origin=tuple(part.origin.tolist()) if not index.tiles else index.origin,
-            object_names=names if isinstance(names, int) else None,
-            notes=tuple(dict.fromkeys((*index.notes, *part.report.notes))),
-            tiles=(*index.tiles, self._written(part, f"tile_{self._grid.name(number)}.glb")),
+            origin=tuple(cell_scene.origin.tolist()) if not index.tiles else index.origin,
+            nameless_objects=names if isinstance(names, int) else None,
+            notes=tuple(dict.fromkeys((*index.notes, *cell_scene.report.notes))),
+            tiles=(*index.tiles, self._write_tile(cell_scene, f"tile_{self._grid.name(cell_number)}.glb")),
         )
 
-    def _triangles_of_cell(self, part: Scene, number: int) -> Scene:
-        mine = self._grid.of_triangles(part) == number
+    def _triangles_of_cell(self, cell_scene: Scene, cell_number: int) -> Scene:
+        in_cell = self._grid.of_triangles(cell_scene) == cell_number
         if self._region is not None:
-            centroids = part.triangles().mean(axis=1, dtype=np.float64) + part.origin
-            mine &= ((centroids >= self._region[0]) & (centroids <= self._region[1])).all(axis=1)
-        return part if mine.all() else part.subset(triangles=mine)
+            centroids = cell_scene.triangles().mean(axis=1, dtype=np.float64) + cell_scene.origin
+            in_cell &= ((centroids >= self._region[0]) & (centroids <= self._region[1])).all(axis=1)
+        return cell_scene if in_cell.all() else cell_scene.subset(triangles=in_cell)
 
-    def _written(self, part: Scene, file: str) -> Tile:
+    def _write_tile(self, cell_scene: Scene, file: str) -> Tile:
         from nearfar._scene import glb
 
         with files.atomic_file(self._folder / file) as temporary:
-            files.write(temporary, glb.encode(part._core, part.object_names, part._undrawn))
-        moving = tuple(moving_rows(part)) if len(part._rest) else ()
-        return Tile(file, part.bounds, part.triangle_count, moving)
+            files.write(temporary, glb.encode(cell_scene._core, cell_scene.object_names, cell_scene._undrawn))
+        moving = tuple(moving_rows(cell_scene)) if len(cell_scene._rest) else ()
+        return Tile(file, cell_scene.bounds, cell_scene.triangle_count, moving)

@@ -8,7 +8,9 @@ from numpy.typing import NDArray
 from nearfar._scene.scene import Scene
 
 
-def from_behind(scene: Scene, triangles: NDArray[np.int64], directions: NDArray[np.float64]) -> NDArray[np.bool_]:
+def is_hit_from_behind(
+    scene: Scene, triangles: NDArray[np.int64], directions: NDArray[np.float64]
+) -> NDArray[np.bool_]:
     """Return whether rays hit the back of their triangle.
 
     Parameters
@@ -20,13 +22,13 @@ def from_behind(scene: Scene, triangles: NDArray[np.int64], directions: NDArray[
     directions
         (N, 3) directions of the rays.
     """
-    hit = triangles >= 0
-    used = np.unique(triangles[hit])
-    if not len(used):
+    is_hit = triangles >= 0
+    hit_triangles = np.unique(triangles[is_hit])
+    if not len(hit_triangles):
         return np.zeros(triangles.shape, bool)
     mask = np.zeros(scene.triangle_count, bool)
-    mask[used] = True
+    mask[hit_triangles] = True
     corners = scene._core.subset_of_triangles(mask).triangles().astype(np.float64)
     normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    facing = normals[np.searchsorted(used, np.where(hit, triangles, used[0]))]
-    return np.asarray(((facing * directions).sum(axis=-1) > 0.0) & hit)
+    hit_normals = normals[np.searchsorted(hit_triangles, np.where(is_hit, triangles, hit_triangles[0]))]
+    return np.asarray(((hit_normals * directions).sum(axis=-1) > 0.0) & is_hit)

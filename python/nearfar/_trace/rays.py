@@ -76,8 +76,8 @@ def cast_rays(scene: Scene, origins: ArrayLike, directions: ArrayLike, *, t_max:
     Raises
     ------
     ValueError
-        Wrong shapes, coordinates that are not finite, and directions of length 0; the message states how many there are
-        and which is the first.
+        Wrong shapes, coordinates that are not finite, and directions of length 0; the message states their number
+        and the index of the first.
     TypeError
         Values that are not numbers.
 
@@ -87,15 +87,18 @@ def cast_rays(scene: Scene, origins: ArrayLike, directions: ArrayLike, *, t_max:
     Meister, Bittner (2018): Parallel locally-ordered clustering for bounding volume hierarchy construction.
     """
     core = core_of(scene)
-    rays = check.array("directions", directions)
-    starts = check.plain("origins", origins)
-    is_common = starts.shape == (3,)
-    starts = check.array("origins", starts[None] if is_common else starts)
-    if len(starts) != len(rays) and not is_common:
-        raise ValueError(f"origins: expected shape (3,) or {rays.shape} as directions has, got {starts.shape}")
+    ray_directions = check.array("directions", directions)
+    ray_origins = check.plain("origins", origins)
+    has_one_origin = ray_origins.shape == (3,)
+    ray_origins = check.array("origins", ray_origins[None] if has_one_origin else ray_origins)
+    if len(ray_origins) != len(ray_directions) and not has_one_origin:
+        expected = f"shape (3,) or {ray_directions.shape} as directions has"
+        raise ValueError(f"origins: expected {expected}, got {ray_origins.shape}")
     limit = check.number("t_max", t_max, finite=False)
     if not limit > 0.0:
         raise ValueError(f"t_max: expected a number above 0, got {limit}")
     with progress.bar("casting rays") as report:
-        t_hit, triangle_index, object_id, barycentric = _core.cast_rays(core, starts, rays, limit, report)
-    return Hits(t_hit, triangle_index, object_id, barycentric, starts, rays)
+        t_hit, triangle_index, object_id, barycentric = _core.cast_rays(
+            core, ray_origins, ray_directions, limit, report
+        )
+    return Hits(t_hit, triangle_index, object_id, barycentric, ray_origins, ray_directions)

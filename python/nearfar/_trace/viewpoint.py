@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nearfar._scene.scene import Scene
-from nearfar._trace.behind import from_behind
+from nearfar._trace.behind import is_hit_from_behind
 from nearfar._trace.rays import Hits, cast_rays
 
 Point = tuple[float, float, float]
@@ -240,7 +240,7 @@ def _distances(hits: Hits) -> NDArray[np.float64]:
 def _inside_solid(scene: Scene, hits: Hits, asked: NDArray[np.bool_]) -> NDArray[np.bool_]:
     """Whether most of the rays that hit something around each selected eye hit it from behind."""
     numbers = hits.triangle_index.reshape(-1, DIRECTIONS)[asked]
-    behind = from_behind(scene, numbers, _ring())
+    behind = is_hit_from_behind(scene, numbers, _ring())
     return np.asarray(behind.sum(axis=1) > 0.5 * (numbers >= 0).sum(axis=1))
 
 

@@ -32,18 +32,22 @@ class RegionOptions(Options):
         option(
             "-c --center",
             "X,Y,Z",
-            "Centre O in metres; give it again for further regions, which share equal files. By default one 1.7 m "
-            "above open ground near the scene's middle, or in front of an object.",
+            "Centre O in metres; repeat the option for further regions, which share equal files. By default one "
+            "centre 1.7 m above open ground near the scene's middle, or in front of an object.",
         ),
     ] = None
     grid: Annotated[
         float | None,
-        option("--grid", "METRES", "Spacing of a horizontal grid to which centres move; those that meet become one."),
+        option(
+            "--grid",
+            "METRES",
+            "Spacing of a horizontal grid. Each centre moves to a point of the grid; centres at one point are merged.",
+        ),
     ] = None
 
     @cached_property
     def points(self) -> list[options.Point]:
-        """The centres; none for the default."""
+        """The centres; empty for the default centre."""
         points = (options.read_point("--center", text) for text in self.center or ())
         return [point for point in points if point is not None]
 
@@ -71,8 +75,8 @@ class EncodingOptions(Options):
         option(
             "--split",
             "PIXELS",
-            "Maximum error of clients that move vertices, in pixels of their display: larger triangles are split. By "
-            "default none are.",
+            "Maximum error in pixels of the display, for clients that morph only vertices: triangles with a larger "
+            "error are split. By default none is split.",
         ),
     ] = None
     by_footprint: Annotated[
@@ -104,11 +108,11 @@ def export(
     """Write near geometry in rings about centres, each with a map of the scene beyond it, as files for the web."""
     loaded = open_scene(scene, file.loading)
     started = time.perf_counter()
-    with _options_named():
+    with _replace_parameter_names():
         bundle = nf.stream.export(
-            loaded,
+            input_scene,
             output,
-            center=regions.points or choose(loaded, scene).eye,
+            center=regions.points or choose(input_scene, scene).eye,
             grid=regions.grid,
             radii=rings.metres,
             face_size=rings.texels,
@@ -119,20 +123,20 @@ def export(
             by_footprint=encoding.by_footprint,
         )
     seconds = time.perf_counter() - started
-    made = [bundle.region(number) for number in range(len(bundle.centers))]
+    exported = [bundle.region(number) for number in range(len(bundle.centers))]
     document = formats.header("export", VERSION) | {
         "source": scene,
-        "notes": list(loaded.report.notes),
-        "findings": list(dict.fromkeys(finding for region in made for finding in region.findings)),
+        "notes": list(input_scene.report.notes),
+        "findings": list(dict.fromkeys(finding for region in exported for finding in region.findings)),
         "folder": output,
-        "triangles": loaded.triangle_count,
+        "triangles": input_scene.triangle_count,
         "bytes": bundle.nbytes,
-        "regions": [_region_entry(region) for region in made],
+        "regions": [_region_entry(region) for region in exported],
         "seconds": round(seconds, 3),
     }
     rows = [
         ("folder", f"{output}, {bytes_text(bundle.nbytes)}"),
-        *(row for region in made for row in _rows(region)),
+        *(row for region in exported for row in _rows(region)),
         ("exported in", f"{seconds:.2f} s"),
         *note_rows(document),
     ]
@@ -140,7 +144,7 @@ def export(
 
 
 @contextmanager
-def _options_named() -> Iterator[None]:
+def _replace_parameter_names() -> Iterator[None]:
     """Replace parameter names in errors by names of options."""
     try:
         yield
@@ -162,15 +166,15 @@ def _region_entry(region: nf.stream.Bundle) -> dict[str, Any]:
 
 def _rows(region: nf.stream.Bundle) -> list[tuple[str, str]]:
     """Return table rows for the centre of a region and its rings."""
-    rings = [(_title(number, ring["radius"]), _text(ring)) for number, ring in enumerate(region.summary())]
+    rings = [(_ring_title(number, ring["radius"]), _ring_text(ring)) for number, ring in enumerate(region.summary())]
     return [("centre", metres(region.center)), *rings]
 
 
-def _title(number: int, radius: float) -> str:
+def _ring_title(number: int, radius: float) -> str:
     return "first picture" if number == 0 else f"ring {number}, to {radius:.3g} m"
 
 
-def _text(ring: dict[str, float]) -> str:
+def _ring_text(ring: dict[str, float]) -> str:
     parts = [f"map {bytes_text(int(ring['color'] + ring['range']))}"]
     if ring["geometry"]:
         parts.insert(0, f"{count(int(ring['triangles']))} triangles {bytes_text(int(ring['geometry']))}")

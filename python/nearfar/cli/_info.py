@@ -26,13 +26,13 @@ PREVIEW = (480, 300)
 def info(
     *,
     scene: Annotated[str | None, SCENE_OR_FOLDER] = None,
-    gpu: Annotated[bool, typer.Option("--gpu", help="List the graphics adapters, and why one is not used.")] = False,
+    gpu: Annotated[bool, typer.Option("--gpu", help="List the graphics adapters, and why any is not used.")] = False,
     preview: Annotated[
         Path | None,
         option(
             "--preview",
             "FILE",
-            "Also render a small picture of the scene, .png, which takes as long as its search tree and one frame.",
+            "Also render a small picture of the scene, .png. It takes the time of a search tree and one frame.",
         ),
     ] = None,
     file: SceneOptions,
@@ -59,7 +59,7 @@ def info(
         document["preview"] = {"file": str(preview), "seconds": save_preview(loaded, scene, reduced, preview)}
     rows += [
         *(
-            (_LABELS.get(key, key.replace("_", " ")), _text(value))
+            (_LABELS.get(key, key.replace("_", " ")), _value_text(value))
             for key, value in document["report"].items()
             if value
         ),
@@ -88,7 +88,7 @@ def describe_adapters() -> dict[str, Any]:
     except nf.DeviceError as error:
         reason = str(error)
     if selected is not None and selected.note:
-        reason = "only the processor itself was found; install the driver of a graphics card for more"
+        reason = "only the CPU was found; install the driver of a graphics card to use the card"
     return {
         "adapters": [dataclasses.asdict(adapter) | {"note": adapter.note} for adapter in adapters],
         "gpu": None if selected is None else selected.label,
@@ -98,12 +98,12 @@ def describe_adapters() -> dict[str, Any]:
 
 
 def _adapter_rows(document: dict[str, Any]) -> list[tuple[str, str]]:
-    listed = [
+    adapters = [
         (entry["backend"], f"{entry['name']}, {entry['kind']}, {entry['driver']}" + _suffix(entry["note"]))
         for entry in document["adapters"]
     ]
     return [
-        *listed,
+        *adapters,
         ("--backend gpu", document["gpu"] or "nothing"),
         ("--backend auto", (document["auto"] or "the CPU") + _suffix(document["why"])),
     ]
@@ -120,7 +120,7 @@ def describe(scene: nf.Scene, source: str, seconds: float) -> dict[str, Any]:
         "triangles": int(scene.triangle_count),
         "objects": len(scene.object_names),
         "bounds": [[float(value) for value in corner] for corner in scene.bounds] if scene.triangle_count else None,
-        "report": _plain(dataclasses.asdict(scene.report)),
+        "report": _to_json(dataclasses.asdict(scene.report)),
         "seconds": round(seconds, 3),
     }
 
@@ -128,7 +128,9 @@ def describe(scene: nf.Scene, source: str, seconds: float) -> dict[str, Any]:
 def describe_reduced(reduced: nf.ReducedScene) -> dict[str, Any]:
     """Return the part of the document that describes a reduced scene."""
     stats, env = reduced.stats, reduced.env
-    texels = None if env is None else {"face_size": env.face_size, "channels": list(env.channels), "bytes": env.nbytes}
+    map_entry = (
+        None if env is None else {"face_size": env.face_size, "channels": list(env.channels), "bytes": env.nbytes}
+    )
     return {
         "center": list(reduced.center),
         "r1": reduced.r1,
@@ -136,47 +138,49 @@ def describe_reduced(reduced: nf.ReducedScene) -> dict[str, Any]:
         "morph": reduced.morph,
         "triangles": int(stats["triangles"]),
         "triangles_left": int(stats["drawn"]),
-        "map": texels,
+        "map": map_entry,
     }
 
 
 def _reduced_rows(document: dict[str, Any]) -> list[tuple[str, str]]:
-    texels = document["map"]
-    size = "none, nothing is far"
-    if texels is not None:
-        size = f"6 × {texels['face_size']}², {', '.join(texels['channels'])}, {bytes_text(texels['bytes'])}"
+    map_entry = document["map"]
+    map_text = "none, nothing is far"
+    if map_entry is not None:
+        map_text = (
+            f"6 × {map_entry['face_size']}², {', '.join(map_entry['channels'])}, {bytes_text(map_entry['bytes'])}"
+        )
     return [
         ("reduced scene", triangles_text(document) + " triangles; the lines below are about these"),
         ("centre", metres(document["center"])),
         ("radii", f"r1 = {document['r1']:g} m, r2 = {document['r2']:g} m; morph {document['morph']}"),
-        ("map", size),
+        ("map", map_text),
     ]
 
 
 def save_preview(scene: nf.Scene, source: str, reduced: nf.ReducedScene | None, path: Path) -> float:
     """Render a small picture from the default viewpoint to a file; return the time in seconds."""
     started = time.perf_counter()
-    stand = None if reduced is None else _source.view_of(source)
-    place = _viewpoint.choose(scene, source, None if reduced is None else reduced.center)
-    seen = (place.eye, place.target) if stand is None else (stand.user, stand.target)
-    view = camera(*seen, 90.0, PREVIEW)
-    shown = scene if reduced is None else reduced
-    nf.render(shown, view, samples=4, channels=("color",)).save(path)
+    user_view = None if reduced is None else _source.view_of(source)
+    viewpoint = _viewpoint.choose(scene, source, None if reduced is None else reduced.center)
+    eye_and_target = (viewpoint.eye, viewpoint.target) if user_view is None else (user_view.user, user_view.target)
+    view = camera(*eye_and_target, 90.0, PREVIEW)
+    subject = scene if reduced is None else reduced
+    nf.render(subject, view, samples=4, channels=("color",)).save(path)
     return round(time.perf_counter() - started, 3)
 
 
-def _plain(value: Any) -> Any:
+def _to_json(value: Any) -> Any:
     """Convert a value to JSON's types; other types become strings."""
     if isinstance(value, dict):
-        return {str(key): _plain(item) for key, item in value.items()}
+        return {str(key): _to_json(item) for key, item in value.items()}
     if isinstance(value, list | tuple | set | frozenset):
-        return [_plain(item) for item in value]
+        return [_to_json(item) for item in value]
     return value if isinstance(value, str | int | float | bool | None) else str(value)
 
 
-def _text(value: Any) -> str:
+def _value_text(value: Any) -> str:
     if isinstance(value, int) and not isinstance(value, bool):
         return count(value)
     if isinstance(value, dict):
-        return "; ".join(f"{key}: {_text(item)}" for key, item in value.items())
+        return "; ".join(f"{key}: {_value_text(item)}" for key, item in value.items())
     return "\n".join(map(str, value)) if isinstance(value, list) else str(value)

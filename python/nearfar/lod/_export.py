@@ -17,7 +17,7 @@ from nearfar._scene.levels import kept_of
 from nearfar._scene.names import Names
 from nearfar._scene.scene import Scene, core_of
 from nearfar._scene.serialize import empty_core
-from nearfar._scene.undrawn import Undrawn
+from nearfar._scene.undrawn import GltfMaterial
 from nearfar.hmd._hmd import Hmd
 from nearfar.lod import _file
 from nearfar.lod._levels import Level, Levels
@@ -108,7 +108,7 @@ def _fields(decoder: glb.Decoder, path: Path) -> dict[str, Any]:
     return fields | {"levels": Levels(levels, name=name, frame=document["frame"])}
 
 
-def _scene(mesh: _core.Mesh, surfaces: dict[str, Any], undrawn: Mapping[int, Undrawn], name: str) -> Scene:
+def _scene(mesh: _core.Mesh, surfaces: dict[str, Any], undrawn: Mapping[int, GltfMaterial], name: str) -> Scene:
     core = _core.Scene(
         origin=(0.0, 0.0, 0.0),
         meshes=[mesh],

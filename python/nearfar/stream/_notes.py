@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from nearfar import _core
 from nearfar._scene.report import count
 from nearfar._scene.units import extent_note
-from nearfar._trace.behind import from_behind
+from nearfar._trace.behind import is_hit_from_behind
 from nearfar._trace.rays import cast_rays
 from nearfar.stream._assign import Rings
 
@@ -61,7 +61,7 @@ def _note_enclosed_center(rings: Rings) -> str:
     stays = hits.object_id < 0
     stays |= ~np.isin(hits.object_id, rings.scene._core.moving_objects())
     seen = np.where(stays, hits.triangle_index, -1)
-    behind = from_behind(rings.scene, seen, directions)
+    behind = is_hit_from_behind(rings.scene, seen, directions)
     if behind.sum() < max(SEEN * RAYS, 0.5 * (seen >= 0).sum()):
         return ""
     owners = hits.object_id[behind & (hits.object_id >= 0)]

@@ -1,4 +1,4 @@
-"""Files of the page, which are part of the package; in a bundle's folder they show the bundle."""
+"""The page's files, which are part of the package. Copied into a bundle's folder, they show the bundle."""
 
 from __future__ import annotations
 
@@ -56,10 +56,10 @@ def write_page(path: str | os.PathLike[str]) -> None:
     Parameters
     ----------
     path
-        A local folder that `nearfar.stream.export`, `ReducedScene.save` or `nearfar.orthoview.build` wrote. Opening its
-        address shows the scene; the page needs neither nearfar's server nor another host. Headsets show bundles
-        immersively only over https. For a reduced scene, its parts are also written in a bundle's form:
-        `manifest.json`, `tileset.json` and `files/`.
+        A local folder that `nearfar.stream.export`, `ReducedScene.save` or `nearfar.orthoview.build` wrote. Opening the
+        folder's address shows the scene; the page needs neither nearfar's server nor another host. Headsets show
+        bundles immersively only over https. A reduced scene is also written as a bundle: `manifest.json`,
+        `tileset.json` and `files/`.
 
     Raises
     ------
@@ -72,19 +72,19 @@ def write_page(path: str | os.PathLike[str]) -> None:
     TypeError
         If `path` is not a path.
     """
-    tree = _tree.tree_folder(path)
-    if tree is not None:
-        _write(tree, _tree.tree_page())
+    tree_folder = _tree.tree_folder(path)
+    if tree_folder is not None:
+        _write(tree_folder, _tree.tree_page())
         return
-    saved = _content.reduced_folder(path)
-    folder = remote.local(path) if saved is None else saved
-    made: dict[str, bytes] = {}
-    if saved is None:
+    reduced_folder = _content.reduced_folder(path)
+    folder = remote.local(path) if reduced_folder is None else reduced_folder
+    bundle_files: dict[str, bytes] = {}
+    if reduced_folder is None:
         (folder / _store.MANIFEST).stat()
     else:
-        made = {name: read() for name, read in _content.open_files(folder).items()}
+        bundle_files = {name: read() for name, read in _content.open_files(folder).items()}
         (folder / _store.FOLDER).mkdir(exist_ok=True)
-    _write(folder, {**made, **page_files()})
+    _write(folder, {**bundle_files, **page_files()})
 
 
 def _write(folder: Path, contents: Mapping[str, bytes]) -> None:

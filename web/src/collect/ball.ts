@@ -3,7 +3,7 @@ import { Color, Matrix4, SphereGeometry, Vector3, Vector4 } from 'three';
 import type { Point } from '../bundle/manifest';
 import { directionTo } from '../control/floor';
 import { addScaled, type Pose, subtract, type Vector } from '../control/pose';
-import type { Place } from '../rooms/hold';
+import type { ScreenPoint } from '../rooms/hold';
 import { createMesh, type Drawn, geometryOf, ribbon } from '../rooms/meshes';
 import { morphOf } from '../rooms/pointing';
 import { HEAD } from '../rooms/shaders';
@@ -107,7 +107,7 @@ export function pointBeside(
   viewer: Viewer,
   nearShare: number,
   pose: Pose,
-  place: Place,
+  place: ScreenPoint,
   sphere: Vector,
 ): Vector | null {
   const { center, morph } = morphOf(viewer, nearShare, pose);

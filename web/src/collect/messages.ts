@@ -126,7 +126,7 @@ export function write(message: Message): Uint8Array {
     out.u16(message.number);
     writePlay(out, message);
   }
-  return out.done();
+  return out.toBytes();
 }
 
 function writeTrial(out: Writer, trial: Trial): void {
@@ -171,7 +171,7 @@ export function read(bytes: Uint8Array): Message | null {
   if (body.u8() !== VERSION) throw new FrameError('a message of the sphere collection has another version');
   const kind = body.u8();
   const message = readBody(body, kind, { run: body.u16(), trial: body.u8() });
-  body.end('a message of the sphere collection is too long');
+  body.expectEnd('a message of the sphere collection is too long');
   return message;
 }
 

@@ -5,7 +5,7 @@ import type { Host, Room } from '../room';
 import { FrameError } from '../rooms/bytes';
 import { CLOCK } from '../rooms/clock';
 import type { FromServer } from '../rooms/frames';
-import type { Place } from '../rooms/hold';
+import type { ScreenPoint } from '../rooms/hold';
 import type { Activity } from '../rooms/pointing';
 import { type Body, rotate } from '../rooms/pose';
 import { make } from '../ui/dom';
@@ -171,7 +171,7 @@ function collect(room: Room, host: Host, parameters: RuleParameters): Collecting
       updatedAt = now;
       panel.update(cardState(now));
     },
-    targetAt(from: Pose, place: Place): Vector | null {
+    targetAt(from: Pose, place: ScreenPoint): Vector | null {
       const sphere = task?.place(CLOCK.now());
       return sphere ? pointBeside(viewer, host.nearShare, from, place, sphere) : null;
     },

@@ -158,7 +158,7 @@ export interface ForgetRequest {
 }
 
 /** Buffers and maps that a worker still keeps. */
-export interface Kept {
+export interface WorkerMemory {
   readonly buffers: number;
   readonly bytes: number;
   /** Number of regions with maps. */
@@ -168,7 +168,7 @@ export interface Kept {
 export type Request = GeometryRequest | PartRequest | DropRequest | FirstMapRequest | NextMapRequest | ForgetRequest;
 
 /** Results of requests; null for no result. */
-export type Result = Geometry | Part | MapUpdate | Kept | null;
+export type Result = Geometry | Part | MapUpdate | WorkerMemory | null;
 
 /** Uploads that update a texture to a ring's map. */
 export type MapUpdate =

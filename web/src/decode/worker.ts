@@ -9,7 +9,7 @@ import type {
   Geometry,
   GeometryRequest,
   Job,
-  Kept,
+  WorkerMemory,
   Part,
   PartRequest,
   Result,
@@ -80,7 +80,7 @@ function mapsOf(region: number): Maps {
   return found;
 }
 
-function forget({ buffers: names, region }: ForgetRequest): Kept {
+function forget({ buffers: names, region }: ForgetRequest): WorkerMemory {
   for (const name of names) buffers.delete(name.slice(FOLDER.length));
   maps.delete(region);
   const sizes = [...buffers.values()].map(({ byteLength }) => byteLength);

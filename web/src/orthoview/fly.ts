@@ -1,44 +1,53 @@
-/** Flying along the view, sideways, up and down, at a speed proportional to the height; the pose at the start. */
+/** Flight along the view, sideways, up and down, at a speed proportional to the height; the pose at the start. */
 import { browserPads, combine, createKeys, type Drive, isElsewhere, readPads } from '../control/drive';
 import { createPointers, type Thumb } from '../control/pointers';
 import { addScaled, ahead, clamp, type Pose, rightOf, STEEPEST, type Vector } from '../control/pose';
 import type { Layout } from './store/layout';
 
-/** Metres per second for each metre above the ground, and least height that counts, metres. */
-const [SPEED, LOWEST] = [0.6, 3] as const;
-/** Factor with Shift; greatest exponent (powers of two) of the wheel's speed factor, and exponent per wheel pixel. */
-const [HASTE, FASTEST, WHEEL] = [4, 5, 0.004] as const;
+/** Speed in metres per second, per metre of height above the ground. */
+const SPEED_PER_HEIGHT = 0.6;
+/** Minimum height for the speed, metres. */
+const MIN_HEIGHT = 3;
+/** Speed factor while Shift is pressed. */
+const RUN_FACTOR = 4;
+/** The mouse wheel multiplies the speed by a power of two; maximum exponent. */
+const MAX_EXPONENT = 5;
+/** Change of the exponent per pixel of the wheel. */
+const EXPONENT_PER_PIXEL = 0.004;
 /** Turning speed, radians per second. */
-const TURN = 1.2;
-/** Longest time per update, seconds: a page that was hidden continues where it was. */
-const LONGEST = 0.25;
+const TURN_SPEED = 1.2;
+/** Maximum time per update, seconds: after a pause of a hidden page the flight continues from the same pose. */
+const MAX_UPDATE_SECONDS = 0.25;
 
-/** Vertical direction by physical key code; up is positive. */
-const RISE: Readonly<Record<string, number>> = { KeyE: 1, Space: 1, KeyQ: -1, KeyC: -1 };
+/** Vertical direction of flight by physical key code; up is positive. */
+const VERTICAL_KEYS: Readonly<Record<string, number>> = { KeyE: 1, Space: 1, KeyQ: -1, KeyC: -1 };
 
-/** Pose after some seconds of commands; `rise` is upward. `ground` is the height of the world's bottom, metres. */
+/**
+ * Returns the pose after some seconds of input. `rise` is 1 for up, −1 for down; the speed has the factor
+ * 2^`speedExponent`; `ground` is the height of the world's bottom, metres.
+ */
 export function advanceFlight(
   pose: Pose,
   drive: Drive,
   rise: number,
-  power: number,
+  speedExponent: number,
   ground: number,
   seconds: number,
 ): Pose {
-  const yaw = pose.yaw + TURN * drive.turn * seconds;
-  const pitch = clamp(pose.pitch + TURN * drive.look * seconds, -STEEPEST, STEEPEST);
-  const height = Math.max(pose.position[1] - ground, LOWEST);
-  const way = SPEED * height * 2 ** power * (drive.isRunning ? HASTE : 1) * seconds;
-  let position: Vector = addScaled(pose.position, ahead({ yaw, pitch }), way * drive.ahead);
-  position = addScaled(position, rightOf(yaw), way * drive.right);
-  return { position: addScaled(position, [0, 1, 0], way * rise), yaw, pitch };
+  const yaw = pose.yaw + TURN_SPEED * drive.turn * seconds;
+  const pitch = clamp(pose.pitch + TURN_SPEED * drive.look * seconds, -STEEPEST, STEEPEST);
+  const height = Math.max(pose.position[1] - ground, MIN_HEIGHT);
+  const step = SPEED_PER_HEIGHT * height * 2 ** speedExponent * (drive.isRunning ? RUN_FACTOR : 1) * seconds;
+  let position: Vector = addScaled(pose.position, ahead({ yaw, pitch }), step * drive.ahead);
+  position = addScaled(position, rightOf(yaw), step * drive.right);
+  return { position: addScaled(position, [0, 1, 0], step * rise), yaw, pitch };
 }
 
 export interface Fly {
   readonly pose: Pose;
-  /** Speed exponent, as a power of two. */
-  readonly power: number;
-  /** Pose after further seconds. */
+  /** Base-2 logarithm of the speed factor. */
+  readonly speedExponent: number;
+  /** Advances the pose by some seconds, and returns it. */
   update(seconds: number): Pose;
   setPose(pose: Pose): void;
 }
@@ -51,36 +60,37 @@ export function createFly(
   onThumb: (thumb: Thumb | null) => void,
 ): Fly {
   let pose = start;
-  let power = 0;
-  const held = new Set<string>();
+  let speedExponent = 0;
+  const heldKeys = new Set<string>();
   const keys = createKeys(window);
   const turn = (left: number, up: number): void => {
     pose = { ...pose, yaw: pose.yaw + left, pitch: clamp(pose.pitch + up, -STEEPEST, STEEPEST) };
   };
-  const none = (): void => undefined;
+  const ignore = (): void => undefined;
   const pointers = createPointers(element, {
     mode: () => 'walk',
     look: turn,
-    rotate: none,
-    pan: none,
-    zoom: none,
+    rotate: ignore,
+    pan: ignore,
+    zoom: ignore,
     thumb: onThumb,
-    go: none,
+    go: ignore,
   });
 
   window.addEventListener('keydown', (event) => {
-    if (!Object.hasOwn(RISE, event.code) || isElsewhere(event)) return;
-    held.add(event.code);
+    if (!Object.hasOwn(VERTICAL_KEYS, event.code) || isElsewhere(event)) return;
+    heldKeys.add(event.code);
     // Otherwise the space bar presses buttons.
     if (!(event.target instanceof HTMLButtonElement)) event.preventDefault();
   });
-  window.addEventListener('keyup', ({ code }) => held.delete(code));
-  window.addEventListener('blur', () => held.clear());
+  window.addEventListener('keyup', ({ code }) => heldKeys.delete(code));
+  window.addEventListener('blur', () => heldKeys.clear());
   element.addEventListener(
     'wheel',
     (event) => {
       event.preventDefault();
-      power = clamp(power - WHEEL * event.deltaY * (event.deltaMode === 1 ? 16 : 1), -FASTEST, FASTEST);
+      const pixels = event.deltaY * (event.deltaMode === 1 ? 16 : 1);
+      speedExponent = clamp(speedExponent - EXPONENT_PER_PIXEL * pixels, -MAX_EXPONENT, MAX_EXPONENT);
     },
     { passive: false },
   );
@@ -89,15 +99,15 @@ export function createFly(
     get pose() {
       return pose;
     },
-    get power() {
-      return power;
+    get speedExponent() {
+      return speedExponent;
     },
     update(seconds) {
-      const spent = seconds > 0 ? Math.min(seconds, LONGEST) : 0;
+      const elapsed = seconds > 0 ? Math.min(seconds, MAX_UPDATE_SECONDS) : 0;
       const drive = combine(keys.drive, pointers.drive, readPads(browserPads()));
-      const rise = Math.sign([...held].reduce((sum, code) => sum + (RISE[code] ?? 0), 0));
+      const rise = Math.sign([...heldKeys].reduce((sum, code) => sum + (VERTICAL_KEYS[code] ?? 0), 0));
       const isStill = rise === 0 && [drive.right, drive.ahead, drive.turn, drive.look].every((part) => part === 0);
-      if (!isStill) pose = advanceFlight(pose, drive, rise, power, ground(), spent);
+      if (!isStill) pose = advanceFlight(pose, drive, rise, speedExponent, ground(), elapsed);
       return pose;
     },
     setPose(next) {
@@ -106,13 +116,16 @@ export function createFly(
   };
 }
 
-/** Distance from the centre in widths of the world, and downward angle of the view, radians. */
-const [AWAY, DOWN] = [0.55, 0.45] as const;
+/** Distance of the first view from the world's centre, in widths of the world. */
+const START_DISTANCE = 0.55;
+/** Downward angle of the first view, radians. */
+const START_SLOPE = 0.45;
 
 /** Pose south of and above the world, looking at its centre. */
-export function startOf({ origin, cell, counts }: Layout): Pose {
+export function startPose({ origin, cell, counts }: Layout): Pose {
   const middle = origin.map((low, axis) => low + (cell * (counts[axis] as number)) / 2) as [number, number, number];
-  const away = AWAY * cell * Math.max(counts[0], counts[2]);
-  const position = [middle[0], origin[1] + away * Math.sin(DOWN), middle[2] + away * Math.cos(DOWN)] as const;
-  return { position, yaw: 0, pitch: -DOWN };
+  const distance = START_DISTANCE * cell * Math.max(counts[0], counts[2]);
+  const [height, southward] = [distance * Math.sin(START_SLOPE), distance * Math.cos(START_SLOPE)];
+  const position = [middle[0], origin[1] + height, middle[2] + southward] as const;
+  return { position, yaw: 0, pitch: -START_SLOPE };
 }

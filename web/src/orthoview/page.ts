@@ -6,7 +6,7 @@ import { find } from '../ui/dom';
 import { showFatal, showProblems } from '../ui/messages';
 import { createThumbMark } from '../ui/overlays';
 import { cameraOf } from './cut/camera';
-import { createFly, startOf } from './fly';
+import { createFly, startPose } from './fly';
 import { createPanel } from './panel';
 import type { Graphics } from './show/start';
 import type { Facts } from './show/facts';
@@ -93,7 +93,7 @@ function main(): void {
 
   function onOpen(layout: Layout): void {
     ground = layout.origin[1];
-    home = startOf(layout);
+    home = startPose(layout);
     if (!begun) fly.setPose(home);
     isOpen = true;
   }
@@ -141,7 +141,7 @@ function main(): void {
         received,
         rate,
         height: pose.position[1] - ground,
-        power: fly.power,
+        power: fly.speedExponent,
       });
     }
     const link = writeLink(pose);

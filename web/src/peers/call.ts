@@ -91,7 +91,7 @@ export function readSignal(payload: Uint8Array): Signal {
   const kind = KINDS[reader.u8()];
   if (!kind) throw new FrameError('a signal has an unknown kind');
   const attempt = reader.u32();
-  const sdp = textOf(reader.rest(MAX_BYTES), 'a description is not UTF-8');
+  const sdp = textOf(reader.takeRest(MAX_BYTES), 'a description is not UTF-8');
   if (kind === 'no' ? sdp !== '' : !isDescription(sdp)) throw new FrameError('a signal describes no channel for data');
   return { kind, attempt, sdp: withFewAddresses(sdp) };
 }
@@ -105,7 +105,7 @@ export function writeSignal({ kind, attempt, sdp }: Signal): Uint8Array<ArrayBuf
   out.u8(KINDS.indexOf(kind));
   out.u32(attempt);
   out.put(text);
-  return out.done();
+  return out.toBytes();
 }
 
 function isDescription(sdp: string): boolean {

@@ -34,7 +34,7 @@ export function readMessage(bytes: Uint8Array): Message {
   if (bytes.length > MAX_BYTES) throw new FrameError('a message is too long');
   const reader = new Reader(bytes);
   const message = readBody(reader.u8(), reader);
-  reader.end('a message is too long');
+  reader.expectEnd('a message is too long');
   return message;
 }
 
@@ -50,7 +50,7 @@ function readBody(kind: number, reader: Reader): Message {
     case KINDS.want:
       return { kind: 'want', request: reader.u32(), key: hexOf(reader.take(KEY)) };
     case KINDS.part:
-      return { kind: 'part', request: reader.u32(), data: reader.rest(PART) };
+      return { kind: 'part', request: reader.u32(), data: reader.takeRest(PART) };
     case KINDS.wait:
       return { kind: 'wait', request: reader.u32(), bytes: reader.u32() };
     case KINDS.none:
@@ -69,12 +69,12 @@ export function writeMessage(message: Message): Uint8Array<ArrayBuffer> {
   if (message.kind === 'tell') {
     out.u8(HOLDINGS.indexOf(message.holding));
     for (const key of message.keys) out.put(bytesOf(key));
-    return out.done();
+    return out.toBytes();
   }
   out.u32(message.request);
   if (message.kind === 'want') out.put(bytesOf(message.key));
   if (message.kind === 'wait') out.u32(message.bytes);
-  return out.done();
+  return out.toBytes();
 }
 
 /** Writes a part with one copy instead of byte by byte. */

@@ -6,17 +6,17 @@ import { CLOCK } from '../rooms/clock';
 import type { FromServer } from '../rooms/frames';
 import type { Ask } from '../rooms/server';
 import { createCall, createOutbox, writeSignal } from './call';
-import { createChoice, refusalHere, refusalThere, UNWANTED } from './choice';
+import { createChoice, refusalOfPage, refusalOfServer, SWITCHED_OFF } from './choice';
 import { TICK } from './downloads';
 import { createMesh } from './mesh';
 import { createPeer, type Peer } from './peer';
 import { type Counts, createShare } from './share';
 import { createBudget } from './uploads';
 
-/** Greatest number of bytes of contents for others. */
+/** Maximum number of bytes of files that this page stores for others. */
 const MAX_STORED_BYTES = 64 * 2 ** 20;
-/** Ticks per second. */
-const SECOND = Math.round(1 / TICK);
+/** Number of ticks of TICK seconds per second. */
+const TICKS_PER_SECOND = Math.round(1 / TICK);
 
 export interface PeersSettings {
   /** Query of the page's address. */
@@ -24,21 +24,23 @@ export interface PeersSettings {
   /** Asks the server for its settings of rooms. */
   readonly ask: Ask;
   readonly files: Files;
+  /** Names of the files that the page shows or will show. */
   readonly wanted: () => Iterable<string>;
+  /** Whether the first picture is still missing. */
   readonly isFirst: () => boolean;
   /** Sends a signal to a user of the room. */
   readonly signal: (user: number, payload: Uint8Array) => void;
 }
 
-/** User's switch, available if nothing else prevents the exchange. */
+/** Switch with which the user allows the exchange; available if nothing else prevents it. */
 export interface Switch {
   readonly isOn: boolean;
-  /** Sets the choice: off ends the exchange; on begins it when the page is reloaded. */
+  /** Stores the choice. Off ends the exchange at once; on has an effect when the page is loaded again. */
   set(isOn: boolean): void;
 }
 
 export interface Peers {
-  /** Why this page does not take part; null if it does, undefined until that is known. */
+  /** Why this page does not take part in the exchange; null if it does, undefined until the server has answered. */
   readonly refusal: string | null | undefined;
   /** Numbers of the users with open channels. */
   readonly open: readonly number[];
@@ -46,8 +48,9 @@ export interface Peers {
   readonly dropped: ReadonlyMap<number, string>;
   /** Bytes and files received from other pages and from the server; bytes sent to other pages. */
   readonly counts: Counts & { readonly sent: number };
-  /** User's switch; null if there is no choice. */
+  /** The switch; null if the exchange is impossible whatever the user chooses. */
   readonly switch: Switch | null;
+  /** Handles a frame of the server. */
   hear(frame: FromServer): void;
   /** Ends all connections, because the user has left the room. */
   clear(): void;
@@ -62,7 +65,7 @@ export function startPeers({ query, ask, files, wanted, isFirst, signal }: Peers
   const budget = createBudget(clock.now);
   const choice = createChoice();
   let refusal: string | null | undefined;
-  let sent = 0;
+  let sentBytes = 0;
 
   const mesh = createMesh({
     clock,
@@ -75,7 +78,7 @@ export function startPeers({ query, ask, files, wanted, isFirst, signal }: Peers
         shelf: share.shelf,
         budget,
         now: clock.now,
-        sent: (bytes) => (sent += bytes),
+        sent: (bytes) => (sentBytes += bytes),
         greeted: () => mesh.greeted(number),
         refuse: (sentence) => mesh.drop(number, sentence),
       });
@@ -102,11 +105,12 @@ export function startPeers({ query, ask, files, wanted, isFirst, signal }: Peers
   function tick(): void {
     ticks += 1;
     if (refusal !== null) return;
-    for (const peer of peers.values()) peer.tick(ticks % SECOND === 0);
+    for (const peer of peers.values()) peer.tick(ticks % TICKS_PER_SECOND === 0);
     clock.later(TICK, tick);
   }
 
-  function begin(reason: string | null): void {
+  /** Begins the exchange, or ends it for a reason. */
+  function decide(reason: string | null): void {
     refusal = reason;
     mesh.begin(reason === null);
     if (reason === null) tick();
@@ -119,16 +123,16 @@ export function startPeers({ query, ask, files, wanted, isFirst, signal }: Peers
     },
     set(isOn) {
       choice.set(isOn);
-      if (!isOn && refusal === null) begin(UNWANTED);
+      if (!isOn && refusal === null) decide(SWITCHED_OFF);
     },
   };
 
-  const here = refusalHere(query, choice);
-  if (here === null) {
+  const pageRefusal = refusalOfPage(query, choice);
+  if (pageRefusal === null) {
     files.setRoute(share.get);
-    void ask().then((about) => begin(refusalThere(about)));
+    void ask().then((about) => decide(refusalOfServer(about)));
   } else {
-    begin(here);
+    decide(pageRefusal);
   }
 
   return {
@@ -140,10 +144,10 @@ export function startPeers({ query, ask, files, wanted, isFirst, signal }: Peers
       return [...peers.keys()];
     },
     get counts() {
-      return { ...share.counts, sent };
+      return { ...share.counts, sent: sentBytes };
     },
     get switch() {
-      return refusal === null || refusal === UNWANTED ? ownSwitch : null;
+      return refusal === null || refusal === SWITCHED_OFF ? ownSwitch : null;
     },
     hear: mesh.hear,
     clear() {

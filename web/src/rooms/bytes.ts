@@ -1,11 +1,11 @@
 /** Reading and writing of little-endian numbers. */
 
-/** Error for malformed bytes, with a sentence. */
+/** Error for malformed bytes; its message is a sentence. */
 export class FrameError extends Error {}
 
 /** Reader of numbers that throws an error at the end of the bytes. */
 export class Reader {
-  private at = 0;
+  private offset = 0;
   private readonly view: DataView;
 
   constructor(private readonly bytes: Uint8Array) {
@@ -13,55 +13,55 @@ export class Reader {
   }
 
   get isAtEnd(): boolean {
-    return this.at === this.bytes.length;
+    return this.offset === this.bytes.length;
   }
 
   u8(): number {
-    return this.view.getUint8(this.step(1));
+    return this.view.getUint8(this.advance(1));
   }
 
   u16(): number {
-    return this.view.getUint16(this.step(2), true);
+    return this.view.getUint16(this.advance(2), true);
   }
 
   i16(): number {
-    return this.view.getInt16(this.step(2), true);
+    return this.view.getInt16(this.advance(2), true);
   }
 
   u32(): number {
-    return this.view.getUint32(this.step(4), true);
+    return this.view.getUint32(this.advance(4), true);
   }
 
   u64(): bigint {
-    return this.view.getBigUint64(this.step(8), true);
+    return this.view.getBigUint64(this.advance(8), true);
   }
 
   f32(): number {
-    return this.view.getFloat32(this.step(4), true);
+    return this.view.getFloat32(this.advance(4), true);
   }
 
   /** Returns the next bytes, without copying them. */
   take(count: number): Uint8Array {
-    const begin = this.step(count);
+    const begin = this.advance(count);
     return this.bytes.subarray(begin, begin + count);
   }
 
-  /** Returns all remaining bytes. */
-  rest(most: number): Uint8Array {
-    const count = this.bytes.length - this.at;
-    if (count > most) throw new FrameError('a payload is too long');
+  /** Returns all remaining bytes; throws an error if there are more than `maxLength`. */
+  takeRest(maxLength: number): Uint8Array {
+    const count = this.bytes.length - this.offset;
+    if (count > maxLength) throw new FrameError('a payload is too long');
     return this.take(count);
   }
 
   /** Throws an error if bytes remain. */
-  end(sentence = 'a frame is too long'): void {
+  expectEnd(sentence = 'a frame is too long'): void {
     if (!this.isAtEnd) throw new FrameError(sentence);
   }
 
-  private step(count: number): number {
-    const begin = this.at;
+  private advance(count: number): number {
+    const begin = this.offset;
     if (begin + count > this.bytes.length) throw new FrameError('a frame is too short');
-    this.at = begin + count;
+    this.offset = begin + count;
     return begin;
   }
 }
@@ -81,43 +81,43 @@ export class Writer {
 
   u16(value: number): void {
     this.view.setUint16(0, value, true);
-    this.add(2);
+    this.flush(2);
   }
 
   i16(value: number): void {
     this.view.setInt16(0, value, true);
-    this.add(2);
+    this.flush(2);
   }
 
   u32(value: number): void {
     this.view.setUint32(0, value, true);
-    this.add(4);
+    this.flush(4);
   }
 
   u64(value: bigint): void {
     this.view.setBigUint64(0, value, true);
-    this.add(8);
+    this.flush(8);
   }
 
   f32(value: number): void {
     this.view.setFloat32(0, value, true);
-    this.add(4);
+    this.flush(4);
   }
 
   put(bytes: Uint8Array): void {
     this.bytes.push(...bytes);
   }
 
-  done(): Uint8Array<ArrayBuffer> {
+  toBytes(): Uint8Array<ArrayBuffer> {
     return Uint8Array.from(this.bytes);
   }
 
-  private add(count: number): void {
+  private flush(count: number): void {
     for (let index = 0; index < count; index++) this.bytes.push(this.view.getUint8(index));
   }
 }
 
-/** Decodes UTF-8; throws an error with a sentence for anything else. */
+/** Decodes UTF-8; throws an error with the given sentence if the bytes are not UTF-8. */
 export function textOf(bytes: Uint8Array, sentence: string): string {
   try {
     return new TextDecoder('utf-8', { fatal: true, ignoreBOM: true }).decode(bytes);

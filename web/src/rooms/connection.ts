@@ -4,7 +4,7 @@ import { FrameError } from './bytes';
 import { CLOCK, type Clock } from './clock';
 import { type Audience, type FromServer, type FromUser, readMessage, writeFrame } from './frames';
 import type { Body } from './pose';
-import { CLOSING, type End, endOf, endOfCode, type Open, openSocket, type Socket } from './server';
+import { CLOSE_TIMEOUT, type End, endOf, endOfCode, type Open, openSocket, type Socket } from './server';
 
 /** First and greatest delay before a reconnection, seconds. */
 const [FIRST, LONGEST] = [1, 30] as const;
@@ -48,7 +48,7 @@ export interface Connection {
   /** Reconnects after the end, or immediately while waiting. */
   retry(): void;
   /** Leaves the room; immediately if the page is being closed. */
-  leave(isAtOnce?: boolean): void;
+  leave(isImmediate?: boolean): void;
 }
 
 export function connect(settings: ConnectionSettings): Connection {
@@ -77,7 +77,7 @@ export function connect(settings: ConnectionSettings): Connection {
     stop();
     set({ kind: 'joining' });
     // Otherwise the hello could overtake the bye and find the user's own token in use.
-    if (closing) stop = later(CLOSING, enter);
+    if (closing) stop = later(CLOSE_TIMEOUT, enter);
     else enter();
   }
 
@@ -102,7 +102,7 @@ export function connect(settings: ConnectionSettings): Connection {
       },
     });
     socket = own;
-    stop = later(WELCOME, () => end({ words: 'The room does not answer.', isFinal: false }));
+    stop = later(WELCOME, () => end({ message: 'The room does not answer.', isFinal: false }));
   }
 
   function take(data: unknown): void {
@@ -112,7 +112,7 @@ export function connect(settings: ConnectionSettings): Connection {
       for (const frame of readMessage(new Uint8Array(data))) if (socket) follow(frame, time);
     } catch (error) {
       if (!(error instanceof FrameError)) throw error;
-      end({ words: `This page does not understand the server: ${error.message}.`, isFinal: false });
+      end({ message: `This page does not understand the server: ${error.message}.`, isFinal: false });
     }
   }
 
@@ -156,30 +156,30 @@ export function connect(settings: ConnectionSettings): Connection {
     return true;
   }
 
-  /** Sends a frame; `isPassing` allows its loss because a later frame replaces it. */
-  function send(frame: FromUser, isPassing = false): void {
-    socket?.send(writeFrame(frame), isPassing);
+  /** Sends a frame; `mayBeLost` if a later frame replaces it. */
+  function send(frame: FromUser, mayBeLost = false): void {
+    socket?.send(writeFrame(frame), mayBeLost);
   }
 
-  function drop(isAtOnce = false): void {
+  function drop(isImmediate = false): void {
     stop();
     if (!socket) return;
     [closing, socket] = [socket, null];
-    closing.close(isAtOnce);
+    closing.close(isImmediate);
   }
 
-  function end({ words, isFinal }: End): void {
+  function end({ message, isFinal }: End): void {
     const wasLong = state.kind === 'here' && now() - entered >= STAYED;
     drop();
     if (isFinal) {
-      set({ kind: 'ended', words });
+      set({ kind: 'ended', words: message });
       return;
     }
     if (wasLong) pause = FIRST;
     const before = pause;
     pause = Math.min(2 * pause, LONGEST);
     stop = later(before, join);
-    set({ kind: 'waiting', words, seconds: before });
+    set({ kind: 'waiting', words: message, seconds: before });
   }
 
   join();
@@ -214,9 +214,9 @@ export function connect(settings: ConnectionSettings): Connection {
     retry() {
       if (state.kind === 'waiting' || state.kind === 'ended') join();
     },
-    leave(isAtOnce) {
+    leave(isImmediate) {
       if (state.kind === 'here') send({ kind: 'bye' });
-      drop(isAtOnce);
+      drop(isImmediate);
       set({ kind: 'ended', words: 'You have left the room.' });
     },
   };

@@ -1,6 +1,6 @@
 /** WebTransport for frames: a stream for reliable frames, datagrams for those that a later one replaces. */
 import { joined } from '../base/bytes';
-import { BROKEN, CLOSING, type Datagrams, type Listener, type Socket } from './server';
+import { BROKEN_CODE, CLOSE_TIMEOUT, type Datagrams, type Listener, type Socket } from './server';
 
 /** Timeout for a connection, seconds: networks that drop UDP report nothing. */
 const READY = 3;
@@ -16,8 +16,8 @@ export async function openDatagrams(relay: string, to: Datagrams, listener: List
     serverCertificateHashes: to.hashes.map((value) => ({ algorithm: 'sha-256', value })),
   });
   const closed = transport.closed.then(
-    ({ closeCode }) => closeCode || BROKEN,
-    () => BROKEN,
+    ({ closeCode }) => closeCode || BROKEN_CODE,
+    () => BROKEN_CODE,
   );
   try {
     const stream = await withTimeout(READY, openStream(transport));
@@ -59,22 +59,22 @@ function sending(transport: WebTransport, writable: WritableStream, closed: Prom
     get bufferedAmount() {
       return bytes;
     },
-    send(data, isPassing) {
-      if (isPassing && data.length <= datagrams.maxDatagramSize) {
+    send(data, mayBeLost) {
+      if (mayBeLost && data.length <= datagrams.maxDatagramSize) {
         gather(data, datagrams.maxDatagramSize);
         return;
       }
       bytes += data.length;
       stream.write(data).then(() => (bytes -= data.length), ignore);
     },
-    close(isAtOnce) {
-      if (isAtOnce) {
+    close(isImmediate) {
+      if (isImmediate) {
         transport.close();
         return;
       }
       // The server ends the session at the stream's end. If the page did, the last bytes of the stream could be lost.
       stream.close().catch(ignore);
-      withTimeout(CLOSING, closed).catch(() => transport.close());
+      withTimeout(CLOSE_TIMEOUT, closed).catch(() => transport.close());
     },
   };
 }

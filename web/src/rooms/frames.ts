@@ -58,7 +58,7 @@ export function readMessage(message: Uint8Array): FromServer[] {
 
 function readFrame(kind: number, body: Reader): FromServer {
   const frame = readBody(kind, body);
-  body.end();
+  body.expectEnd();
   return frame;
 }
 
@@ -71,15 +71,15 @@ function readBody(kind: number, body: Reader): FromServer {
     case SERVER.settled:
       return { kind: 'settled', sequence: body.u32() };
     case SERVER.say:
-      return { kind: 'say', user: body.u16(), to: readTo(body), payload: body.rest(SAY).slice() };
+      return { kind: 'say', user: body.u16(), to: readTo(body), payload: body.takeRest(SAY).slice() };
     case SERVER.signal:
-      return { kind: 'signal', user: body.u16(), payload: body.rest(SIGNAL).slice() };
+      return { kind: 'signal', user: body.u16(), payload: body.takeRest(SIGNAL).slice() };
     case SERVER.joined:
       return { kind: 'joined', user: body.u16(), group: body.u16(), name: readName(body) };
     case SERVER.left:
       return { kind: 'left', user: body.u16() };
     case SERVER.refused:
-      return { kind: 'refused', reason: body.u8(), sentence: textOf(body.rest(SAY), 'a sentence is not UTF-8') };
+      return { kind: 'refused', reason: body.u8(), sentence: textOf(body.takeRest(SAY), 'a sentence is not UTF-8') };
     default:
       throw new FrameError('a frame has an unknown kind');
   }
@@ -116,8 +116,8 @@ export function writeFrame(frame: FromUser): Uint8Array<ArrayBuffer> {
   const out = new Writer();
   out.u8(KINDS[frame.kind]);
   out.u16(body.length);
-  out.put(body.done());
-  return out.done();
+  out.put(body.toBytes());
+  return out.toBytes();
 }
 
 function readTo(body: Reader): Audience {

@@ -7,7 +7,7 @@ import type { Guests } from '../show/painter';
 import type { Viewer } from '../show/viewer';
 import type { HandRay } from '../xr/hands';
 import type { FromServer } from './frames';
-import type { Hold, Place } from './hold';
+import type { Hold, ScreenPoint } from './hold';
 import { type Body, FARTHEST, type Placed, rotationAlong, rotationOf } from './pose';
 import { type Morph, pointShownAt } from './unmorph';
 
@@ -25,8 +25,8 @@ export function createPointing(
   const [targets, lengths] = [createThrottled<Vector>(EVERY), createThrottled<number>(EVERY)];
 
   function targetOf(pose: Pose, now: number): Vector | null {
-    const { place } = hold;
-    if (place) return targets.at(now, () => activity()?.targetAt(pose, place) ?? targetAt(viewer, nearShare, pose, place));
+    const { point } = hold;
+    if (point) return targets.at(now, () => activity()?.targetAt(pose, point) ?? targetAt(viewer, nearShare, pose, point));
     targets.forget();
     return null;
   }
@@ -50,8 +50,8 @@ export interface Activity extends Guests {
   hear(frame: FromServer, now: number): void;
   /** Updates the task before each frame with the user's pose and the body that others see. */
   frame(pose: Pose, body: Body, now: number): void;
-  /** Returns the world point at a place of the picture; null if the scene determines it. */
-  targetAt(pose: Pose, place: Place): Vector | null;
+  /** Returns the world point at a point of the picture; null if the scene determines it. */
+  targetAt(pose: Pose, point: ScreenPoint): Vector | null;
 }
 
 /** Metres right, down and ahead from the eyes of a user at a screen to the pointing hand. */
@@ -109,10 +109,10 @@ export function morphOf(
 }
 
 /**
- * Computes the world point behind a place of the picture: a point of near geometry, with the morph inverted except left
+ * Computes the world point behind a point of the picture: a point of near geometry, with the morph inverted except left
  * of the divider, where nothing is morphed; or a point of the map, by its range from the centre.
  */
-function targetAt(viewer: Viewer, nearShare: number, pose: Pose, [x, y]: Place): Vector {
+function targetAt(viewer: Viewer, nearShare: number, pose: Pose, [x, y]: ScreenPoint): Vector {
   const { center, morph } = morphOf(viewer, nearShare, pose);
   const seen = viewer.pointAt(x, y);
   if (seen && !viewer.isMorphedAt(x)) return seen;

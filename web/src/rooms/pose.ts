@@ -62,7 +62,7 @@ export function readPose(body: Reader): Pose {
   const hands = { head, left, right };
   if (begin && !hands[begin]) throw new FrameError('a pointer begins at a missing hand');
   const pointer = begin ? { begin, length: readLength(body) } : null;
-  body.end('a pose is too long');
+  body.expectEnd('a pose is too long');
   const [isAcknowledged, stops] = [(flags & FLAGS.acknowledged) !== 0, (flags & FLAGS.stops) !== 0];
   return { sequence, clock, isAcknowledged, stops, ...hands, pointer };
 }

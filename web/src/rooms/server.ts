@@ -1,12 +1,13 @@
-/** Server of a room: its description, sockets to it, and its reasons for the end of a connection. */
+/** Server of a room: its description, its sockets, and its reasons for ending a connection. */
 import { bytesOf } from '../base/bytes';
 
 /** Hexadecimal digits of a SHA-256. */
 const HASH = /^[0-9a-f]{64}$/;
-/** Timeout of the server's answer, milliseconds, after which the room is joined without it. */
-const ANSWERS = 3000;
+/** Timeout of the description, milliseconds; the page then joins the room without it. */
+const ANSWER_TIMEOUT = 3000;
 
-export interface About {
+/** What the server states about its rooms. */
+export interface ServerDescription {
   /** Whether pages may exchange files. */
   readonly peers: boolean;
   /** Endpoint for datagrams; null for none. */
@@ -15,27 +16,30 @@ export interface About {
 
 export interface Datagrams {
   readonly port: number;
-  /** SHA-256 of self-signed certificates. */
+  /** SHA-256 hashes of self-signed certificates. */
   readonly hashes: readonly Uint8Array<ArrayBuffer>[];
 }
 
 /** Requests the server's description; null if there is none. */
-export type Ask = () => Promise<About | null>;
+export type Ask = () => Promise<ServerDescription | null>;
 
 /** Requests the description from the server of a page, with a signal that ends the wait. */
-export async function askAbout(page: string, signal = AbortSignal.timeout(ANSWERS)): Promise<About | null> {
+export async function askDescription(
+  page: string,
+  signal = AbortSignal.timeout(ANSWER_TIMEOUT),
+): Promise<ServerDescription | null> {
   try {
     const answer = await fetch(new URL('rooms', page), { cache: 'no-store', signal });
-    return answer.ok ? readAbout(await answer.json()) : null;
+    return answer.ok ? readDescription(await answer.json()) : null;
   } catch {
     return null;
   }
 }
 
 /** Parses a description; null if it is malformed. */
-export function readAbout(described: unknown): About | null {
-  if (!isRecord(described) || typeof described['peers'] !== 'boolean') return null;
-  const { peers, datagrams } = described;
+export function readDescription(value: unknown): ServerDescription | null {
+  if (!isRecord(value) || typeof value['peers'] !== 'boolean') return null;
+  const { peers, datagrams } = value;
   return { peers, datagrams: isRecord(datagrams) ? readDatagrams(datagrams) : null };
 }
 
@@ -50,16 +54,16 @@ function isRecord(value: unknown): value is Readonly<Record<string, unknown>> {
   return typeof value === 'object' && value !== null;
 }
 
-/** Timeout in seconds for the server to close the connection after a user has left, which frees the user's seat. */
-export const CLOSING = 5;
+/** Seconds that a user who leaves waits for the server to close the connection, which frees the user's seat. */
+export const CLOSE_TIMEOUT = 5;
 
 export interface Socket {
   /** Number of buffered bytes. */
   readonly bufferedAmount: number;
-  /** Sends a frame; `isPassing` allows its loss because a later frame replaces it. */
-  send(data: Uint8Array<ArrayBuffer>, isPassing: boolean): void;
-  /** Closes after all sent frames, or at once; `closed` is called when the server has closed, too. */
-  close(isAtOnce: boolean): void;
+  /** Sends a frame; `mayBeLost` if a later frame replaces it. */
+  send(data: Uint8Array<ArrayBuffer>, mayBeLost: boolean): void;
+  /** Closes after all frames are sent, or immediately. `closed` is called when both sides have closed. */
+  close(isImmediate: boolean): void;
 }
 
 /** Listener of a socket; not called before the socket is returned. */
@@ -100,12 +104,12 @@ const REASON = {
   replaced: 9,
   ending: 10,
 } as const;
-/** WebSocket close code of a broken connection. */
-export const BROKEN = 1006;
+/** WebSocket close code of a connection that ended without a reason. */
+export const BROKEN_CODE = 1006;
 /** Offset from a reason's code to its WebSocket close code. */
-const OWN = 4000;
+const REASON_OFFSET = 4000;
 
-const WORDS: Readonly<Record<number, string>> = {
+const MESSAGES: Readonly<Record<number, string>> = {
   [REASON.version]: 'The server has another version of rooms than this page. Reload the page.',
   [REASON.frame]: 'The server does not understand what this page sends.',
   [REASON.token]: 'This link does not let you into the room. Ask for another one.',
@@ -121,18 +125,19 @@ const FINAL: ReadonlySet<number> = new Set([REASON.version, REASON.token, REASON
 
 /** End of a connection. */
 export interface End {
-  readonly words: string;
+  readonly message: string;
   /** Whether a retry is useless. */
   readonly isFinal: boolean;
 }
 
 /** Returns the end for a reason's code. */
 export function endOf(reason: number): End {
-  return { words: WORDS[reason] ?? 'The room has ended the connection.', isFinal: FINAL.has(reason) };
+  return { message: MESSAGES[reason] ?? 'The room has ended the connection.', isFinal: FINAL.has(reason) };
 }
 
 /** Returns the end for a WebSocket close code; `wasIn` if the user was in the room. */
-export function endOfCode(code: number, wasIn: boolean): End {
-  if (code > OWN) return endOf(code - OWN);
-  return { words: wasIn ? 'The connection to the room was lost.' : 'The room cannot be reached.', isFinal: false };
+export function endOfCode(code: number, wasInRoom: boolean): End {
+  if (code > REASON_OFFSET) return endOf(code - REASON_OFFSET);
+  const message = wasInRoom ? 'The connection to the room was lost.' : 'The room cannot be reached.';
+  return { message, isFinal: false };
 }

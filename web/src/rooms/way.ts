@@ -1,7 +1,7 @@
 /** Choice of the transport to rooms: datagrams if both sides support them, else a WebSocket. */
 import { CLOCK, type Clock } from './clock';
 import { openDatagrams } from './datagrams';
-import { type Ask, BROKEN, type Datagrams, type Listener, type Open, openSocket, type Socket } from './server';
+import { type Ask, BROKEN_CODE, type Datagrams, type Listener, type Open, openSocket, type Socket } from './server';
 
 /** Seconds for which datagrams are not tried again after a failure. */
 const FORGETS = 60;
@@ -66,17 +66,17 @@ function deferredSocket(opening: Promise<Found>, listener: Listener): Socket {
     if (isClosed) socket.close(true);
     else if (found.isOpen) listener.opened();
   }
-  opening.then(adopt, () => listener.closed(BROKEN));
+  opening.then(adopt, () => listener.closed(BROKEN_CODE));
   return {
     get bufferedAmount() {
       return socket?.bufferedAmount ?? 0;
     },
-    send(data, isPassing) {
-      socket?.send(data, isPassing);
+    send(data, mayBeLost) {
+      socket?.send(data, mayBeLost);
     },
-    close(isAtOnce) {
+    close(isImmediate) {
       isClosed = true;
-      socket?.close(isAtOnce);
+      socket?.close(isImmediate);
     },
   };
 }

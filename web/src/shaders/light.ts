@@ -1,4 +1,4 @@
-/** Shared GLSL and WGSL of light and colour for scenes and trees. */
+/** GLSL and WGSL functions of light and colour that scenes and view trees share. */
 
 /** Constants of docs/render.md for the light and the sky. */
 const CONSTANTS = {
@@ -14,8 +14,8 @@ const CONSTANTS = {
 
 type Name = keyof typeof CONSTANTS;
 
-const LIGHT = ['SUN_DIRECTION', 'SUN', 'SKY_DIRECTION', 'SKY_LOW', 'SKY_HIGH'] as const;
-const SKY = ['HORIZON', 'ZENITH', 'NADIR'] as const;
+const LIGHT_NAMES = ['SUN_DIRECTION', 'SUN', 'SKY_DIRECTION', 'SKY_LOW', 'SKY_HIGH'] as const;
+const SKY_NAMES = ['HORIZON', 'ZENITH', 'NADIR'] as const;
 
 /** Formats a number as a literal of both languages. */
 export const float = (value: number): string => (Number.isInteger(value) ? value.toFixed(1) : String(value));
@@ -28,7 +28,7 @@ const wgsl = (names: readonly Name[]): string =>
 
 /** Shading formula. */
 export const IRRADIANCE = /* glsl */ `
-${glsl(LIGHT)}
+${glsl(LIGHT_NAMES)}
 
 vec3 irradiance(vec3 n) {
   float sky = 0.5 + 0.5 * dot(n, SKY_DIRECTION);
@@ -36,22 +36,28 @@ vec3 irradiance(vec3 n) {
 }
 `;
 
-/** Normal towards the viewer: that of the vertices, on the visible side of the face; without one, that of the face. */
+/**
+ * Normal for shading: the interpolated normal of the vertices, or the face's normal if that has length 0. It is on the
+ * side of the face that the viewer sees; `toward` points to the viewer.
+ */
 export const SHADING_NORMAL = /* glsl */ `
-vec3 shading_normal(vec3 face, vec3 toward, vec3 own) {
-  float size = length(face);
-  face = size > 0.0 ? face / size : toward;
+vec3 shading_normal(vec3 face_normal, vec3 toward, vec3 vertex_normal) {
+  float face_length = length(face_normal);
+  vec3 face = face_length > 0.0 ? face_normal / face_length : toward;
   face = dot(face, toward) < 0.0 ? -face : face;
-  float own_size = length(own);
-  if (own_size == 0.0) {
+  float vertex_length = length(vertex_normal);
+  if (vertex_length == 0.0) {
     return face;
   }
-  vec3 n = own / own_size;
+  vec3 n = vertex_normal / vertex_length;
   return dot(n, face) < 0.0 ? -n : n;
 }
 `;
 
-/** Mip level at which a texel is as large as a pixel, by areas, from the changes of texture coordinates by a pixel. */
+/**
+ * Mipmap level at which a texel has the same area as a pixel. `right` and `down` are the changes of the texture
+ * coordinates from one pixel to the next.
+ */
 export const LEVEL_OF = /* glsl */ `
 float level_of(ivec2 size, vec2 right, vec2 down) {
   vec2 dx = right * vec2(size);
@@ -60,9 +66,9 @@ float level_of(ivec2 size, vec2 right, vec2 down) {
 }
 `;
 
-/** Sky colour in a direction without a hit. */
+/** Sky colour in a direction in which there is no surface. */
 export const BACKGROUND = /* glsl */ `
-${glsl(SKY)}
+${glsl(SKY_NAMES)}
 
 vec3 background(vec3 direction) {
   return mix(HORIZON, direction.y < 0.0 ? NADIR : ZENITH, sqrt(abs(direction.y)));
@@ -86,7 +92,7 @@ vec3 linear_of(vec3 c) {
 
 /** WGSL versions of all functions above. */
 export const LIGHT_WGSL = /* wgsl */ `
-${wgsl([...LIGHT, ...SKY])}
+${wgsl([...LIGHT_NAMES, ...SKY_NAMES])}
 
 fn irradiance(n: vec3<f32>) -> vec3<f32> {
   let sky = 0.5 + 0.5 * dot(n, SKY_DIRECTION);

@@ -2,7 +2,7 @@
 import { abortable } from '../base/errors';
 import { type ArrivingRegion, bytesOf, filesOfRegion } from '../bundle/contents';
 import type { RingEntry } from '../bundle/manifest';
-import type { Kept } from '../decode/messages';
+import type { WorkerMemory } from '../decode/messages';
 import type { Loading } from './job';
 import type { Regions } from './journey';
 import { loadRegion } from './loader';
@@ -52,7 +52,7 @@ export interface Holding {
   readonly regions: readonly number[];
   readonly isLoading: boolean;
   /** Buffers and maps in the workers after the last region was closed. */
-  readonly kept: readonly Kept[];
+  readonly kept: readonly WorkerMemory[];
 }
 
 export interface Atlas extends Regions {
@@ -72,7 +72,7 @@ export function createAtlas({ world, loading, manner, failed }: AtlasSettings): 
   const pendings = new Map<number, Pending>();
   let order: readonly number[] = [];
   let waiting: { region: number; done: () => void }[] = [];
-  let kept: readonly Kept[] = [];
+  let kept: readonly WorkerMemory[] = [];
 
   /** Resumes the first region that is not complete. */
   function resumeNext(): void {

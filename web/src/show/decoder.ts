@@ -7,7 +7,7 @@ import type {
   ForgetRequest,
   Geometry,
   GeometryRequest,
-  Kept,
+  WorkerMemory,
   MapUpdate,
   NextMapRequest,
   Part,
@@ -20,7 +20,7 @@ export interface Decoder {
   (request: PartRequest): Promise<Part>;
   (request: DropRequest): Promise<null>;
   (request: FirstMapRequest | NextMapRequest): Promise<MapUpdate>;
-  (request: ForgetRequest): Promise<Kept>;
+  (request: ForgetRequest): Promise<WorkerMemory>;
 }
 
 export interface DecoderWorker {
@@ -28,38 +28,38 @@ export interface DecoderWorker {
   dispose(): void;
 }
 
-/** Starts a worker that answers requests in order; `spend` is called with the milliseconds spent on answers. */
+/** Starts a worker that answers requests in order. `spend` is called with the main thread's milliseconds per answer. */
 export function startDecoder(script: URL, spend: (milliseconds: number) => void): DecoderWorker {
   const worker = new Worker(script, { type: 'module' });
-  const waiting = new Map<number, { done: (value: never) => void; failed: (reason: Error) => void }>();
-  let last = 0;
-  let stopped: BundleError | null = null;
+  const pendingRequests = new Map<number, { resolve: (value: never) => void; reject: (reason: Error) => void }>();
+  let lastId = 0;
+  let stopError: BundleError | null = null;
 
   worker.onmessage = (event: MessageEvent<Answer>) => {
     const start = performance.now();
     // Browsers may deserialize a message only when its data are accessed.
     const { data } = event;
-    const pending = waiting.get(data.id);
-    waiting.delete(data.id);
-    if ('error' in data) pending?.failed(new BundleError(data.error));
-    else pending?.done(data.result as never);
+    const pending = pendingRequests.get(data.id);
+    pendingRequests.delete(data.id);
+    if ('error' in data) pending?.reject(new BundleError(data.error));
+    else pending?.resolve(data.result as never);
     spend(performance.now() - start);
   };
   worker.onerror = (event) => {
-    stopped = new BundleError(`the decoder stopped: ${event.message || 'the browser gives no reason'}`, 'other');
-    for (const { failed } of waiting.values()) failed(stopped);
-    waiting.clear();
+    stopError = new BundleError(`the decoder stopped: ${event.message || 'the browser gives no reason'}`, 'other');
+    for (const { reject } of pendingRequests.values()) reject(stopError);
+    pendingRequests.clear();
   };
 
   const decode = (request: Request): Promise<never> =>
-    new Promise((done, failed) => {
+    new Promise((resolve, reject) => {
       // The worker cannot answer any more.
-      if (stopped) {
-        failed(stopped);
+      if (stopError) {
+        reject(stopError);
         return;
       }
-      const id = ++last;
-      waiting.set(id, { done, failed });
+      const id = ++lastId;
+      pendingRequests.set(id, { resolve, reject });
       worker.postMessage({ ...request, id }, buffersOf(request));
     });
   return { decode: decode as Decoder, dispose: () => worker.terminate() };

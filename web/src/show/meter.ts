@@ -1,7 +1,7 @@
 /** Measurements for the panel, and marks of the loading on the browser's timeline. */
 
-/** Window in seconds of the rate and the frame times. */
-const WINDOW = 1;
+/** Seconds over which the rate and the frame times are measured. */
+const WINDOW_SECONDS = 1;
 
 export interface Meter {
   /** Adds received bytes. */
@@ -9,9 +9,9 @@ export interface Meter {
   /** Adds the duration of a frame, seconds. */
   frame(seconds: number): void;
   /** Resets all measurements. */
-  restart(): void;
+  reset(): void;
   /** Received bytes; bits per second, null while nothing arrives; mean and greatest frame time in milliseconds. */
-  read(): { received: number; rate: number | null; frame: number; longest: number };
+  read(): { received: number; rate: number | null; frame: number; maxFrame: number };
 }
 
 export function createMeter(now: () => number = () => performance.now() / 1000): Meter {
@@ -25,24 +25,24 @@ export function createMeter(now: () => number = () => performance.now() / 1000):
     },
     frame(seconds) {
       frames.push(seconds);
-      let sum = frames.reduce((total, each) => total + each, 0);
-      while (frames.length > 1 && sum > WINDOW) sum -= frames.shift() ?? 0;
+      let sum = frames.reduce((total, duration) => total + duration, 0);
+      while (frames.length > 1 && sum > WINDOW_SECONDS) sum -= frames.shift() ?? 0;
     },
-    restart() {
+    reset() {
       received = 0;
       arrivals = [];
       frames = [];
     },
     read() {
-      const since = now() - WINDOW;
-      arrivals = arrivals.filter(({ time }) => time > since);
+      const windowStart = now() - WINDOW_SECONDS;
+      arrivals = arrivals.filter(({ time }) => time > windowStart);
       const bytes = arrivals.reduce((sum, arrival) => sum + arrival.bytes, 0);
-      const mean = frames.reduce((sum, each) => sum + each, 0) / Math.max(frames.length, 1);
+      const mean = frames.reduce((sum, duration) => sum + duration, 0) / Math.max(frames.length, 1);
       return {
         received,
-        rate: bytes > 0 ? (8 * bytes) / WINDOW : null,
+        rate: bytes > 0 ? (8 * bytes) / WINDOW_SECONDS : null,
         frame: 1000 * mean,
-        longest: 1000 * Math.max(0, ...frames),
+        maxFrame: 1000 * Math.max(0, ...frames),
       };
     },
   };

@@ -1,12 +1,12 @@
-/** Renderer of three.js: its graphics context, which may be lost, and the multisampled framebuffer of a headset. */
+/** The renderer of three.js: loss of its graphics context, and the multisampled framebuffer of a headset. */
 import { WebGLRenderer } from 'three';
 import { messageOf } from '../base/errors';
 import { BundleError } from '../bundle/error';
 
-/** Sentence for users whose graphics are lost, until they are restored. */
-export const LOST = 'The browser has reset the graphics. The picture returns as soon as they are restored.';
-/** Greatest duration of a frame in seconds: after a pause of a hidden tab the page continues where it was. */
-export const LONGEST_FRAME = 0.1;
+/** Message while the graphics context is lost. */
+export const GRAPHICS_LOST = 'The browser has reset the graphics. The picture returns as soon as they are restored.';
+/** Maximum duration of a frame, seconds: after a pause of a hidden tab, movements continue where they were. */
+export const MAX_FRAME_SECONDS = 0.1;
 
 export function createRenderer(canvas: HTMLCanvasElement, antialias: boolean): WebGLRenderer {
   let renderer: WebGLRenderer;
@@ -16,22 +16,26 @@ export function createRenderer(canvas: HTMLCanvasElement, antialias: boolean): W
     throw new BundleError(messageOf(error), 'webgl');
   }
   renderer.autoClear = false;
-  // A composition layer of a headset lies below.
+  // A composition layer of a headset lies behind the picture and is visible where alpha is 0.
   renderer.setClearAlpha(0);
   renderer.sortObjects = false;
-  // Checks block on the GPU; `programs` checks when that takes no time.
+  // These checks wait for the GPU; `programs` checks shaders when they are compiled, without a wait.
   renderer.debug.checkShaderErrors = false;
   return renderer;
 }
 
-export interface Loss {
+export interface ContextLoss {
   readonly isLost: boolean;
-  /** Stops watching. */
+  /** Removes the event listeners. */
   dispose(): void;
 }
 
-/** Watches a canvas; to be called after three.js has registered its own listeners. */
-export function watchLoss(canvas: HTMLCanvasElement, lost: () => void, restored: () => void): Loss {
+/** Watches a canvas for loss of its context; call it after three.js has registered its own listeners. */
+export function watchLoss(
+  canvas: HTMLCanvasElement,
+  handleLoss: () => void,
+  handleRestoration: () => void,
+): ContextLoss {
   let isLost = false;
   const stop = new AbortController();
   const { signal } = stop;
@@ -39,11 +43,11 @@ export function watchLoss(canvas: HTMLCanvasElement, lost: () => void, restored:
     // Otherwise the browser does not restore the context.
     event.preventDefault();
     isLost = true;
-    lost();
+    handleLoss();
   };
   const onRestored = (): void => {
     isLost = false;
-    restored();
+    handleRestoration();
   };
   canvas.addEventListener('webglcontextlost', onLost, { signal });
   canvas.addEventListener('webglcontextrestored', onRestored, { signal });
@@ -57,7 +61,7 @@ export function watchLoss(canvas: HTMLCanvasElement, lost: () => void, restored:
 
 /**
  * Draws several scenes into the framebuffer of a headset before its samples are resolved. three.js otherwise resolves
- * after each scene and discards depth and colour. The next scene resolves the samples.
+ * after each scene and discards depth and colour. The next scene drawn after this call resolves the samples.
  */
 export function resolveOnce(renderer: WebGLRenderer, draw: () => void): void {
   renderer.clear();

@@ -1,5 +1,6 @@
 /**
- * Elements without markup, so that no text of a bundle can become markup; icons; saving of files and copying of texts.
+ * Creation of elements without parsing HTML, so that no text of a bundle becomes markup; icons; saving of files;
+ * copying of texts.
  */
 
 type Attributes = Readonly<Record<string, string | boolean | undefined>>;
@@ -11,44 +12,44 @@ export function make<Name extends keyof HTMLElementTagNameMap>(
   attributes: Attributes = {},
   ...children: Child[]
 ): HTMLElementTagNameMap[Name] {
-  const made = document.createElement(name);
-  setAll(made, attributes);
-  made.append(...children);
-  return made;
+  const element = document.createElement(name);
+  setAttributes(element, attributes);
+  element.append(...children);
+  return element;
 }
 
 /** Creates a button with a label and a class. */
-export function button(label: string, kind: string, action: () => void): HTMLButtonElement {
-  const made = make('button', { type: 'button', class: kind }, label);
-  made.addEventListener('click', action);
-  return made;
+export function button(label: string, className: string, action: () => void): HTMLButtonElement {
+  const element = make('button', { type: 'button', class: className }, label);
+  element.addEventListener('click', action);
+  return element;
 }
 
 /** Finds an element of the document; throws an error if there is none of this kind. */
 export function find<T extends HTMLElement>(selector: string, kind: abstract new () => T): T {
-  const found = document.querySelector(selector);
-  if (!(found instanceof kind)) throw new Error(`the page has no ${selector}`);
-  return found;
+  const element = document.querySelector(selector);
+  if (!(element instanceof kind)) throw new Error(`the page has no ${selector}`);
+  return element;
 }
 
 const SVG = 'http://www.w3.org/2000/svg';
 
 /** Icon of one path in a square of 24 units, in the colour of the surrounding text. */
 export function icon(path: string): SVGSVGElement {
-  const drawing = document.createElementNS(SVG, 'svg');
-  setAll(drawing, { viewBox: '0 0 24 24', class: 'icon', 'aria-hidden': 'true', focusable: 'false' });
+  const svg = document.createElementNS(SVG, 'svg');
+  setAttributes(svg, { viewBox: '0 0 24 24', class: 'icon', 'aria-hidden': 'true', focusable: 'false' });
   const line = document.createElementNS(SVG, 'path');
-  setAll(line, { d: path });
-  drawing.append(line);
-  return drawing;
+  setAttributes(line, { d: path });
+  svg.append(line);
+  return svg;
 }
 
-/** Writes a text only if it differs, to avoid repeated speech of screen readers and new layouts. */
+/** Sets a text only if it differs, so that screen readers do not repeat it and the browser need not lay it out again. */
 export function write(element: Element, text: string): void {
   if (element.textContent !== text) element.textContent = text;
 }
 
-function setAll(element: Element, attributes: Attributes): void {
+function setAttributes(element: Element, attributes: Attributes): void {
   for (const [name, value] of Object.entries(attributes)) {
     if (value !== undefined && value !== false) element.setAttribute(name, value === true ? '' : value);
   }
@@ -58,7 +59,7 @@ function setAll(element: Element, attributes: Attributes): void {
 export function saveFile(content: Blob, name: string): void {
   const address = URL.createObjectURL(content);
   make('a', { href: address, download: name }).click();
-  // The browser reads it after this call.
+  // The browser reads the address after this call.
   setTimeout(() => URL.revokeObjectURL(address), 60_000);
 }
 
@@ -76,12 +77,12 @@ export async function copyText(text: string): Promise<boolean> {
 function copyBySelection(text: string): boolean {
   const field = make('textarea', { class: 'unseen', 'aria-hidden': 'true', tabindex: '-1' });
   field.value = text;
-  const focused = document.activeElement;
+  const focusedElement = document.activeElement;
   document.body.append(field);
   field.select();
   const isCopied = document.execCommand('copy');
   field.remove();
-  if (focused instanceof HTMLElement) focused.focus({ preventScroll: true });
+  if (focusedElement instanceof HTMLElement) focusedElement.focus({ preventScroll: true });
   return isCopied;
 }
 

@@ -10,7 +10,7 @@ import {
   createFigures,
   type HeadsetCommand,
   isComplete,
-  isHeld,
+  isDelayed,
   progressText,
   type Status,
   summaryOf,
@@ -183,7 +183,7 @@ export function createPanel(root: HTMLElement, commands: Commands): Panel {
     [wasRing, wasComplete] = [status.ring, complete];
     const made = progressText(status);
     // The wait depends on other users or the server.
-    if (made !== null && made !== wasMade && isHeld(status)) announce(`The place is not ready yet: ${made}`);
+    if (made !== null && made !== wasMade && isDelayed(status)) announce(`The place is not ready yet: ${made}`);
     wasMade = made;
     const texts = status.problems.join('\n');
     if (texts !== problems) showProblems(status.problems, () => run('retry'));
@@ -202,7 +202,7 @@ export function createPanel(root: HTMLElement, commands: Commands): Panel {
     update(status) {
       announceChanges(status);
       figures.update(status);
-      const none = status.making ? 0 : 1;
+      const none = status.serverProgress ? 0 : 1;
       const share = status.expected > 0 ? Math.min(status.received / status.expected, 1) : none;
       line.hidden = wasComplete;
       line.dataset['stuck'] = String(problems !== '');

@@ -1,17 +1,17 @@
-/** Figures of the panel: loading, drawing and position; and the commands of the panel and the keys. */
+/** Figures of the panel: loading, drawing and position. Commands of the panel and the keys. */
 import type { ServerProgress } from '../demand/place';
 import { make, write } from './dom';
 import { bytesOf, count, metres, milliseconds, percent, rate } from './format';
 
 /** Content of the panel, created a few times a second. */
 export interface Status {
-  /** Last visible ring, and the number of rings; ring 0 is the map alone. */
+  /** Number of the outermost visible ring, and number of rings; ring 0 is the map alone. */
   readonly ring: number;
   readonly rings: number;
   /** Whether no finer maps follow the visible ones. */
   readonly isSharp: boolean;
-  /** Server's progress with the current place or the one that the user is moving to; null if nothing is made. */
-  readonly making: ServerProgress | null;
+  /** Server's progress with the region that it computes for the user; null if it computes none. */
+  readonly serverProgress: ServerProgress | null;
   /** Radius of the morph, metres. */
   readonly radius: number;
   /** Received bytes, and all bytes that this region needs. */
@@ -19,18 +19,18 @@ export interface Status {
   readonly expected: number;
   /** Bits per second over the last second; null when nothing loads. */
   readonly rate: number | null;
-  /** Milliseconds per frame: mean over the last second, and maximum. */
+  /** Mean and maximum duration of frames over the last second, milliseconds. */
   readonly frame: number;
-  readonly longest: number;
-  /** Drawn triangles of the scene; triangles after their subdivision; all triangles of the scene. */
+  readonly maxFrame: number;
+  /** Triangles of the scene that are drawn; number drawn after they are split; all triangles of the scene. */
   readonly triangles: number;
   readonly drawn: number;
   readonly sceneTriangles: number;
-  /** Region of the user, and the number of regions; null if places are made anywhere. */
+  /** Region of the user, and number of regions; null if the server computes regions for any place. */
   readonly region: number;
   readonly regions: number | null;
   /** Distance from the centre, and distance at which the picture folds, metres. */
-  readonly away: number;
+  readonly distance: number;
   readonly foldMargin: number;
   /** Sentences about problems and what still works; empty if there are none. */
   readonly problems: readonly string[];
@@ -51,9 +51,9 @@ export interface Commands {
   screenshot(): Promise<Blob>;
   /** Returns a link to this pose. */
   link(): string;
-  /** Headset, or why there is none; absent until that is known. */
+  /** Command for the headset, or why there is no headset; absent until the browser has answered. */
   headset?: HeadsetCommand | string;
-  /** Reloads what failed. */
+  /** Loads again what could not be loaded. */
   retry(): void;
 }
 
@@ -65,7 +65,7 @@ export interface HeadsetCommand {
 
 /** Returns the lines of the panel by name. */
 export function linesOf(status: Status): Readonly<Record<string, string>> {
-  const { ring, rings, radius, received, expected, frame, longest, triangles, drawn, sceneTriangles } = status;
+  const { ring, rings, radius, received, expected, frame, maxFrame, triangles, drawn, sceneTriangles } = status;
   return {
     Loaded: `${bytesOf(received, expected)} (${percent(received, expected)})`,
     Speed: isComplete(status) ? 'complete' : rate(status.rate),
@@ -73,9 +73,9 @@ export function linesOf(status: Status): Readonly<Record<string, string>> {
     Radius: ring === 0 ? UNUSED : metres(radius),
     Triangles: `${count(triangles)} of ${count(sceneTriangles)}`,
     'Split into': drawn > triangles ? count(drawn) : UNUSED,
-    Frame: `${milliseconds(frame)}, at most ${milliseconds(longest)}`,
-    ...placeOf(status),
-    'From centre': `${metres(status.away)} of ${metres(status.foldMargin)}`,
+    Frame: `${milliseconds(frame)}, at most ${milliseconds(maxFrame)}`,
+    ...regionOrProgress(status),
+    'From centre': `${metres(status.distance)} of ${metres(status.foldMargin)}`,
   };
 }
 
@@ -86,31 +86,33 @@ export function isComplete({ ring, rings, received, expected, isSharp }: Status)
   return ring >= rings && received >= expected && isSharp;
 }
 
-/** Progress of the server with the place, in a few words; null if nothing is made. */
-export function progressText({ making, isSharp }: Status): string | null {
-  if (!making) return null;
-  const { stage } = making;
-  if (stage === 'waiting') return making.before > 0 ? `waiting, behind ${making.before}` : 'being computed';
-  if (stage === 'busy') return `server busy, next try in ${making.seconds} s`;
+/** Server's progress in a few words; null if it computes nothing. */
+export function progressText({ serverProgress, isSharp }: Status): string | null {
+  if (!serverProgress) return null;
+  const { stage } = serverProgress;
+  if (stage === 'waiting') {
+    return serverProgress.before > 0 ? `waiting, behind ${serverProgress.before}` : 'being computed';
+  }
+  if (stage === 'busy') return `server busy, next try in ${serverProgress.seconds} s`;
   if (stage === 'asked') return 'requested';
   return isSharp ? 'refined' : 'coarse, being refined';
 }
 
-/** Whether other places precede the wanted one, or the server is busy. */
-export function isHeld({ making }: Status): boolean {
-  return making?.stage === 'busy' || (making?.stage === 'waiting' && making.before > 0);
+/** Whether the server is busy, or computes regions of other users first. */
+export function isDelayed({ serverProgress }: Status): boolean {
+  return serverProgress?.stage === 'busy' || (serverProgress?.stage === 'waiting' && serverProgress.before > 0);
 }
 
-function placeOf(status: Status): Readonly<Record<string, string>> {
-  const made = progressText(status);
-  if (made !== null) return { Place: made };
+function regionOrProgress(status: Status): Readonly<Record<string, string>> {
+  const progress = progressText(status);
+  if (progress !== null) return { Place: progress };
   return { Region: `${status.region + 1} of ${status.regions ?? 1}` };
 }
 
 /** Short summary for small screens. */
 export function summaryOf(status: Status): string {
-  const made = progressText(status);
-  if (status.rings === 0 && made !== null) return `place: ${made}`;
+  const progress = progressText(status);
+  if (status.rings === 0 && progress !== null) return `place: ${progress}`;
   return `${percent(status.received, status.expected)} loaded, ring ${status.ring} of ${status.rings}`;
 }
 
@@ -122,12 +124,12 @@ export interface Figures {
 export function createFigures(): Figures {
   const lines = new Map<string, HTMLElement>();
   const list = make('dl', { class: 'figures' });
-  const reach = make('div', { class: 'reach', 'aria-hidden': 'true' }, make('span', {}));
+  const foldBar = make('div', { class: 'reach', 'aria-hidden': 'true' }, make('span', {}));
   const problems = make('ul', { class: 'problems' });
 
   function line(name: string): HTMLElement {
-    const found = lines.get(name);
-    if (found) return found;
+    const existing = lines.get(name);
+    if (existing) return existing;
     const value = make('dd', {});
     list.append(make('div', {}, make('dt', {}, name), value));
     lines.set(name, value);
@@ -135,12 +137,12 @@ export function createFigures(): Figures {
   }
 
   return {
-    element: make('div', { class: 'panel-body' }, list, reach, problems),
+    element: make('div', { class: 'panel-body' }, list, foldBar, problems),
     update(status) {
       for (const [name, text] of Object.entries(linesOf(status))) write(line(name), text);
-      const share = status.foldMargin > 0 ? Math.min(status.away / status.foldMargin, 1) : 0;
-      reach.style.setProperty('--share', share.toFixed(3));
-      reach.dataset['near'] = String(share > 0.8);
+      const fraction = status.foldMargin > 0 ? Math.min(status.distance / status.foldMargin, 1) : 0;
+      foldBar.style.setProperty('--share', fraction.toFixed(3));
+      foldBar.dataset['near'] = String(fraction > 0.8);
       const texts = status.problems;
       if (texts.join('\n') !== [...problems.children].map(({ textContent }) => textContent).join('\n')) {
         problems.replaceChildren(...texts.map((text) => make('li', {}, text)));

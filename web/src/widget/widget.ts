@@ -2,7 +2,7 @@
 import { messageOf } from '../base/errors';
 import { createControls } from '../control/controls';
 import type { Pose } from '../control/pose';
-import { LONGEST_FRAME, LOST } from '../show/renderer';
+import { MAX_FRAME_SECONDS, GRAPHICS_LOST } from '../show/renderer';
 import { strategyOf } from '../show/stage';
 import { createViewer, type Viewer } from '../show/viewer';
 import { worldOf } from '../show/world';
@@ -102,7 +102,7 @@ function show(
     isSmooth,
     isWhole,
     failed,
-    lost: (isLost) => view.complain(isLost ? LOST : ''),
+    lost: (isLost) => view.complain(isLost ? GRAPHICS_LOST : ''),
     moved: controls.setPose,
   });
   host.nearfar = { viewer };
@@ -129,7 +129,7 @@ function show(
     last = now;
     if (!isSeen) return;
     const pose = controls.update(seconds);
-    viewer.frame(pose, Math.min(seconds, LONGEST_FRAME));
+    viewer.frame(pose, Math.min(seconds, MAX_FRAME_SECONDS));
     const { bounds, shown, region, entry, goal, arrived } = viewer.facts;
     controls.setBounds(bounds);
     const rings = (entry?.rings.length ?? 1) - 1;

@@ -51,7 +51,7 @@ export function encodeFrame(frame: FromServer): Uint8Array {
       body.u8(frame.reason);
       body.put(new TextEncoder().encode(frame.sentence));
   }
-  return encodeBody(SERVER[frame.kind], body.done());
+  return encodeBody(SERVER[frame.kind], body.toBytes());
 }
 
 /** Encodes a frame of a kind and a body. */
@@ -60,7 +60,7 @@ export function encodeBody(kind: number, body: Uint8Array): Uint8Array {
   out.u8(kind);
   out.u16(body.length);
   out.put(body);
-  return out.done();
+  return out.toBytes();
 }
 
 function writePrefixed(out: Writer, bytes: Uint8Array): void {

@@ -14,7 +14,7 @@ from nearfar._base.errors import UnusableError
 from nearfar._scene.tileset import values
 from nearfar._scene.tileset.frames import Floats
 from nearfar._scene.tileset.metadata import BoxProperty
-from nearfar._scene.tileset.subtree import MAX_LEVELS, Subtree, start_of
+from nearfar._scene.tileset.subtree import MAX_LEVELS, Subtree, tiles_above
 from nearfar._scene.tileset.tile import Source, StatedTile, Tile
 from nearfar._scene.tileset.volumes import Box, Region, Sphere, Volume
 
@@ -81,7 +81,7 @@ class ImplicitTile(Tile):
     def __init__(self, tiling: Implicit, subtree: Subtree, level: int, cell: Cell, depth: int, number: int) -> None:
         self._tiling, self._subtree = tiling, subtree
         self._level, self._cell, self._depth, self._number = level, cell, depth, number
-        self._bit = bit = start_of(depth, tiling.axes) + number
+        self._bit = bit = tiles_above(depth, tiling.axes) + number
         super().__init__(
             tiling.source,
             tiling.error * 0.5**level,
@@ -110,7 +110,7 @@ class ImplicitTile(Tile):
         """Make the available children."""
         tiling, subtree, depth = self._tiling, self._subtree, self._depth + 1
         children: list[Tile] = []
-        first = start_of(depth, tiling.axes)
+        first = tiles_above(depth, tiling.axes)
         twice = [2 * place for place in self._cell]
         for corner, step in enumerate(_CORNERS[tiling.axes]):
             number = (self._number << tiling.axes) + corner

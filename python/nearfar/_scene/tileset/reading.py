@@ -35,7 +35,7 @@ class Key(NamedTuple):
     """The tile's transform if the content depends on it; else empty."""
 
 
-class Kept:
+class ContentCache:
     """Cache of tiles' contents with a size limit, and reasons why others are unusable; thread-safe."""
 
     def __init__(self, most: float) -> None:
@@ -47,7 +47,7 @@ class Kept:
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Pickle without contents: another process reads them itself."""
-        return Kept, (self._most,)
+        return ContentCache, (self._most,)
 
     def find(self, key: Key) -> TileContent | None:
         """Content of a file; None if it is not cached."""
@@ -80,7 +80,7 @@ class Reading:
         Counts unpacked bytes of the files.
     """
 
-    def __init__(self, files: Files, kept: Kept, budget: Budget) -> None:
+    def __init__(self, files: Files, kept: ContentCache, budget: Budget) -> None:
         self._files, self._kept, self._budget = files, kept, budget
         self._reader = Reader(files, budget, Materials(budget))
         self._contents: dict[Key, TileContent] = {}

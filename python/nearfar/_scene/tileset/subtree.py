@@ -17,14 +17,15 @@ from nearfar._scene.tileset.frames import Floats
 from nearfar._scene.tileset.metadata import BoxProperty
 
 MAX_LEVELS = {2: 16, 3: 10}
-"""Maximum number of levels of a subtree by number of axes; it then has about a thousand million tiles."""
+"""Maximum number of levels of a subtree, by number of axes: 1.4·10⁹ tiles for two axes, 1.5·10⁸ for three."""
 
-_CHECKED = 1 << 26
-"""Greatest number of bits to check for consistency, which takes a byte for each."""
+_MAX_CHECKED_BITS = 1 << 26
+"""Maximum number of bits that are checked for consistency; the check takes a byte of memory for each bit."""
 
 _HEADER = struct.Struct("<4sIQQ")
 
-_ONES = np.array([byte.bit_count() for byte in range(256)], np.uint8)
+_BYTE_BIT_COUNTS = np.array([byte.bit_count() for byte in range(256)], np.uint8)
+"""Number of set bits of each value of a byte."""
 
 
 @dataclass(frozen=True)
@@ -32,34 +33,40 @@ class Bits:
     """Availability bits: one for each of `count` items, or one constant for all."""
 
     count: int
-    stored: bytes | None
+    data: bytes | None
+    """Bits packed into bytes, the least significant bit first; None for a constant."""
     constant: bool = False
+    """Value of all bits if there is no `data`."""
 
-    def bit(self, number: int) -> bool:
+    def bit(self, index: int) -> bool:
         """Bit at an index."""
-        if self.stored is None:
+        if self.data is None:
             return self.constant
-        return bool(self.stored[number >> 3] >> (number & 7) & 1)
+        return bool(self.data[index >> 3] >> (index & 7) & 1)
 
-    def rank(self, number: int) -> int:
+    def rank(self, index: int) -> int:
         """Number of set bits before an index."""
-        if self.stored is None:
-            return number if self.constant else 0
-        byte = number >> 3
-        rest = self.stored[byte : byte + 1]
-        return int(self._ones[byte]) + ((rest[0] & ((1 << (number & 7)) - 1)).bit_count() if rest else 0)
+        if self.data is None:
+            return index if self.constant else 0
+        byte_index = index >> 3
+        rank = int(self._byte_ranks[byte_index])
+        if byte_index < len(self.data):
+            rank += (self.data[byte_index] & ((1 << (index & 7)) - 1)).bit_count()
+        return rank
 
     @cached_property
-    def _ones(self) -> np.ndarray[Any, np.dtype[np.int32]]:
-        """Numbers of set bits before each byte, and in total."""
-        assert self.stored is not None
-        return np.append(0, np.cumsum(_ONES[np.frombuffer(self.stored, np.uint8)], dtype=np.int32)).astype(np.int32)
+    def _byte_ranks(self) -> np.ndarray[Any, np.dtype[np.int32]]:
+        """Numbers of set bits before each byte; the last one is the total."""
+        assert self.data is not None
+        return np.append(0, np.cumsum(_BYTE_BIT_COUNTS[np.frombuffer(self.data, np.uint8)], dtype=np.int32)).astype(
+            np.int32
+        )
 
-    def unpacked(self) -> np.ndarray[Any, np.dtype[np.bool_]]:
-        """All bits (N,)."""
-        if self.stored is None:
+    def unpack(self) -> np.ndarray[Any, np.dtype[np.bool_]]:
+        """Return all bits as an array (N,)."""
+        if self.data is None:
             return np.broadcast_to(self.constant, (self.count,))
-        packed = np.frombuffer(self.stored, np.uint8, (self.count + 7) // 8)
+        packed = np.frombuffer(self.data, np.uint8, (self.count + 7) // 8)
         return np.unpackbits(packed, count=self.count, bitorder="little").astype(bool)
 
 
@@ -71,12 +78,12 @@ class Subtree:
     contents: tuple[Bits, ...]
     children: Bits
     boxes: Floats | None = None
-    """Boxes of the available tiles (N, 4, 3): the centre, then half of each edge. None if not stated."""
+    """Boxes of the N available tiles (N, 4, 3): the centre, then half of each edge. None if the file has no boxes."""
 
 
 @cache
-def start_of(level: int, axes: int) -> int:
-    """Number of a subtree's tiles above a level."""
+def tiles_above(level: int, axes: int) -> int:
+    """Number of tiles on the levels of a subtree that precede a level."""
     return int(((1 << axes * level) - 1) // ((1 << axes) - 1))
 
 
@@ -85,41 +92,41 @@ def read(
 ) -> Subtree:
     """Read a subtree, binary or JSON.
 
-    `load` returns the bytes of a referenced file; `properties` are the tileset's properties with boxes.
+    `load` returns the bytes of a referenced file; `properties` are the metadata properties that state boxes of tiles.
     """
-    document, binary = _parts(data)
+    document, binary = _split(data)
     views = _Views(document, binary, load)
-    inner, leaves = start_of(levels, axes), 1 << axes * levels
-    listed = document.get("contentAvailability", [])
-    listed = listed if isinstance(listed, list) else [listed]
-    others = document.get("extensions", {})
-    if isinstance(others, dict) and "3DTILES_multiple_contents" in others:
-        several = values.entries("3DTILES_multiple_contents", others["3DTILES_multiple_contents"])
-        listed = values.items("contentAvailability", several.get("contentAvailability"))
-    tiles = views.bits("tileAvailability", document.get("tileAvailability"), inner)
+    tile_count, child_count = tiles_above(levels, axes), 1 << axes * levels
+    content_entries = document.get("contentAvailability", [])
+    content_entries = content_entries if isinstance(content_entries, list) else [content_entries]
+    extensions = document.get("extensions", {})
+    if isinstance(extensions, dict) and "3DTILES_multiple_contents" in extensions:
+        multiple_contents = values.entries("3DTILES_multiple_contents", extensions["3DTILES_multiple_contents"])
+        content_entries = values.items("contentAvailability", multiple_contents.get("contentAvailability"))
+    tiles = views.bits("tileAvailability", document.get("tileAvailability"), tile_count)
     subtree = Subtree(
         tiles,
-        tuple(views.bits(f"contentAvailability[{n}]", entry, inner) for n, entry in enumerate(listed)),
-        views.bits("childSubtreeAvailability", document.get("childSubtreeAvailability"), leaves),
-        metadata.boxes(document, properties, tiles.rank(inner), views.view) if properties else None,
+        tuple(views.bits(f"contentAvailability[{n}]", entry, tile_count) for n, entry in enumerate(content_entries)),
+        views.bits("childSubtreeAvailability", document.get("childSubtreeAvailability"), child_count),
+        metadata.boxes(document, properties, tiles.rank(tile_count), views.view) if properties else None,
     )
-    _check(subtree, axes, levels)
+    _check_consistency(subtree, axes, levels)
     return subtree
 
 
-def _parts(data: bytes) -> tuple[dict[str, Any], bytes]:
+def _split(data: bytes) -> tuple[dict[str, Any], bytes]:
     """Split into the JSON document and the binary part."""
     if not data.startswith(b"subt"):
         return glb.json_object(data), b""
     if len(data) < _HEADER.size:
         raise UnusableError(f"it ends within its header of {_HEADER.size} bytes")
-    _, version, text, rest = _HEADER.unpack_from(data)
+    _, version, json_length, binary_length = _HEADER.unpack_from(data)
     if version != 1:
         raise UnusableError(f"it is a subtree of version {version}, and only version 1 is read")
-    if _HEADER.size + text + rest > len(data):
-        raise UnusableError(f"it states {_HEADER.size + text + rest} bytes, and has {len(data)}")
-    start = _HEADER.size + text
-    return glb.json_object(data[_HEADER.size : start]), data[start : start + rest]
+    if _HEADER.size + json_length + binary_length > len(data):
+        raise UnusableError(f"it states {_HEADER.size + json_length + binary_length} bytes, and has {len(data)}")
+    start = _HEADER.size + json_length
+    return glb.json_object(data[_HEADER.size : start]), data[start : start + binary_length]
 
 
 class _Views:
@@ -131,61 +138,68 @@ class _Views:
         self._binary, self._load = binary, load
         self._loaded: dict[int, bytes] = {}
 
-    def bits(self, place: str, described: Any, count: int) -> Bits:
+    def bits(self, json_path: str, entry: Any, count: int) -> Bits:
         """Read an availability entry."""
-        described = values.entries(place, described)
-        if "constant" in described:
-            return Bits(count, None, bool(values.whole(f"{place}.constant", described["constant"], 0, 1)))
-        number = described.get("bitstream", described.get("bufferView"))
-        data = self.view(f"{place}.bitstream", number)
+        entry = values.entries(json_path, entry)
+        if "constant" in entry:
+            return Bits(count, None, bool(values.whole(f"{json_path}.constant", entry["constant"], 0, 1)))
+        index = entry.get("bitstream", entry.get("bufferView"))
+        data = self.view(f"{json_path}.bitstream", index)
         if 8 * len(data) < count:
-            raise UnusableError(f"{place}: expected {count} bits, got {8 * len(data)}")
+            raise UnusableError(f"{json_path}: expected {count} bits, got {8 * len(data)}")
         bits = Bits(count, data)
-        stated = described.get("availableCount")
-        if stated is not None and count <= _CHECKED and stated != (found := int(bits.unpacked().sum())):
-            raise UnusableError(f"{place}: it states {check.shortened(stated)} as available, and its bits {found}")
+        stated_count = entry.get("availableCount")
+        if (
+            stated_count is not None
+            and count <= _MAX_CHECKED_BITS
+            and stated_count != (bit_count := int(bits.unpack().sum()))
+        ):
+            raise UnusableError(
+                f"{json_path}: availableCount is {check.shortened(stated_count)}, but {bit_count} bits are set"
+            )
         return bits
 
-    def view(self, place: str, number: Any) -> bytes:
+    def view(self, json_path: str, index: Any) -> bytes:
         """Bytes of a buffer view that an entry refers to."""
-        return self._bytes(f"bufferViews[{number}]", values.entries(place, _item(place, self._views, number)))
+        return self._bytes(f"bufferViews[{index}]", values.entries(json_path, _item(json_path, self._views, index)))
 
-    def _bytes(self, place: str, view: dict[str, Any]) -> bytes:
-        number = view.get("buffer")
-        buffer = values.entries(place, _item(f"{place}.buffer", self._buffers, number))
-        assert isinstance(number, int)
-        if number not in self._loaded:
+    def _bytes(self, json_path: str, view: dict[str, Any]) -> bytes:
+        index = view.get("buffer")
+        buffer = values.entries(json_path, _item(f"{json_path}.buffer", self._buffers, index))
+        assert isinstance(index, int)
+        if index not in self._loaded:
             uri = buffer.get("uri")
-            self._loaded[number] = self._binary if uri is None else self._load(values.text(f"{place}.uri", uri))
-        data = self._loaded[number]
-        start = values.whole(f"{place}.byteOffset", view.get("byteOffset", 0), 0, len(data))
-        length = values.whole(f"{place}.byteLength", view.get("byteLength"), 0, len(data) - start)
+            self._loaded[index] = self._binary if uri is None else self._load(values.text(f"{json_path}.uri", uri))
+        data = self._loaded[index]
+        start = values.whole(f"{json_path}.byteOffset", view.get("byteOffset", 0), 0, len(data))
+        length = values.whole(f"{json_path}.byteLength", view.get("byteLength"), 0, len(data) - start)
         return data[start : start + length]
 
 
-def _item(place: str, listed: list[Any], number: Any) -> Any:
-    if type(number) is not int or not 0 <= number < len(listed):
-        raise UnusableError(f"{place}: expected the number of one of {len(listed)}, got {check.shortened(number)}")
-    return listed[number]
+def _item(json_path: str, items: list[Any], index: Any) -> Any:
+    if type(index) is not int or not 0 <= index < len(items):
+        raise UnusableError(f"{json_path}: expected the index of one of {len(items)}, got {check.shortened(index)}")
+    return items[index]
 
 
-def _check(subtree: Subtree, axes: int, levels: int) -> None:
+def _check_consistency(subtree: Subtree, axes: int, levels: int) -> None:
     """Reject tiles without a parent, and contents and subtrees without a tile: no traversal would find them."""
-    if subtree.tiles.count > _CHECKED or (subtree.tiles.stored is None and subtree.tiles.constant):
+    if subtree.tiles.count > _MAX_CHECKED_BITS or (subtree.tiles.data is None and subtree.tiles.constant):
         return
-    tiles = subtree.tiles.unpacked()
-    starts = [start_of(level, axes) for level in range(levels + 1)]
+    tiles = subtree.tiles.unpack()
+    starts = [tiles_above(level, axes) for level in range(levels + 1)]
     for level in range(1, levels):
-        parents, here = tiles[starts[level - 1] : starts[level]], tiles[starts[level] : starts[level + 1]]
-        _refuse(here & ~np.repeat(parents, 1 << axes), f"tile {{}} of its level {level}", "its parent")
+        parents, tiles_of_level = tiles[starts[level - 1] : starts[level]], tiles[starts[level] : starts[level + 1]]
+        _refuse_if_any(tiles_of_level & ~np.repeat(parents, 1 << axes), f"tile {{}} of its level {level}", "its parent")
     for bits in subtree.contents:
-        if bits.stored is not None:
-            _refuse(bits.unpacked() & ~tiles, "the content of tile {}", "the tile")
-    if subtree.children.stored is not None:
+        if bits.data is not None:
+            _refuse_if_any(bits.unpack() & ~tiles, "the content of tile {}", "the tile")
+    if subtree.children.data is not None:
         parents = tiles[starts[levels - 1] :]
-        _refuse(subtree.children.unpacked() & ~np.repeat(parents, 1 << axes), "subtree {}", "the tile above it")
+        _refuse_if_any(subtree.children.unpack() & ~np.repeat(parents, 1 << axes), "subtree {}", "the tile above it")
 
 
-def _refuse(wrong: np.ndarray[Any, np.dtype[np.bool_]], thing: str, other: str) -> None:
-    if wrong.any():
-        raise UnusableError(f"its bits say that {thing.format(int(wrong.argmax()))} is there, but not {other}")
+def _refuse_if_any(is_orphan: np.ndarray[Any, np.dtype[np.bool_]], item: str, owner: str) -> None:
+    """Reject the first item that is available without its owner; `item` is a format string with its index."""
+    if is_orphan.any():
+        raise UnusableError(f"its bits mark {item.format(int(is_orphan.argmax()))} as available, but not {owner}")

@@ -1,4 +1,4 @@
-"""The `Tileset` class: frame, bounds, and the content of the tiles that show it."""
+"""The `Tileset` class: its frame, its bounds, and the content of the tiles selected to show it."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from nearfar._scene.tileset import frames, select
 from nearfar._scene.tileset.document import Documents
 from nearfar._scene.tileset.files import Files, Local, open_files
 from nearfar._scene.tileset.frames import Floats, Frame
-from nearfar._scene.tileset.reading import Kept, Reading
+from nearfar._scene.tileset.reading import ContentCache, Reading
 from nearfar._scene.tileset.tile import IDENTITY, Source, StatedTile, Tile
 from nearfar._scene.tileset.volumes import Box, Region
 
@@ -36,7 +36,7 @@ class Tileset:
     """
 
     def __init__(
-        self, label: str, files: Files, root: Tile, documents: Documents | None, frame: Frame, kept: Kept
+        self, label: str, files: Files, root: Tile, documents: Documents | None, frame: Frame, cache: ContentCache
     ) -> None:
         self.label = label
         """The path or URL, for messages."""
@@ -44,7 +44,7 @@ class Tileset:
         """Transform from the tileset's frame to the scene's."""
         self.root = root
         """Root tile."""
-        self._files, self._documents, self._kept = files, documents, kept
+        self._files, self._documents, self._cache = files, documents, cache
 
     @classmethod
     def open(
@@ -79,18 +79,18 @@ class Tileset:
         OSError
             A file that cannot be opened.
         """
-        place = frames.checked_origin(origin)
-        files, kept = open_files(path), Kept(cache_bytes)
+        checked_origin = frames.checked_origin(origin)
+        files, cache = open_files(path), ContentCache(cache_bytes)
         label = os.fspath(path) if isinstance(files, Local) else str(path).partition("?")[0]
         try:
             if suffix(path) in KINDS:
-                return _of_tile(label, files, place, kept, Budget() if budget is None else budget)
+                return _open_tile(label, files, checked_origin, cache, Budget() if budget is None else budget)
             documents = Documents(files)
             root = documents.root()
-            frame = _frame(root, place)
+            frame = _frame(root, checked_origin)
         except UnusableError as error:
             raise SceneError(f"{label}: {error}") from error
-        return cls(label, files, root, documents, frame, kept)
+        return cls(label, files, root, documents, frame, cache)
 
     @property
     def bounds(self) -> Floats:
@@ -107,7 +107,8 @@ class Tileset:
     ) -> Content:
         """Read the content of the tiles that show the tileset, placed in the scene's frame.
 
-        A tile that cannot be read is left out, and a note names it; where tiles replace others, the coarser one stays.
+        A tile that cannot be read is left out, and a note names it. If it would replace a coarser tile, that
+        one is shown.
 
         Parameters
         ----------
@@ -116,19 +117,19 @@ class Tileset:
         triangles
             Greatest number of triangles instead of an error: tiles with the greatest errors are refined first.
         box
-            Box (2, 3) of the scene whose tiles are read as a whole; None for everything.
+            Box (2, 3) in the scene's frame: tiles that touch it are read, each as a whole. None for all tiles.
         budget
             Limit of the bytes that the files may unpack to.
 
         Raises
         ------
         SceneError
-            A tileset that leads outside its folder or to itself, is too large, or whose tiles unpack to too much; fewer
-            `triangles` than the coarsest tiles have.
+            A tileset that refers to files outside its folder or to itself, or that is too large; tiles that unpack to
+            more bytes than the budget; fewer `triangles` than the coarsest tiles have.
         OSError
             A URL that does not respond.
         """
-        reading = Reading(self._files, self._kept, Budget() if budget is None else budget)
+        reading = Reading(self._files, self._cache, Budget() if budget is None else budget)
         touches = select.box_test(box, self.frame.to_scene)
         try:
             if triangles is None:
@@ -142,9 +143,9 @@ class Tileset:
                 f"{self.label}: its coarsest tiles have {selection.triangles:,} triangles, more than {triangles:,}"
             )
         content, properties = reading.place_contents(selection.tiles, self.frame.to_scene, self.label)
-        shown = sum(size is not None for size in reading.sizes(selection.tiles))
+        tile_count = sum(size is not None for size in reading.sizes(selection.tiles))
         content.nodes = Nodes(distinct(content.nodes.objects), content.nodes.transforms, content.nodes.shapes)
-        content.notes[:0] = self._notes(shown, selection.error, reading.failures, properties)
+        content.notes[:0] = self._notes(tile_count, selection.error, reading.failures, properties)
         return content
 
     def _by_error(self, reading: Reading, error: float, touches: select.Touches) -> select.Selection:
@@ -153,22 +154,24 @@ class Tileset:
         while True:
             selection = select.by_error(self.root, error, touches, unrefined)
             sizes = reading.sizes(selection.tiles)
-            failed = [tile for tile, size in zip(selection.tiles, sizes, strict=True) if size is None]
-            keepers = {above for tile in failed if (above := select.keeper(tile)) is not None} - unrefined
-            if not keepers:
+            failed_tiles = [tile for tile, size in zip(selection.tiles, sizes, strict=True) if size is None]
+            replaced_tiles = {
+                replaced for tile in failed_tiles if (replaced := select.keeper(tile)) is not None
+            } - unrefined
+            if not replaced_tiles:
                 return selection
-            unrefined |= keepers
+            unrefined |= replaced_tiles
 
-    def _notes(self, shown: int, error: float, failures: dict[str, str], properties: int) -> list[str]:
+    def _notes(self, tile_count: int, error: float, failures: dict[str, str], properties: int) -> list[str]:
         notes = [self.frame.note] if self.frame.note else []
         if self._documents is not None:
             coarse = f" with a geometric error of up to {error:g} m" if error else ""
-            notes.append(f"{count(shown, 'tile')} of 3D Tiles read{coarse}")
+            notes.append(f"{count(tile_count, 'tile')} of 3D Tiles read{coarse}")
             failures = failures | {self._files.display_name(name): "is missing" for name in self._documents.missing}
         if failures:
-            named = ", ".join(f"{name} {reason}" for name, reason in list(failures.items())[:_MAX_NAMED])
+            reasons = ", ".join(f"{name} {reason}" for name, reason in list(failures.items())[:_MAX_NAMED])
             more = f", and {len(failures) - _MAX_NAMED:,} more" if len(failures) > _MAX_NAMED else ""
-            notes.append(f"{count(len(failures), 'file')} of tiles left out: {named}{more}")
+            notes.append(f"{count(len(failures), 'file')} of tiles left out: {reasons}{more}")
         if properties:
             notes.append(f"{count(properties, 'file')} of tiles with properties of features, which are ignored")
         return notes
@@ -185,22 +188,22 @@ def _frame(root: Tile, origin: tuple[float, float, float] | None) -> Frame:
     """The scene's frame: at the origin, else at the centre of a tileset on the Earth, else the tileset's own."""
     box = root.bounds(IDENTITY)
     is_earth = bool((box[0] < -frames.RADIUS).all() and (box[1] > frames.RADIUS).all())
-    found = None if is_earth else frames.local_frame_at(root.middle)
+    local_frame = None if is_earth else frames.local_frame_at(root.middle)
     if origin is not None:
-        if found is None and not is_earth and not isinstance(root.volume, Region):
+        if local_frame is None and not is_earth and not isinstance(root.volume, Region):
             raise UnusableError("it does not lie on the Earth, where an origin has a meaning")
         return frames.local(origin)
     if is_earth:
         raise UnusableError("it covers the whole Earth: state the place of the scene by origin")
-    return frames.PLAIN if found is None else found
+    return frames.PLAIN if local_frame is None else local_frame
 
 
-def _of_tile(
-    label: str, files: Files, origin: tuple[float, float, float] | None, kept: Kept, budget: Budget
+def _open_tile(
+    label: str, files: Files, origin: tuple[float, float, float] | None, cache: ContentCache, budget: Budget
 ) -> Tileset:
-    """Make a tileset of a single tile."""
-    tile = _alone(files, Box(np.zeros(3), np.zeros((3, 3))))
-    reading = Reading(files, kept, budget)
+    """Open a single tile as a tileset, whose bounds are those of the tile's content."""
+    tile = _top_tile(files, Box(np.zeros(3), np.zeros((3, 3))))
+    reading = Reading(files, cache, budget)
     if reading.sizes([tile]) == [None]:
         reason = next(iter(reading.failures.values()))
         if reason == "is missing":
@@ -208,12 +211,12 @@ def _of_tile(
         raise UnusableError(reason.removeprefix("cannot be used: "))
     box = _bounds(reading.place_contents([tile], IDENTITY, label)[0])
     if np.isfinite(box).all():
-        tile = _alone(files, Box(box.mean(axis=0), np.diag(np.ptp(box, axis=0) / 2)))
-    return Tileset(label, files, tile, None, _frame(tile, origin), kept)
+        tile = _top_tile(files, Box(box.mean(axis=0), np.diag(np.ptp(box, axis=0) / 2)))
+    return Tileset(label, files, tile, None, _frame(tile, origin), cache)
 
 
-def _alone(files: Files, volume: Box) -> Tile:
-    """Tile for the top file."""
+def _top_tile(files: Files, volume: Box) -> Tile:
+    """Tile whose content is the file that was opened."""
     return StatedTile("tile", Source(files.top, "Y"), volume, 0.0, False, IDENTITY, ("",))
 
 
@@ -228,6 +231,6 @@ def _bounds(content: Content) -> Floats:
     low, high = np.full(3, np.inf), np.full(3, -np.inf)
     for name, matrix in zip(nodes.shapes, nodes.transforms, strict=True):
         if name in boxes:
-            placed = Box(boxes[name].mean(axis=0), np.diag(np.ptp(boxes[name], axis=0) / 2)).bounds(matrix)
-            low, high = np.minimum(low, placed[0]), np.maximum(high, placed[1])
+            placed_box = Box(boxes[name].mean(axis=0), np.diag(np.ptp(boxes[name], axis=0) / 2)).bounds(matrix)
+            low, high = np.minimum(low, placed_box[0]), np.maximum(high, placed_box[1])
     return np.array([low, high])

@@ -9,13 +9,14 @@ use rayon::prelude::*;
 
 use crate::base::{Aabb, Progress, Result};
 
-/// Maximum number of boxes clustered at once: a tenth of a second on one core, without a check for cancellation.
-const PART: usize = 1 << 18;
-/// Number of passes of the optimizer; pass k moves 1 / (2 k + 1) of the first pass's nodes.
+/// Maximum number of boxes that are clustered at once. Clustering does not check for cancellation; it takes a tenth of a
+/// second for this number on one core.
+const MAX_PART_BOXES: usize = 1 << 18;
+/// Number of passes of the optimizer. Pass k = 0, 1, … moves 1 / (2 k + 1) as many nodes as the first pass.
 const PASSES: usize = 16;
 /// Maximum number of nodes that the first pass moves in a tree of several parts. The optimizer selects the nodes with
 /// the largest boxes, which are near the parts' roots.
-const NEAR_ROOTS: usize = 1 << 16;
+const MAX_NODES_NEAR_ROOTS: usize = 1 << 16;
 
 /// Builds the tree. Leaves hold one box each, or up to `leaf_boxes` where that lowers the cost.
 pub(super) fn build(boxes: &[Aabb], leaf_boxes: u32, progress: &Progress) -> Result<Bvh2> {
@@ -39,9 +40,9 @@ pub(super) fn build(boxes: &[Aabb], leaf_boxes: u32, progress: &Progress) -> Res
     let trees: Vec<Bvh2> = trees.collect::<Result<_>>()?;
     let mut tree = join_trees(trees, progress)?;
     // The joined tree numbers boxes in the order of the parts.
-    tree.primitive_indices.par_iter_mut().for_each(|at| *at = members[*at as usize].number);
+    tree.primitive_indices.par_iter_mut().for_each(|index| *index = members[*index as usize].number);
     if scale != 1.0 {
-        restore(&mut tree, boxes);
+        restore_boxes(&mut tree, boxes);
     }
     Ok(tree)
 }
@@ -54,7 +55,7 @@ struct Member {
 
 /// Splits the boxes at the median along the longest axis until each part can be clustered at once.
 fn split<'a>(members: &'a mut [Member], parts: &mut Vec<&'a [Member]>, progress: &Progress) -> Result<()> {
-    if members.len() <= PART {
+    if members.len() <= MAX_PART_BOXES {
         parts.push(members);
         return Ok(());
     }
@@ -82,45 +83,45 @@ fn join_trees(mut trees: Vec<Bvh2>, progress: &Progress) -> Result<Bvh2> {
         return Ok(trees.remove(0));
     }
     let roots: Vec<Aabb> = trees.iter().map(|tree| bounds(&tree.nodes[0])).collect();
-    let mut all = cluster(roots.into_iter(), 1.0);
-    let leaves = all.nodes.iter().enumerate().filter(|(_, node)| node.is_leaf());
+    let mut joined = cluster(roots.into_iter(), 1.0);
+    let leaves = joined.nodes.iter().enumerate().filter(|(_, node)| node.is_leaf());
     let leaves: Vec<(usize, u32)> =
-        leaves.map(|(leaf, node)| (leaf, all.primitive_indices[node.first_index as usize])).collect();
-    all.primitive_indices.clear();
+        leaves.map(|(leaf, node)| (leaf, joined.primitive_indices[node.first_index as usize])).collect();
+    joined.primitive_indices.clear();
     let mut first_box = vec![];
     for tree in &trees {
-        let first = all.primitive_indices.len() as u32;
-        all.primitive_indices.extend(tree.primitive_indices.iter().map(|number| first + number));
+        let first = joined.primitive_indices.len() as u32;
+        joined.primitive_indices.extend(tree.primitive_indices.iter().map(|number| first + number));
         first_box.push(first);
     }
     for (leaf, number) in leaves {
         progress.check()?;
         // A tree's root takes the leaf's place; its other nodes are appended.
-        let (first_box, first_node) = (first_box[number as usize], all.nodes.len() as u32 - 1);
-        let moved = |node: &Bvh2Node| {
+        let (first_box, first_node) = (first_box[number as usize], joined.nodes.len() as u32 - 1);
+        let renumbered = |node: &Bvh2Node| {
             let first = if node.is_leaf() { first_box } else { first_node };
             Bvh2Node::new(*node.aabb(), node.prim_count, first + node.first_index)
         };
         let tree = std::mem::take(&mut trees[number as usize]);
-        all.nodes[leaf] = moved(&tree.nodes[0]);
-        all.nodes.extend(tree.nodes[1..].iter().map(moved));
-        all.max_depth = all.max_depth.max(tree.max_depth);
+        joined.nodes[leaf] = renumbered(&tree.nodes[0]);
+        joined.nodes.extend(tree.nodes[1..].iter().map(renumbered));
+        joined.max_depth = joined.max_depth.max(tree.max_depth);
     }
-    let share = NEAR_ROOTS as f32 / all.nodes.len() as f32;
-    optimize(&mut all, share, progress)?;
-    Ok(all)
+    let fraction = MAX_NODES_NEAR_ROOTS as f32 / joined.nodes.len() as f32;
+    optimize(&mut joined, fraction, progress)?;
+    Ok(joined)
 }
 
 fn bounds(node: &Bvh2Node) -> Aabb {
     Aabb { min: node.aabb().min.into(), max: node.aabb().max.into() }
 }
 
-/// Reinserts nodes where they reduce the tree's cost; `share` of all nodes in the first pass.
-fn optimize(tree: &mut Bvh2, share: f32, progress: &Progress) -> Result<()> {
+/// Moves nodes to places in the tree at which they reduce its cost. The first pass moves `fraction` of all nodes.
+fn optimize(tree: &mut Bvh2, fraction: f32, progress: &Progress) -> Result<()> {
     let mut optimizer = ReinsertionOptimizer::default();
     for pass in 0..PASSES {
         progress.check()?;
-        optimizer.run(tree, share, Some(vec![1.0 / (2 * pass + 1) as f32]));
+        optimizer.run(tree, fraction, Some(vec![1.0 / (2 * pass + 1) as f32]));
     }
     progress.check()
 }
@@ -131,15 +132,15 @@ fn scale_for(boxes: &[Aabb]) -> f32 {
     if greatest == 0.0 || (1e-9..1e12).contains(&greatest) {
         return 1.0;
     }
-    // Powers of two scale exactly, so only boxes far smaller than the largest lose digits.
+    // Scaling by a power of two is exact unless it underflows, as for boxes that are far smaller than the largest.
     (-f64::from(greatest).log2().floor()).exp2().clamp(1e-38, 1e38) as f32
 }
 
 /// Restores the unscaled boxes of a tree that was built over scaled ones.
-fn restore(tree: &mut Bvh2, boxes: &[Aabb]) {
+fn restore_boxes(tree: &mut Bvh2, boxes: &[Aabb]) {
     for node in tree.nodes.iter_mut().filter(|node| node.is_leaf()) {
         let members = &tree.primitive_indices[node.first_index as usize..][..node.prim_count as usize];
-        let bounds = members.iter().fold(Aabb::EMPTY, |all, &member| all.union(&boxes[member as usize]));
+        let bounds = members.iter().fold(Aabb::EMPTY, |hull, &member| hull.union(&boxes[member as usize]));
         node.set_aabb(aabb::Aabb::new(bounds.min.into(), bounds.max.into()));
     }
     tree.refit_all();

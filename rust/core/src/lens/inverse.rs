@@ -19,33 +19,33 @@ const TILE: usize = 1 << 10;
 /// Number of radii that a kernel processes together.
 pub(super) const LANES: usize = 32;
 
-/// A tile, aligned for vector loads.
+/// float64 copies of a tile's radii, aligned for vector loads.
 #[repr(align(64))]
-struct Stage([f64; TILE]);
+struct TileBuffer([f64; TILE]);
 
 /// Method that inverts f.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum InverseMethod {
     /// Newton's method to the last bits.
     Newton,
-    /// r ← x / (1 + k₁r² + …), repeated this many times, as published. Liebisch (2021), Alg. 1.
+    /// r ← x / (1 + k₁r² + …), iterated this many times, as in Liebisch (2021), Alg. 1.
     FixedPoint(u32),
-    /// Cubics between nodes, with the error bound of `table_bound`.
+    /// Cubic polynomials between the nodes of a table, with the error bound of `table_bound`.
     Table,
 }
 
 impl RadialLens {
     /// Writes f(r) of radii of either sign. Radii beyond r_max give NaN, or an error if `refuse`.
     pub fn distort_all<T: Real>(&self, r: &[T], to: &mut [T], refuse: bool, progress: &Progress) -> Result<()> {
-        let whole = each_tile(r, to, progress, |tile| self.distort_blocks(tile))?;
-        if whole || !refuse { Ok(()) } else { Err(refused(r, to, self.radial.r_max)) }
+        let is_defined = each_tile(r, to, progress, |tile| self.distort_blocks(tile))?;
+        if is_defined || !refuse { Ok(()) } else { Err(error_of_first_nan(r, to, self.radial.r_max)) }
     }
 
     /// Writes f′(r) of radii of either sign. The error is at most 2 (n + 1) roundings of the sum of the terms'
     /// absolute values, for n coefficients.
     pub fn derivative_all<T: Real>(&self, r: &[T], to: &mut [T], refuse: bool, progress: &Progress) -> Result<()> {
-        let whole = each_tile(r, to, progress, |tile| slope_tile(&self.radial.slope, self.radial.r_max, tile))?;
-        if whole || !refuse { Ok(()) } else { Err(refused(r, to, self.radial.r_max)) }
+        let is_defined = each_tile(r, to, progress, |tile| slope_tile(&self.radial.slope, self.radial.r_max, tile))?;
+        if is_defined || !refuse { Ok(()) } else { Err(error_of_first_nan(r, to, self.radial.r_max)) }
     }
 
     /// Writes f⁻¹(x) of distorted radii of either sign. Radii beyond f(r_max) give NaN, or an error if `refuse`.
@@ -57,7 +57,7 @@ impl RadialLens {
         refuse: bool,
         progress: &Progress,
     ) -> Result<()> {
-        let whole = match method {
+        let is_defined = match method {
             InverseMethod::FixedPoint(steps) => {
                 each_tile(x, to, progress, |tile| fixed_point_tile(&self.radial.k, steps, tile))?;
                 true
@@ -67,7 +67,7 @@ impl RadialLens {
                 each_tile(x, to, progress, |tile| self.undistort_blocks(tile, exact, T::SLACK))?
             }
         };
-        if whole || !refuse { Ok(()) } else { Err(refused(x, to, self.radial.x_max)) }
+        if is_defined || !refuse { Ok(()) } else { Err(error_of_first_nan(x, to, self.radial.x_max)) }
     }
 
     /// Replaces each radius by its image under f. The number of radii is a multiple of `LANES`.
@@ -79,17 +79,17 @@ impl RadialLens {
     /// multiple of `LANES`. Radii up to a relative `slack` beyond f(r_max) count as f(r_max), because rounding may
     /// have moved them there.
     pub(super) fn undistort_blocks(&self, tile: &mut [f64], exact: bool, slack: f64) {
-        let mut hard = Vec::new();
+        let mut unsolved = Vec::new();
         match self.table() {
-            None => hard.extend((0..tile.len() as u32).filter(|&n| is_beyond(tile[n as usize], FARTHEST))),
-            Some(table) if exact => newton_tile(&self.radial.k, &self.radial.slope, table, tile, &mut hard),
-            Some(table) => table_tile(table, tile, &mut hard),
+            None => unsolved.extend((0..tile.len() as u32).filter(|&n| is_beyond(tile[n as usize], FARTHEST))),
+            Some(table) if exact => newton_tile(&self.radial.k, &self.radial.slope, table, tile, &mut unsolved),
+            Some(table) => table_tile(table, tile, &mut unsolved),
         }
         let end = self.radial.x_max;
-        for place in hard {
-            let x = tile[place as usize];
-            let size = if x.abs() <= end * (1.0 + slack) { x.abs().min(end) } else { x.abs() };
-            tile[place as usize] = self.undistort(size).copysign(x);
+        for index in unsolved {
+            let x = tile[index as usize];
+            let magnitude = if x.abs() <= end * (1.0 + slack) { x.abs().min(end) } else { x.abs() };
+            tile[index as usize] = self.undistort(magnitude).copysign(x);
         }
     }
 }
@@ -99,8 +99,8 @@ fn is_beyond(x: f64, end: f64) -> bool {
     x.is_nan() || x.abs() > end
 }
 
-/// Returns the error for the first radius without an image.
-fn refused<T: Real>(from: &[T], to: &[T], end: f64) -> Error {
+/// Returns the error for the first radius that gave NaN.
+fn error_of_first_nan<T: Real>(from: &[T], to: &[T], end: f64) -> Error {
     let index = to.iter().position(|value| value.wide().is_nan()).unwrap_or(0);
     let expected = if end < FARTHEST {
         format!("radii up to {}, where the lens folds", number(end))
@@ -117,68 +117,69 @@ fn each_tile<T: Real>(
     progress: &Progress,
     kernel: impl Fn(&mut [f64]) + Sync,
 ) -> Result<bool> {
-    let good = AtomicBool::new(true);
+    let all_defined = AtomicBool::new(true);
     from.par_chunks(TILE).zip(to.par_chunks_mut(TILE)).try_for_each(|(from, to)| {
         // Tiles are padded to whole blocks with zeros, so that kernels need no remainder loop.
-        let mut stage = Stage([0.0; TILE]);
-        for (one, other) in stage.0.iter_mut().zip(from) {
-            *one = other.wide();
+        let mut buffer = TileBuffer([0.0; TILE]);
+        for (value, radius) in buffer.0.iter_mut().zip(from) {
+            *value = radius.wide();
         }
-        kernel(&mut stage.0[..from.len().next_multiple_of(LANES)]);
-        let mut numbers = true;
-        for (one, other) in to.iter_mut().zip(&stage.0) {
-            *one = T::narrow(*other);
-            numbers &= !other.is_nan();
+        kernel(&mut buffer.0[..from.len().next_multiple_of(LANES)]);
+        let mut has_no_nan = true;
+        for (result, value) in to.iter_mut().zip(&buffer.0) {
+            *result = T::narrow(*value);
+            has_no_nan &= !value.is_nan();
         }
-        if !numbers {
-            good.store(false, Relaxed);
+        if !has_no_nan {
+            all_defined.store(false, Relaxed);
         }
         progress.check()
     })?;
-    Ok(good.into_inner())
+    Ok(all_defined.into_inner())
 }
 
 vectorized! {
     fn distort_tile(k: &[f64], r_max: f64, tile: &mut [f64]) = fused distort_blocks;
     fn slope_tile(slope: &[f64], r_max: f64, tile: &mut [f64]) = fused slope_blocks;
     fn fixed_point_tile(k: &[f64], steps: u32, tile: &mut [f64]) = fused fixed_point_blocks;
-    fn table_tile(table: &Table, tile: &mut [f64], hard: &mut Vec<u32>) = fused table_blocks;
-    fn newton_tile(k: &[f64], slope: &[f64], table: &Table, tile: &mut [f64], hard: &mut Vec<u32>) = fused newton_blocks;
+    fn table_tile(table: &Table, tile: &mut [f64], unsolved: &mut Vec<u32>) = fused table_blocks;
+    fn newton_tile(k: &[f64], slope: &[f64], table: &Table, tile: &mut [f64], unsolved: &mut Vec<u32>) =
+        fused newton_blocks;
 }
 
 #[inline(always)]
 fn distort_blocks<const FUSED: bool>(k: &[f64], r_max: f64, tile: &mut [f64]) {
     for block in tile.as_chunks_mut::<LANES>().0 {
         let r = *block;
-        distorted_block::<FUSED>(k, &r, &[0.0; LANES], block);
+        residual_block::<FUSED>(k, &r, &[0.0; LANES], block);
         for n in 0..LANES {
-            let good = (r[n].abs() <= r_max) & (block[n].abs() <= FARTHEST);
+            let is_defined = (r[n].abs() <= r_max) & (block[n].abs() <= FARTHEST);
             // f is odd; copying the sign also restores the sign of zero.
-            block[n] = if good { block[n].copysign(r[n]) } else { f64::NAN };
+            block[n] = if is_defined { block[n].copysign(r[n]) } else { f64::NAN };
         }
     }
 }
 
-/// Same as `exact::distorted` minus `wanted`, for a block, with the same operations.
+/// Writes `exact::distorted` minus x for a block, with the same operations.
 #[inline(always)]
-fn distorted_block<const FUSED: bool>(k: &[f64], r: &[f64; LANES], wanted: &[f64; LANES], to: &mut [f64; LANES]) {
-    let (mut square, mut square_rest) = ([0.0; LANES], [0.0; LANES]);
+fn residual_block<const FUSED: bool>(k: &[f64], r: &[f64; LANES], x: &[f64; LANES], to: &mut [f64; LANES]) {
+    let (mut square, mut square_low) = ([0.0; LANES], [0.0; LANES]);
     for n in 0..LANES {
-        (square[n], square_rest[n]) = two_product::<FUSED>(r[n], r[n]);
+        (square[n], square_low[n]) = two_product::<FUSED>(r[n], r[n]);
     }
-    let (mut high, mut rest) = ([0.0; LANES], [0.0; LANES]);
+    let (mut high, mut low) = ([0.0; LANES], [0.0; LANES]);
     for &c in k.iter().rev() {
         for n in 0..LANES {
-            let (sum, lost) = two_sum(high[n], c);
-            let (product, lost_too) = two_product::<FUSED>(sum, square[n]);
-            rest[n] = lost_too + (sum * square_rest[n] + (rest[n] + lost) * square[n]);
+            let (sum, sum_error) = two_sum(high[n], c);
+            let (product, product_error) = two_product::<FUSED>(sum, square[n]);
+            low[n] = product_error + (sum * square_low[n] + (low[n] + sum_error) * square[n]);
             high[n] = product;
         }
     }
     for n in 0..LANES {
-        let (sum, lost) = two_sum(high[n], 1.0);
-        let (product, lost_too) = two_product::<FUSED>(sum, r[n]);
-        to[n] = (product - wanted[n]) + (lost_too + (rest[n] + lost) * r[n]);
+        let (sum, sum_error) = two_sum(high[n], 1.0);
+        let (product, product_error) = two_product::<FUSED>(sum, r[n]);
+        to[n] = (product - x[n]) + (product_error + (low[n] + sum_error) * r[n]);
     }
 }
 
@@ -217,54 +218,60 @@ fn fixed_point_blocks<const FUSED: bool>(k: &[f64], steps: u32, tile: &mut [f64]
     }
 }
 
-/// Evaluates the table's cubics at |x| for a block; results beyond the last interval are undefined.
+/// Evaluates the table's cubic polynomials at |x| for a block; results beyond the last interval are undefined.
 #[inline(always)]
 pub(super) fn cubic_block(table: &Table, x: &[f64; LANES], to: &mut [f64; LANES]) {
     const MANTISSA: u64 = (1 << (f64::MANTISSA_DIGITS - 1)) - 1;
     let last = table.cubics.len() as u64 - 1;
     let fineness = f64::MANTISSA_DIGITS - 1 - table.shift;
     let scale = 1.0 / table.first;
-    let (mut index, mut place) = ([0u64; LANES], [0.0; LANES]);
+    let (mut index, mut position) = ([0u64; LANES], [0.0; LANES]);
     for n in 0..LANES {
         let x = x[n].abs();
         let bits = x.to_bits();
-        let low = x < table.first;
-        // The mantissa's bits below the interval number, as a float from 1 to 2.
-        let within = f64::from_bits((bits << fineness) & MANTISSA | 1.0f64.to_bits()) - 1.0;
-        place[n] = if low { x * scale } else { within };
+        let is_first = x < table.first;
+        // The mantissa's bits below those of the interval number give the position in the interval, from 0 to 1.
+        let fraction = f64::from_bits((bits << fineness) & MANTISSA | 1.0f64.to_bits()) - 1.0;
+        position[n] = if is_first { x * scale } else { fraction };
         let number = (bits >> table.shift).wrapping_sub(table.base - 1);
-        let number = if low { 0 } else { number };
+        let number = if is_first { 0 } else { number };
         index[n] = if number < last { number } else { last };
     }
     for n in 0..LANES {
         // SAFETY: the index was clamped to the table, which has at least one cubic.
         let [a, b, c, d] = *unsafe { table.cubics.get_unchecked(index[n] as usize) };
-        to[n] = a + place[n] * (b + place[n] * (c + place[n] * d));
+        to[n] = a + position[n] * (b + position[n] * (c + position[n] * d));
     }
 }
 
 #[inline(always)]
-fn table_blocks<const FUSED: bool>(table: &Table, tile: &mut [f64], hard: &mut Vec<u32>) {
+fn table_blocks<const FUSED: bool>(table: &Table, tile: &mut [f64], unsolved: &mut Vec<u32>) {
     for (number, block) in tile.as_chunks_mut::<LANES>().0.iter_mut().enumerate() {
         let x = *block;
         let mut r = [0.0; LANES];
         cubic_block(table, &x, &mut r);
-        let mut left = false;
+        let mut has_unsolved = false;
         for n in 0..LANES {
-            let good = x[n].abs() < table.end;
-            left |= !good;
-            block[n] = if good { r[n].copysign(x[n]) } else { x[n] };
+            let is_inside = x[n].abs() < table.end;
+            has_unsolved |= !is_inside;
+            block[n] = if is_inside { r[n].copysign(x[n]) } else { x[n] };
         }
-        if left {
+        if has_unsolved {
             let lanes = (0..LANES).filter(|&n| x[n].abs().partial_cmp(&table.end) != Some(Ordering::Less));
-            hard.extend(lanes.map(|n| (number * LANES + n) as u32));
+            unsolved.extend(lanes.map(|n| (number * LANES + n) as u32));
         }
     }
 }
 
 /// Refines the table's value: one plain Newton step, then one with a residual of twice the precision.
 #[inline(always)]
-fn newton_blocks<const FUSED: bool>(k: &[f64], slope: &[f64], table: &Table, tile: &mut [f64], hard: &mut Vec<u32>) {
+fn newton_blocks<const FUSED: bool>(
+    k: &[f64],
+    slope: &[f64],
+    table: &Table,
+    tile: &mut [f64],
+    unsolved: &mut Vec<u32>,
+) {
     for (number, block) in tile.as_chunks_mut::<LANES>().0.iter_mut().enumerate() {
         let mut x = *block;
         for x in &mut x {
@@ -287,21 +294,23 @@ fn newton_blocks<const FUSED: bool>(k: &[f64], slope: &[f64], table: &Table, til
             r[n] = start[n] - (start[n] * (1.0 + factor[n]) - x[n]) * inverse[n];
         }
 
-        let mut off = [0.0; LANES];
-        distorted_block::<FUSED>(k, &r, &x, &mut off);
-        let mut settled = [false; LANES];
-        let mut all = true;
+        let mut residual = [0.0; LANES];
+        residual_block::<FUSED>(k, &r, &x, &mut residual);
+        let mut is_solved = [false; LANES];
+        let mut all_solved = true;
         for n in 0..LANES {
-            let (first, second) = ((r[n] - start[n]).abs(), (off[n] * inverse[n]).abs());
-            let root = r[n] - off[n] * inverse[n];
-            // The last step uses the slope at the start, so its error is 2 second² / first: at most a quarter ulp.
-            let right = second * second <= 1e-17 * (root * first) || second <= 1e-14 * root && first <= 1e-9 * root;
-            settled[n] = right && x[n] < table.start_end;
-            all &= settled[n];
-            block[n] = if settled[n] { root.copysign(block[n]) } else { block[n] };
+            let (first_step, second_step) = ((r[n] - start[n]).abs(), (residual[n] * inverse[n]).abs());
+            let root = r[n] - residual[n] * inverse[n];
+            // The last step uses the slope at the start, so its error is 2 second_step² / first_step, at most a
+            // quarter ulp.
+            let is_accurate = second_step * second_step <= 1e-17 * (root * first_step)
+                || second_step <= 1e-14 * root && first_step <= 1e-9 * root;
+            is_solved[n] = is_accurate && x[n] < table.start_end;
+            all_solved &= is_solved[n];
+            block[n] = if is_solved[n] { root.copysign(block[n]) } else { block[n] };
         }
-        if !all {
-            hard.extend((0..LANES).filter(|&n| !settled[n]).map(|n| (number * LANES + n) as u32));
+        if !all_solved {
+            unsolved.extend((0..LANES).filter(|&n| !is_solved[n]).map(|n| (number * LANES + n) as u32));
         }
     }
 }

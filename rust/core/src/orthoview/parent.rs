@@ -1,4 +1,4 @@
-//! Views of a parent, made only from those of its eight children.
+//! Views of a parent, computed from the views of its eight children alone.
 
 use glam::{IVec3, Vec3};
 use rayon::prelude::*;
@@ -13,35 +13,35 @@ use crate::scene::srgb::linear_from_srgb;
 
 /// A pixel of a parent's picture at twice its size.
 #[derive(Clone, Copy, Default)]
-struct Shown {
+struct ParentPixel {
     /// The child's pixel.
     texel: Texel,
-    /// Step in the parent's depth range, in the child's step length, from 1; 0 for no surface.
+    /// Depth in the parent's range in steps of the child's length, from 1; 0 for no surface.
     step: u32,
 }
 
-/// A parent with some of its children drawn.
+/// A parent, into which some of its children have been drawn.
 pub struct Parent {
     directions: Vec<Direction>,
     format: Format,
     /// Picture at twice the size of a view, for each direction.
-    pictures: Vec<Vec<Shown>>,
-    /// Children and their positions, for a second layer: which of their pixels lie more than a gap behind the first
-    /// surfaces is known only after all children are drawn.
+    pictures: Vec<Vec<ParentPixel>>,
+    /// Children and their octants, for a second layer. It contains pixels that lie more than a gap behind the first
+    /// surfaces, which are known only after all children are drawn.
     children: Option<Vec<(IVec3, Views)>>,
 }
 
 impl Parent {
-    /// Creates a parent without children; it has a second layer if `behind`.
-    pub fn new(directions: Vec<Direction>, format: Format, behind: bool) -> Self {
+    /// Creates a parent without children; it has a second layer if `has_second_layer`.
+    pub fn new(directions: Vec<Direction>, format: Format, has_second_layer: bool) -> Self {
         let pictures = directions.iter().map(|_| blank(&format)).collect();
-        Self { directions, format, pictures, children: behind.then(Vec::new) }
+        Self { directions, format, pictures, children: has_second_layer.then(Vec::new) }
     }
 
     /// Draws a child, whose position is 0 or 1 along each axis. At equal depths the child drawn first wins, so callers
     /// must use one order.
     pub fn add(&mut self, octant: [u8; 3], child: &Views) -> Result<()> {
-        if octant.iter().any(|&place| place > 1) {
+        if octant.iter().any(|&coordinate| coordinate > 1) {
             return Err(Error::value("octant", "0 or 1 along each axis", format!("{octant:?}")));
         }
         if (&child.directions, child.format) != (&self.directions, self.format) {
@@ -61,59 +61,59 @@ impl Parent {
     /// Returns the views from the children drawn so far.
     pub fn finish(&self) -> Views {
         let pictures = self.directions.par_iter().zip(&self.pictures);
-        let views = pictures.map(|(&direction, picture)| finished(picture, direction, &self.format)).collect();
-        let behind = self.children.as_ref().map(|children| {
-            let numbers = (0..self.directions.len()).into_par_iter();
-            numbers.map(|number| self.finished_behind(children, number)).collect()
+        let views = pictures.map(|(&direction, picture)| reduce_picture(picture, direction, &self.format)).collect();
+        let second_views = self.children.as_ref().map(|children| {
+            let indices = (0..self.directions.len()).into_par_iter();
+            indices.map(|index| self.second_layer_view(children, index)).collect()
         });
-        Views::from_layers(&self.directions, &self.format, views, behind)
+        Views::from_layers(&self.directions, &self.format, views, second_views)
     }
 
     /// Returns the second-layer view of one direction.
-    fn finished_behind(&self, children: &[(IVec3, Views)], number: usize) -> View {
-        let (direction, first) = (self.directions[number], &self.pictures[number]);
+    fn second_layer_view(&self, children: &[(IVec3, Views)], index: usize) -> View {
+        let (direction, first) = (self.directions[index], &self.pictures[index]);
         let reach = reach_of(direction, &self.format);
-        let is_behind = |at: usize, step: u32| step as f32 > first[at].step as f32 + reach;
+        let is_behind = |pixel: usize, step: u32| step as f32 > first[pixel].step as f32 + reach;
         let mut picture = blank(&self.format);
         for (octant, child) in children {
-            for view in child.layers(number) {
+            for view in child.layers(index) {
                 draw(view, direction, *octant, &self.format, &mut picture, is_behind);
             }
         }
-        finished(&picture, direction, &self.format)
+        reduce_picture(&picture, direction, &self.format)
     }
 }
 
 /// Creates a picture without surfaces.
-fn blank(format: &Format) -> Vec<Shown> {
-    vec![Shown::default(); 4 * format.pixels()]
+fn blank(format: &Format) -> Vec<ParentPixel> {
+    vec![ParentPixel::default(); 4 * format.pixels()]
 }
 
-/// Draws a child's view into its parent's picture. `counts` accepts a pixel of the picture and a step of the parent's
-/// depth.
+/// Draws a child's view into its parent's picture. `accepts` decides whether a surface is drawn, from
+/// its pixel's index and its step in the parent's depth range.
 fn draw(
     view: &View,
     direction: Direction,
     octant: IVec3,
     format: &Format,
-    picture: &mut [Shown],
-    counts: impl Fn(usize, u32) -> bool,
+    picture: &mut [ParentPixel],
+    accepts: impl Fn(usize, u32) -> bool,
 ) {
     let (frame, size) = (direction.frame(), format.size);
-    let ((column, row), before) = (frame.place(octant, size), frame.steps_before(octant, format.steps));
+    let ((column, row), steps_before) = (frame.place(octant, size), frame.steps_before(octant, format.steps));
     let rows = view.texels.chunks_exact(size).zip(picture.chunks_exact_mut(2 * size).skip(row));
-    for ((texels, shown), row) in rows.zip(row..) {
-        let pixels = texels.iter().zip(&mut shown[column..]).zip(2 * size * row + column..);
-        for ((texel, shown), at) in pixels.filter(|((texel, _), _)| texel.depth > 0) {
-            let step = before + u32::from(texel.depth);
-            if (shown.step == 0 || step < shown.step) && counts(at, step) {
-                *shown = Shown { texel: *texel, step };
+    for ((texels, target), row) in rows.zip(row..) {
+        let pixels = texels.iter().zip(&mut target[column..]).zip(2 * size * row + column..);
+        for ((texel, target), pixel) in pixels.filter(|((texel, _), _)| texel.depth > 0) {
+            let step = steps_before + u32::from(texel.depth);
+            if (target.step == 0 || step < target.step) && accepts(pixel, step) {
+                *target = ParentPixel { texel: *texel, step };
             }
         }
     }
 }
 
-/// Returns the reach of a parent's picture, in its children's steps.
+/// Returns the reach (see `reduce::reach`) of a parent's picture, in steps of its children.
 fn reach_of(direction: Direction, format: &Format) -> f32 {
     let extents = direction.frame().extents();
     let pixel = extents.x.max(extents.y) / format.size as f64;
@@ -122,10 +122,10 @@ fn reach_of(direction: Direction, format: &Format) -> f32 {
 
 /// Reduces a parent's picture. The parent's steps are twice as long as its children's; each surface lies in the step
 /// that contains its child's step, so depth errors never exceed half a step, on any level.
-fn finished(picture: &[Shown], direction: Direction, format: &Format) -> View {
+fn reduce_picture(picture: &[ParentPixel], direction: Direction, format: &Format) -> View {
     let linear = linear_from_srgb();
-    let sample = |at: usize| {
-        let Shown { texel, step } = picture[at];
+    let sample = |pixel: usize| {
+        let ParentPixel { texel, step } = picture[pixel];
         (step > 0).then(|| Sample {
             depth: step as f32,
             color: Vec3::from_array(texel.color.map(|code| linear[usize::from(code)])),
@@ -160,11 +160,12 @@ mod tests {
             let views = parent.finish();
             let (first, behind) = (&views.views()[0].texels, &views.second_layer().unwrap().views()[0].texels.clone());
             // A child of 4 × 4 pixels fills the lower left quarter.
-            let shown = |texels: &[Texel]| texels.iter().map(|texel| texel.depth).collect::<Vec<_>>();
-            let quarter =
-                |depth: u16| (0..16).map(|at| if at / 4 > 1 && at % 4 < 2 { depth } else { 0 }).collect::<Vec<_>>();
-            assert_eq!(shown(first), quarter(3));
-            assert_eq!(shown(behind), quarter((format.steps as u16 + 8) / 2));
+            let depths = |texels: &[Texel]| texels.iter().map(|texel| texel.depth).collect::<Vec<_>>();
+            let quarter = |depth: u16| {
+                (0..16).map(|pixel| if pixel / 4 > 1 && pixel % 4 < 2 { depth } else { 0 }).collect::<Vec<_>>()
+            };
+            assert_eq!(depths(first), quarter(3));
+            assert_eq!(depths(behind), quarter((format.steps as u16 + 8) / 2));
         }
     }
 }

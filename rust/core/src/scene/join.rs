@@ -22,23 +22,23 @@ pub struct Joined<'a> {
 
 impl Scene {
     /// Joins scenes into one, in the frame of the first. Equal materials and textures are stored once. Meshes whose
-    /// numbers do not change are shared with their trees; others share their arrays.
+    /// object and material numbers do not change are shared with their search trees; others share vertices and faces.
     pub fn join(parts: &[Joined<'_>], progress: &Progress) -> Result<Self> {
         let [first, ..] = parts else { return Err(Error::value("scenes", "one at least", 0)) };
         let mut surfaces = Surfaces::from_scene(first.scene);
         let (mut standing, mut moving) = (Vec::new(), Vec::new());
         for part in parts {
             progress.check()?;
-            let mut numbers =
-                Renumbered { objects: part.objects, materials: surfaces.add(part.scene), made: HashMap::new() };
+            let mut renumbering =
+                Renumbering { objects: part.objects, materials: surfaces.add(part.scene), meshes: HashMap::new() };
             let shift = DAffine3::from_translation(part.scene.origin - first.scene.origin);
             let mut add = |set: &InstanceSet, list: &mut Vec<Instance>| {
                 for instance in set.instances() {
-                    let moved = numbers.renumber(instance);
+                    let renumbered = renumbering.renumber(instance);
                     list.push(if shift == DAffine3::IDENTITY {
-                        moved
+                        renumbered
                     } else {
-                        moved.with_transform(shift * moved.to_scene)?
+                        renumbered.with_transform(shift * renumbered.to_scene)?
                     });
                 }
                 Ok(())
@@ -54,28 +54,31 @@ impl Scene {
     }
 }
 
-/// Renumbered meshes of one scene, each created once.
-struct Renumbered<'a> {
+/// Renumbering of one scene's meshes; each renumbered mesh is created once.
+struct Renumbering<'a> {
+    /// New object numbers, indexed by the scene's.
     objects: &'a [i32],
+    /// New material numbers, indexed by the scene's.
     materials: Vec<i32>,
-    made: HashMap<*const Mesh, Arc<Mesh>>,
+    /// Renumbered meshes by original mesh.
+    meshes: HashMap<*const Mesh, Arc<Mesh>>,
 }
 
-impl Renumbered<'_> {
+impl Renumbering<'_> {
     fn renumber(&mut self, instance: &Instance) -> Instance {
-        let stays = |numbers: &[i32]| numbers.iter().zip(0..).all(|(&number, at)| number == at);
-        let number = |object: i32| usize::try_from(object).ok().and_then(|at| self.objects.get(at)).copied();
-        let object = instance.object.map(|object| number(object).unwrap_or(object));
+        let is_unchanged = |numbers: &[i32]| numbers.iter().zip(0..).all(|(&number, index)| number == index);
+        let number_of = |object: i32| usize::try_from(object).ok().and_then(|index| self.objects.get(index)).copied();
+        let object = instance.object.map(|object| number_of(object).unwrap_or(object));
         let shared = &instance.mesh;
-        let mesh = if stays(self.objects) && stays(&self.materials) {
+        let mesh = if is_unchanged(self.objects) && is_unchanged(&self.materials) {
             Arc::clone(shared)
         } else {
-            let made = || {
+            let create = || {
                 let (objects, materials) =
                     (shared.objects.renumbered(self.objects), shared.materials.renumbered(&self.materials));
                 Arc::new(shared.relabeled(objects, materials))
             };
-            Arc::clone(self.made.entry(Arc::as_ptr(shared)).or_insert_with(made))
+            Arc::clone(self.meshes.entry(Arc::as_ptr(shared)).or_insert_with(create))
         };
         instance.with_mesh(mesh, object)
     }

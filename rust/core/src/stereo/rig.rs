@@ -41,10 +41,10 @@ impl Side {
 /// Distances of the mono planes from the plane of the eyes, metres.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Planes {
-    /// m₁: nearer points are not displaced.
+    /// m₁: points nearer than m₁ are not displaced.
     pub begin: f64,
-    /// m₂ ≥ m₁: eyes draw nearer points, the camera behind them draws farther ones. From m₁ to m₂, points move from
-    /// their true position in the eye's picture to that in the camera's picture.
+    /// m₂ ≥ m₁: the eyes draw points nearer than m₂, the camera behind them draws farther ones. From m₁ to m₂, points
+    /// move from their position in the eye's picture to their position in the camera's picture.
     pub end: f64,
 }
 
@@ -55,7 +55,7 @@ impl Planes {
     }
 }
 
-/// Two eyes, the planes, and the camera behind the eyes.
+/// Two eyes, the planes, and the third camera, which is behind the eyes.
 #[derive(Clone, Copy, Debug)]
 pub struct Rig {
     /// Left and right eye; positions are relative to the middle between them.
@@ -69,13 +69,13 @@ pub struct Rig {
     jitter: DVec2,
 }
 
-/// Factor k of the overlap ε = k s m of both parts, as published.
-const OVERLAP: f64 = 2.0;
-/// Maximum distance of interpolated pixels, in pixels: half an eye pixel and one of the third camera's.
-const MIXED: f64 = 1.5;
-/// Distance of a slanted surface from the line of sight up to which the overlap suffices, metres.
-const ASIDE: f64 = 1.0;
-/// Minimum cosine between an edge of a view and the head's forward axis; other edges do not meet the plane in front.
+/// Published factor k of the overlap ε = k s m between the eyes' part of the scene and the third camera's.
+const OVERLAP_FACTOR: f64 = 2.0;
+/// Maximum distance between pixels that are interpolated, in pixels: half an eye pixel and one of the third camera.
+const MAX_INTERPOLATION_PX: f64 = 1.5;
+/// Maximum distance of a slanted surface from the line of sight for which the overlap suffices, metres.
+const MAX_SURFACE_OFFSET: f64 = 1.0;
+/// Minimum cosine of the angle between a view's corner and the head's forward axis, so that the corner meets the plane.
 const MIN_FORWARD: f64 = 1e-6;
 
 impl Rig {
@@ -91,16 +91,21 @@ impl Rig {
         let middle = 0.5 * (left.position + right.position);
         let eyes = eyes.map(|eye| Eye { position: eye.position - middle, ..eye });
         for (side, eye) in Side::BOTH.into_iter().zip(&eyes) {
-            check_ahead(side, eye, planes.begin)?;
+            check_in_front(side, eye, planes.begin)?;
         }
         let setback = setback_of(Side::Left, &eyes[0])?.max(setback_of(Side::Right, &eyes[1])?);
-        let feet = eyes.map(|eye| footprint(&eye, planes.mono()));
-        check_overlap(&feet)?;
-        let corners = feet.as_flattened().iter().copied();
+        let footprints = eyes.map(|eye| footprint(&eye, planes.mono()));
+        check_overlap(&footprints)?;
+        let corners = footprints.as_flattened().iter().copied();
         let (low, high) = corners.fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(l, h), x| (l.min(x), h.max(x)));
-        let away = planes.mono() + setback;
-        let fov = Fov { left: low.x / away, right: high.x / away, down: low.y / away, up: high.y / away };
-        let center_size = center_size(&feet, high - low, size)?;
+        let plane_distance = planes.mono() + setback;
+        let fov = Fov {
+            left: low.x / plane_distance,
+            right: high.x / plane_distance,
+            down: low.y / plane_distance,
+            up: high.y / plane_distance,
+        };
+        let center_size = center_size(&footprints, high - low, size)?;
         Ok(Self { eyes, middle, planes, size, setback, fov, center_size, jitter: DVec2::ZERO })
     }
 
@@ -132,8 +137,8 @@ impl Rig {
         self.size
     }
 
-    /// Returns s: distance of the third camera behind the middle between the eyes, metres. It is the smallest from
-    /// which the camera's view at infinity includes the eyes' on each side: ipd/2 divided by the smaller outer
+    /// Returns s: distance of the third camera behind the middle between the eyes, metres. It is the smallest
+    /// distance at which the camera's view includes both eyes' views at infinity: ipd/2 divided by the smaller outer
     /// tangent.
     pub fn setback(&self) -> f64 {
         self.setback
@@ -151,12 +156,13 @@ impl Rig {
     }
 
     /// Returns ε: distance before the plane m₂ from which the third camera draws, metres. At least the published k s
-    /// m. If pixels are coarse or the plane is far away, it is the depth change of a surface at `ASIDE` over the
-    /// interpolated pixels, m² / `ASIDE` per unit of tangent.
+    /// m. If pixels are coarse or the plane is far away, it is the depth change of a surface at `MAX_SURFACE_OFFSET` over
+    /// the interpolated pixels, m² / `MAX_SURFACE_OFFSET` per unit of tangent.
     pub fn overlap(&self) -> f64 {
         let (m, fov, (width, height)) = (self.planes.end, self.fov, self.center_size);
         let pixel = ((fov.right - fov.left) / f64::from(width)).max((fov.up - fov.down) / f64::from(height));
-        (OVERLAP * self.setback * m).max((MIXED * pixel * m * m / ASIDE).min(0.5 * m))
+        (OVERLAP_FACTOR * self.setback * m)
+            .max((MAX_INTERPOLATION_PX * pixel * m * m / MAX_SURFACE_OFFSET).min(0.5 * m))
     }
 
     /// Returns the homography of the plane: from pixels (x, y, 1) of the third camera to those of an eye, (x w, y w,
@@ -164,24 +170,27 @@ impl Rig {
     pub fn homography(&self, side: Side) -> DMat3 {
         let eye = self.eye(side);
         let (m, p) = (self.planes.mono(), eye.position);
-        let away = m + self.setback;
+        let plane_distance = m + self.setback;
         // Maps tangents (x, y, 1) of the camera to the plane's point that it sees there, relative to the eye.
-        let on_plane =
-            DMat3::from_cols(DVec3::new(away, 0.0, 0.0), DVec3::new(0.0, away, 0.0), DVec3::new(-p.x, -p.y, -m - p.z));
+        let on_plane = DMat3::from_cols(
+            DVec3::new(plane_distance, 0.0, 0.0),
+            DVec3::new(0.0, plane_distance, 0.0),
+            DVec3::new(-p.x, -p.y, -m - p.z),
+        );
         let to_eye = DMat3::from_quat(eye.orientation).transpose();
         let facing = DMat3::from_diagonal(DVec3::new(1.0, 1.0, -1.0));
         let pixels = pixels_of(&eye.fov, self.size);
         let center = pixels_of(&self.fov, self.center_size);
-        let [forth, back] = [self.jitter, -self.jitter].map(DMat3::from_translation);
-        back * pixels * facing * to_eye * on_plane * center.inverse() * forth
+        let [shift, unshift] = [self.jitter, -self.jitter].map(DMat3::from_translation);
+        unshift * pixels * facing * to_eye * on_plane * center.inverse() * shift
     }
 }
 
-/// Returns the point of the plane at distance m that an eye sees at tangents (x, y); relative to the middle, head
-/// axes.
-pub(super) fn on_plane(eye: &Eye, at: DVec2, m: f64) -> DVec2 {
-    let way = eye.orientation * at.extend(-1.0);
-    eye.position.truncate() + way.truncate() * ((m + eye.position.z) / -way.z)
+/// Returns the point of the plane at distance m that an eye sees at tangents (x, y), relative to the middle between the
+/// eyes, in head axes.
+pub(super) fn on_plane(eye: &Eye, tangents: DVec2, m: f64) -> DVec2 {
+    let direction = eye.orientation * tangents.extend(-1.0);
+    eye.position.truncate() + direction.truncate() * ((m + eye.position.z) / -direction.z)
 }
 
 /// Returns the corners of an eye's view on the plane: left bottom, right bottom, right top, left top.
@@ -206,8 +215,8 @@ fn setback_of(side: Side, eye: &Eye) -> Result<f64> {
     let outwards = if side == Side::Left { -1.0 } else { 1.0 };
     let edge = if side == Side::Left { eye.fov.left } else { eye.fov.right };
     let slope = |y: f64| {
-        let way = eye.orientation * DVec3::new(edge, y, -1.0);
-        outwards * way.x / -way.z
+        let direction = eye.orientation * DVec3::new(edge, y, -1.0);
+        outwards * direction.x / -direction.z
     };
     let least = slope(eye.fov.down).min(slope(eye.fov.up));
     if least <= 0.0 {
@@ -218,16 +227,16 @@ fn setback_of(side: Side, eye: &Eye) -> Result<f64> {
 }
 
 /// Returns the picture size by Eq. 8: the third camera's pixels are as large on the plane as those of the coarser eye.
-/// Rotated eyes see the plane at varying scales; their mean counts.
-fn center_size(feet: &[[DVec2; 4]; 2], hull: DVec2, (width, height): (u32, u32)) -> Result<(u32, u32)> {
-    let across = |[a, b, c, d]: [DVec2; 4]| 0.5 * ((b - a).length() + (c - d).length());
-    let upright = |[a, b, c, d]: [DVec2; 4]| 0.5 * ((d - a).length() + (c - b).length());
+/// For rotated eyes, whose scale varies over the plane, the mean size of pixels is used.
+fn center_size(footprints: &[[DVec2; 4]; 2], hull: DVec2, (width, height): (u32, u32)) -> Result<(u32, u32)> {
+    let mean_width = |[a, b, c, d]: [DVec2; 4]| 0.5 * ((b - a).length() + (c - d).length());
+    let mean_height = |[a, b, c, d]: [DVec2; 4]| 0.5 * ((d - a).length() + (c - b).length());
     let pixels = |hull: f64, widths: [f64; 2], count: u32| {
         let least = widths.map(|width| hull / width * f64::from(count)).into_iter().fold(f64::INFINITY, f64::min);
         // Rounding must not add a pixel to an integer quotient.
         (least - 1e-6).ceil().max(1.0)
     };
-    let size = [pixels(hull.x, feet.map(across), width), pixels(hull.y, feet.map(upright), height)];
+    let size = [pixels(hull.x, footprints.map(mean_width), width), pixels(hull.y, footprints.map(mean_height), height)];
     if size.iter().any(|&count| count > f64::from(MAX_SIZE)) {
         let expected = format!("a plane for which the shared picture has at most {MAX_SIZE} pixels each way");
         return Err(Error::value("mono_plane", expected, format!("{} × {}", size[0], size[1])));
@@ -253,7 +262,7 @@ fn check_planes(Planes { begin, end }: Planes) -> Result<()> {
 }
 
 /// Fails for eyes behind the plane and for views with edges that do not meet it in front of the head.
-fn check_ahead(side: Side, eye: &Eye, m: f64) -> Result<()> {
+fn check_in_front(side: Side, eye: &Eye, m: f64) -> Result<()> {
     if m + eye.position.z <= 0.0 {
         let expected = format!("a plane in front of the {} eye, which is {} m ahead", side.name(), -eye.position.z);
         return Err(Error::value("mono_plane", expected, m));
@@ -267,12 +276,12 @@ fn check_ahead(side: Side, eye: &Eye, m: f64) -> Result<()> {
 }
 
 /// Fails for views that do not overlap on the plane.
-fn check_overlap(feet: &[[DVec2; 4]; 2]) -> Result<()> {
-    let bounds = feet.map(|corners| {
+fn check_overlap(footprints: &[[DVec2; 4]; 2]) -> Result<()> {
+    let bounds = footprints.map(|corners| {
         corners.into_iter().fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(l, h), x| (l.min(x), h.max(x)))
     });
-    let [(low, high), (other_low, other_high)] = bounds;
-    if low.cmplt(other_high).all() && other_low.cmplt(high).all() {
+    let [(left_low, left_high), (right_low, right_high)] = bounds;
+    if left_low.cmplt(right_high).all() && right_low.cmplt(left_high).all() {
         return Ok(());
     }
     Err(Error::value("mono_plane", "a plane on which the views of both eyes overlap", "views apart from each other"))

@@ -10,7 +10,7 @@ use super::style::{Cut, Style};
 use crate::device::{Device, SAMPLES};
 
 /// Returns whether a device draws the frames of two cameras at once: each triangle is submitted once and placed in
-/// both. All triangles must be drawn whole, and both frames must fit into one window.
+/// both. No style or cut may discard parts of triangles, and both frames must fit into one window.
 pub(crate) fn draws_both(
     device: &Device,
     picture: &Picture,
@@ -20,9 +20,10 @@ pub(crate) fn draws_both(
 ) -> bool {
     let [left, right] = cameras else { return false };
     let (width, height) = (left.width, left.height);
-    let (most, side) = window_limits(device, channels);
-    let fits = width.max(height) <= side && 2 * u64::from(width) * u64::from(height) <= most;
-    let is_whole = |layer: &Layer| layer.style == Style::PLAIN && layer.cut == Cut::NONE && !layer.scene.has_cutouts();
+    let (max_pixels, max_side) = window_limits(device, channels);
+    let fits_window = width.max(height) <= max_side && 2 * u64::from(width) * u64::from(height) <= max_pixels;
+    let draws_whole_triangles =
+        |layer: &Layer| layer.style == Style::PLAIN && layer.cut == Cut::NONE && !layer.scene.has_cutouts();
     device.draws_two_views()
         && (width, height) == (right.width, right.height)
         && !left.is_parallel()
@@ -30,6 +31,6 @@ pub(crate) fn draws_both(
         && picture.mask.is_none()
         && picture.limits.is_none()
         && (samples != SAMPLES || !device.multisamples)
-        && fits
-        && picture.layers.iter().all(is_whole)
+        && fits_window
+        && picture.layers.iter().all(draws_whole_triangles)
 }

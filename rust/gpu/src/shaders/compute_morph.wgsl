@@ -1,7 +1,7 @@
 // Morph of arrays, by the functions of `morph.wgsl` and `world.wgsl`.
 
 struct Morph {
-    // Centre as the sum of two numbers; w of the first: the strength.
+    // Centre as the sum of two vectors, for precision; w of the first is the strength of the morph.
     center_high: vec4<f32>,
     center_low: vec4<f32>,
     // Vector from the centre to the user.
@@ -30,7 +30,7 @@ fn store(number: u32, point: vec3<f32>) {
     moved[3u * number + 2u] = point.z;
 }
 
-// Tested by bits: compilers may assume that there are no NaNs.
+// Tests bits, because compilers may assume that there are no NaNs.
 fn is_finite(p: vec3<f32>) -> bool {
     return all((bitcast<vec3<u32>>(p) & vec3<u32>(0x7f800000u)) != vec3<u32>(0x7f800000u));
 }
@@ -44,12 +44,12 @@ fn store_displayed(number: u32, keeps_rho: bool) {
         return;
     }
     let p = point_of(number);
-    var shown = p + morph.offset.xyz;
+    var displayed = p + morph.offset.xyz;
     if is_finite(p) {
         let zones = Zones(morph.radii.x, morph.radii.y, morph.radii.z, morph.center_high.w);
-        shown = displayed_in_world(p, relative_to_center(p), morph.offset.xyz, zones, keeps_rho);
+        displayed = displayed_in_world(p, relative_to_center(p), morph.offset.xyz, zones, keeps_rho);
     }
-    store(number, shown);
+    store(number, displayed);
 }
 
 @compute @workgroup_size(GROUP)

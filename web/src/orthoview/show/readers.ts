@@ -1,4 +1,4 @@
-/** Interface to the workers that read views. */
+/** Interface to the workers that read views and leaves. */
 import type { Piece } from '../decode/leaf';
 import type { Splats } from '../decode/pack';
 import type { FromReader, ToReader, Wanted } from '../decode/reader';
@@ -14,31 +14,31 @@ export interface Listener {
 }
 
 export interface Readers {
-  read(id: number, wanted: Wanted): void;
+  read(id: number, request: Wanted): void;
   cancel(id: number): void;
 }
 
 /** Starts workers for the store at an address. */
 export function startReaders(script: URL, count: number, base: URL, layout: Layout, listener: Listener): Readers {
-  const ids = new Map<number, Worker>();
+  const workerOfRequest = new Map<number, Worker>();
   const workers = Array.from({ length: count }, () => new Worker(script, { type: 'module' }));
   for (const worker of workers) {
     worker.onmessage = ({ data }: MessageEvent<FromReader>): void => {
       switch (data.kind) {
         case 'view':
-          ids.delete(data.id);
+          workerOfRequest.delete(data.id);
           listener.view(data.id, data.layers);
           break;
         case 'leaf':
-          ids.delete(data.id);
+          workerOfRequest.delete(data.id);
           listener.leaf(data.id, data.pieces);
           break;
         case 'failed':
-          ids.delete(data.id);
+          workerOfRequest.delete(data.id);
           listener.failed(data.id, data.failure);
           break;
         case 'cancelled':
-          ids.delete(data.id);
+          workerOfRequest.delete(data.id);
           listener.cancelled(data.id);
           break;
         case 'received':
@@ -50,20 +50,21 @@ export function startReaders(script: URL, count: number, base: URL, layout: Layo
         kind: 'other',
         message: `a worker stopped: ${message || 'the browser gives no reason'}`,
       };
-      for (const [id, own] of ids) if (own === worker) listener.failed(id, failure);
+      for (const [id, owner] of workerOfRequest) if (owner === worker) listener.failed(id, failure);
     };
     send(worker, { kind: 'open', base: base.href, layout });
   }
   return {
-    read(id, wanted) {
-      // Views of one shard go to one worker, which reads the shard's index once; so do all leaves: they share textures.
-      const group = wanted.direction === GEOMETRY ? '' : (wanted.shards[0]?.[0] ?? '');
+    read(id, request) {
+      // One worker reads all views of a shard, so that it reads the shard's index only once. One worker reads all
+      // leaves, because they share textures.
+      const group = request.direction === GEOMETRY ? '' : (request.shards[0]?.[0] ?? '');
       const worker = workers[hash(group) % workers.length] as Worker;
-      ids.set(id, worker);
-      send(worker, { kind: 'read', id, wanted });
+      workerOfRequest.set(id, worker);
+      send(worker, { kind: 'read', id, wanted: request });
     },
     cancel(id) {
-      const worker = ids.get(id);
+      const worker = workerOfRequest.get(id);
       if (worker) send(worker, { kind: 'cancel', id });
     },
   };
@@ -76,6 +77,6 @@ function send(worker: Worker, message: ToReader): void {
 /** FNV-1a hash. */
 function hash(text: string): number {
   let sum = 0x811c_9dc5;
-  for (let at = 0; at < text.length; at++) sum = Math.imul(sum ^ text.charCodeAt(at), 0x0100_0193);
+  for (let index = 0; index < text.length; index++) sum = Math.imul(sum ^ text.charCodeAt(index), 0x0100_0193);
   return sum >>> 0;
 }

@@ -4,7 +4,7 @@ import { StoreError } from './error';
 export type Bytes = Uint8Array<ArrayBuffer>;
 
 /** Timeout of a request, milliseconds. */
-const LONGEST = 60_000;
+const REQUEST_TIMEOUT = 60_000;
 
 /** File or byte range, as stored. */
 export interface FileRequest {
@@ -12,7 +12,7 @@ export interface FileRequest {
   readonly path: string;
   /** Version of a file's content as a cache key; empty for files that may change. */
   readonly version?: string;
-  /** First byte and length; the whole file by default. */
+  /** Offset of the first byte, and number of bytes; the whole file by default. */
   readonly part?: readonly [number, number];
   readonly signal?: AbortSignal | undefined;
 }
@@ -36,7 +36,7 @@ export function createFiles(base: URL, receive: (bytes: number) => void): Files 
       url.search = base.search;
       if (version) url.searchParams.set('v', version);
       const init: RequestInit = { signal: withTimeout(signal) };
-      // A single range with a first byte needs no CORS preflight request.
+      // A single range that states its first byte needs no CORS preflight request.
       if (part) init.headers = { Range: `bytes=${part[0]}-${part[0] + part[1] - 1}` };
       // Documents that may have changed are revalidated.
       if (!version) init.cache = 'no-cache';
@@ -53,17 +53,18 @@ export function createFiles(base: URL, receive: (bytes: number) => void): Files 
 }
 
 function withTimeout(signal: AbortSignal | undefined): AbortSignal {
-  const longest = AbortSignal.timeout(LONGEST);
-  return signal ? AbortSignal.any([signal, longest]) : longest;
+  const timeout = AbortSignal.timeout(REQUEST_TIMEOUT);
+  return signal ? AbortSignal.any([signal, timeout]) : timeout;
 }
 
-/** Turns an error into one that names the file; aborted requests keep theirs. */
-async function withFileName<T>(ask: () => Promise<T>, path: string, signal: AbortSignal | undefined): Promise<T> {
+/** Throws errors that name the file; errors of aborted requests remain unchanged. */
+async function withFileName<T>(request: () => Promise<T>, path: string, signal: AbortSignal | undefined): Promise<T> {
   try {
-    return await ask();
+    return await request();
   } catch (reason) {
     if (signal?.aborted) throw reason;
-    const why = reason instanceof DOMException && reason.name === 'TimeoutError' ? 'is too slow' : 'does not answer';
-    throw new StoreError('unreachable', `${path}: the server ${why}`);
+    const isTimeout = reason instanceof DOMException && reason.name === 'TimeoutError';
+    const problem = isTimeout ? 'is too slow' : 'does not answer';
+    throw new StoreError('unreachable', `${path}: the server ${problem}`);
   }
 }

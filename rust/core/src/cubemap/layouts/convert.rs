@@ -5,7 +5,8 @@ use rayon::prelude::*;
 
 use super::super::faces::CubeFaces;
 use super::super::lookup::{
-    BLOCK, BlockValues, SampledPicture, Sampler, TexelFilter, cube_sampler, find_texels, in_blocks, in_tiles, is_wrong,
+    BLOCK, BlockValues, SampledPicture, Sampler, TexelFilter, cube_sampler, find_texels, in_blocks, in_tiles,
+    is_zero_or_not_finite,
 };
 use super::flat;
 use super::layout::{Grid, GridRows, Layout};
@@ -133,11 +134,11 @@ pub fn grid_texels<D: Real>(grid: Grid, directions: &[[D; 3]], out: &mut [i64], 
     }
     in_tiles(directions, out, 1, progress, |directions, out| {
         for (d, number) in directions.iter().zip(out) {
-            if !is_wrong(d) {
+            if !is_zero_or_not_finite(d) {
                 *number = grid.texel(DVec3::from_array(d.map(Real::wide))).into();
             }
         }
-        directions.iter().position(is_wrong)
+        directions.iter().position(is_zero_or_not_finite)
     })
 }
 

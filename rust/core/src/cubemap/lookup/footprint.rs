@@ -7,7 +7,7 @@ use super::super::faces::{CubeFaces, is_known};
 use super::blocks::{halve_greatest, halve_least};
 use super::cone::{Cone, ConeRows};
 use super::filter::TexelFilter;
-use super::tiles::{is_wrong, refuse};
+use super::tiles::{check_first_invalid, is_zero_or_not_finite};
 use crate::base::{Error, Progress, Real, Result, memory::room_for};
 
 /// Diameter of a cone, in texels, above which a level of half the size saves time.
@@ -30,7 +30,9 @@ pub fn footprint<T: Real, D: Real>(
         return Err(Error::value("radius", "an angle of at least 0 and below 90°", radius));
     }
     faces.check_out(out, directions.len())?;
-    refuse(directions.par_iter().with_min_len(1 << 13).position_first(is_wrong).unwrap_or(usize::MAX))?;
+    check_first_invalid(
+        directions.par_iter().with_min_len(1 << 13).position_first(is_zero_or_not_finite).unwrap_or(usize::MAX),
+    )?;
     if faces.channels == 0 {
         return Ok(());
     }

@@ -20,4 +20,4 @@ pub use filter::TexelFilter;
 pub use footprint::footprint;
 pub(super) use sampler::{SampledPicture, Sampler};
 pub use taps::Taps;
-pub(super) use tiles::{in_blocks, in_tiles, is_wrong};
+pub(super) use tiles::{in_blocks, in_tiles, is_zero_or_not_finite};

@@ -1,4 +1,4 @@
-//! Processing of directions in blocks, one per kernel call, and in tiles, one per task.
+//! Processing of directions in blocks and tiles. A kernel is called once per block; a task processes one tile.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -8,33 +8,33 @@ use rayon::prelude::*;
 use super::blocks::BLOCK;
 use crate::base::{Error, Progress, Real, Result};
 
-/// Number of directions in one task.
+/// Number of directions in a tile.
 const TILE: usize = 1 << 13;
 
-/// Runs a kernel over directions, block by block; the last block is padded. The kernel returns how many of its
-/// directions are zero or not finite. Returns the index of the first such direction.
+/// Runs a kernel over directions, block by block; the last block is padded. The kernel returns the number of its
+/// directions that are zero or not finite. `in_blocks` returns the index of the first of all these directions.
 pub(in crate::cubemap) fn in_blocks<T, D: Real>(
     directions: &[[D; 3]],
     out: &mut [T],
     channels: usize,
     mut kernel: impl FnMut(&[[D; 3]; BLOCK], &mut [T]) -> u32,
 ) -> Option<usize> {
-    let (full, rest) = directions.as_chunks::<BLOCK>();
-    let (out_full, out_rest) = out.split_at_mut(full.len() * BLOCK * channels);
-    let mut wrong = 0;
+    let (full, remaining) = directions.as_chunks::<BLOCK>();
+    let (out_full, out_remaining) = out.split_at_mut(full.len() * BLOCK * channels);
+    let mut invalid_count = 0;
     for (block, out) in full.iter().zip(out_full.chunks_exact_mut(BLOCK * channels)) {
-        wrong += kernel(block, out);
+        invalid_count += kernel(block, out);
     }
-    if let Some(&first) = rest.first() {
+    if let Some(&first) = remaining.first() {
         let mut block = [first; BLOCK];
-        block[..rest.len()].copy_from_slice(rest);
-        wrong += kernel(&block, out_rest);
+        block[..remaining.len()].copy_from_slice(remaining);
+        invalid_count += kernel(&block, out_remaining);
     }
-    if wrong == 0 { None } else { directions.iter().position(is_wrong) }
+    if invalid_count == 0 { None } else { directions.iter().position(is_zero_or_not_finite) }
 }
 
-/// Runs a kernel over tiles of directions on the current thread pool. Fails at the first direction that is zero or not
-/// finite.
+/// Runs a kernel over tiles of directions on the current thread pool. The kernel returns the index of the first
+/// direction of its tile that is zero or not finite. If there is such a direction, the error states the first one.
 pub(in crate::cubemap) fn in_tiles<T: Send, D: Real>(
     directions: &[[D; 3]],
     out: &mut [T],
@@ -43,30 +43,34 @@ pub(in crate::cubemap) fn in_tiles<T: Send, D: Real>(
     kernel: impl Fn(&[[D; 3]], &mut [T]) -> Option<usize> + Sync,
 ) -> Result<()> {
     if channels == 0 {
-        return refuse(directions.iter().position(is_wrong).unwrap_or(usize::MAX));
+        return check_first_invalid(directions.iter().position(is_zero_or_not_finite).unwrap_or(usize::MAX));
     }
-    let wrong = AtomicUsize::new(usize::MAX);
+    let first_invalid = AtomicUsize::new(usize::MAX);
     out.par_chunks_mut(TILE * channels).zip(directions.par_chunks(TILE)).enumerate().try_for_each(
         |(tile, (out, directions))| {
             if let Some(index) = kernel(directions, out) {
-                wrong.fetch_min(tile * TILE + index, Ordering::Relaxed);
+                first_invalid.fetch_min(tile * TILE + index, Ordering::Relaxed);
             }
             progress.check()
         },
     )?;
-    refuse(wrong.into_inner())
+    check_first_invalid(first_invalid.into_inner())
 }
 
 /// Returns the error for a direction that is zero or not finite, given its index; no error for `usize::MAX`.
-pub(in crate::cubemap) fn refuse(wrong: usize) -> Result<()> {
-    if wrong == usize::MAX {
+pub(in crate::cubemap) fn check_first_invalid(first_invalid: usize) -> Result<()> {
+    if first_invalid == usize::MAX {
         return Ok(());
     }
-    Err(Error::value("directions", "finite vectors other than zero", format!("something else at index {wrong}")))
+    Err(Error::value(
+        "directions",
+        "finite vectors other than zero",
+        format!("something else at index {first_invalid}"),
+    ))
 }
 
 /// Returns whether a direction is zero or not finite.
-pub(in crate::cubemap) fn is_wrong<D: Real>(d: &[D; 3]) -> bool {
+pub(in crate::cubemap) fn is_zero_or_not_finite<D: Real>(d: &[D; 3]) -> bool {
     let d = DVec3::from_array(d.map(Real::wide));
     !d.is_finite() || d == DVec3::ZERO
 }

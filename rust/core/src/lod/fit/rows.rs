@@ -1,4 +1,4 @@
-//! Fits for many rows of samples.
+//! Fits of many curves, one per row of samples.
 
 use rayon::prelude::*;
 
@@ -18,21 +18,21 @@ pub fn fit_4pl(x: &[f64], y: &[f64], count: usize, progress: &Progress) -> Resul
     }
     let rows = y.len() / count;
     progress.expect(rows as u64);
-    let shared =
+    let shared_frame =
         (x.len() == count && rows > 0).then(|| SampleFrame::new(x, |n| x[n].is_finite(), progress)).transpose()?;
     let mut curves = vec![LogisticCurve::unfit(Unfit::TooFew); rows];
     curves.par_chunks_mut(TASK).enumerate().try_for_each(|(task, curves)| {
-        let mut room = FitScratch::default();
+        let mut scratch = FitScratch::default();
         for (n, curve) in curves.iter_mut().enumerate() {
-            let row = (task * TASK + n) * count;
-            let y = &y[row..row + count];
-            let x = if shared.is_some() { x } else { &x[row..row + count] };
-            let is_whole = |frame: &SampleFrame| frame.order.iter().all(|&n| y[n].is_finite());
-            *curve = match &shared {
-                Some(Ok(frame)) if is_whole(frame) => fit(frame, y, &mut room, progress)?,
+            let first = (task * TASK + n) * count;
+            let y = &y[first..first + count];
+            let x = if shared_frame.is_some() { x } else { &x[first..first + count] };
+            let has_finite_y = |frame: &SampleFrame| frame.order.iter().all(|&n| y[n].is_finite());
+            *curve = match &shared_frame {
+                Some(Ok(frame)) if has_finite_y(frame) => fit(frame, y, &mut scratch, progress)?,
                 _ => match SampleFrame::new(x, |n| x[n].is_finite() && y[n].is_finite(), progress)? {
-                    Ok(frame) => fit(&frame, y, &mut room, progress)?,
-                    Err(why) => LogisticCurve::unfit(why),
+                    Ok(frame) => fit(&frame, y, &mut scratch, progress)?,
+                    Err(reason) => LogisticCurve::unfit(reason),
                 },
             };
         }

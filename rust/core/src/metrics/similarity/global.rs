@@ -11,10 +11,11 @@ use super::measure::power_sums;
 use super::window_sums::{Counted, Mask, SimilaritySums};
 use crate::base::Real;
 
-/// Pixels per task and per row segment: fixed, so that sums do not depend on the number of threads.
-const TASK: usize = 1 << 14;
+/// Number of pixels per task and per row segment: fixed, so that sums do not depend on the number of threads.
+const TASK_PIXELS: usize = 1 << 14;
 
-/// Computes one similarity for all pixels; the window sees the whole image, or its masked pixels.
+/// Computes one similarity for all pixels; the window is the whole image. If the mask restricts windows, the window has
+/// only the mask's pixels.
 pub(super) fn global<P: PixelRows>(
     pair: &Pair<'_, P>,
     constants: [f64; 2],
@@ -22,68 +23,69 @@ pub(super) fn global<P: PixelRows>(
     map: Option<&mut [P::Real]>,
 ) -> SimilaritySums {
     let (height, width) = (pair.reference.height, pair.reference.width);
-    let named = counted.mask.map(|mask| *mask.plane());
-    let seen = named.filter(|_| matches!(counted.mask, Some(Mask::Windows(_))));
-    let whole = Region { rows: [0, height], columns: [0, width] };
-    let part = seen.map_or(whole, |mask| mask.bounds(whole));
-    if part.is_empty() {
+    let mask = counted.mask.map(|mask| *mask.plane());
+    let window_mask = mask.filter(|_| matches!(counted.mask, Some(Mask::Windows(_))));
+    let image = Region { rows: [0, height], columns: [0, width] };
+    let bounds = window_mask.map_or(image, |mask| mask.bounds(image));
+    if bounds.is_empty() {
         return SimilaritySums::default();
     }
-    let levels = pair.levels(&part, seen.as_ref());
-    let rows = (TASK / width).max(1);
+    let levels = pair.levels(&bounds, window_mask.as_ref());
+    let rows = (TASK_PIXELS / width).max(1);
     let task = |n: usize| {
         if counted.progress.check().is_err() {
             return ([0.0; 5], ValueRange::default());
         }
-        let end = part.rows[1].min(part.rows[0] + (n + 1) * rows);
+        let end = bounds.rows[1].min(bounds.rows[0] + (n + 1) * rows);
         let mut extremes = Extremes::default();
         let mut sums = [0.0; 5];
-        for row in part.rows[0] + n * rows..end {
-            sums = add(sums, row_sums(pair, row, part, levels, seen));
+        for row in bounds.rows[0] + n * rows..end {
+            sums = add(sums, row_sums(pair, row, bounds, levels, window_mask));
             if counted.range {
-                pair.extend(&Region { rows: [row, row + 1], ..part }, &mut extremes);
+                pair.extend(&Region { rows: [row, row + 1], ..bounds }, &mut extremes);
             }
         }
         (sums, extremes.range())
     };
-    let tasks = (part.rows[1] - part.rows[0]).div_ceil(rows);
+    let tasks = (bounds.rows[1] - bounds.rows[0]).div_ceil(rows);
     let tasks: Vec<([f64; 5], ValueRange)> = (0..tasks).into_par_iter().map(task).collect();
     let range = tasks.iter().fold(ValueRange::default(), |range, task| range.and(task.1));
     let [pixels, sums @ ..] = tasks.into_iter().map(|task| task.0).fold([0.0; 5], add);
     let [s, d, ss, dd] = sums.map(|sum| sum / pixels);
     let [x, y] = [levels[0] + 0.5 * (s + d), levels[1] + 0.5 * (s - d)];
-    let apart = (levels[0] - levels[1]) + d;
+    let mean_difference = (levels[0] - levels[1]) + d;
     let [s_variance, d_variance] = [ss - s * s, dd - d * d].map(|variance| variance.max(0.0));
     let variances = 0.5 * (s_variance + d_variance) + constants[1];
-    let (similarity, contrast) = measured([x * x + y * y + constants[0], apart * apart], [variances, d_variance]);
+    let (similarity, contrast) =
+        measured([x * x + y * y + constants[0], mean_difference * mean_difference], [variances, d_variance]);
     if let Some(map) = map {
         map.fill(P::Real::narrow(similarity));
     }
-    let count = named.map_or(pixels, |mask| mask.count() as f64);
+    let count = mask.map_or(pixels, |mask| mask.count() as f64);
     SimilaritySums { similarity: similarity * count, contrast: contrast * count, pixels: count, range }
 }
 
-fn add(sums: [f64; 5], more: [f64; 5]) -> [f64; 5] {
-    std::array::from_fn(|i| sums[i] + more[i])
+fn add(sums: [f64; 5], addend: [f64; 5]) -> [f64; 5] {
+    std::array::from_fn(|i| sums[i] + addend[i])
 }
 
-/// Returns the number of a row's seen pixels, and their sums of s, d, s² and d².
+/// Returns the number of a row's pixels in the window, and their sums of s, d, s² and d².
 fn row_sums<P: PixelRows>(
     pair: &Pair<'_, P>,
     row: usize,
-    part: Region,
+    bounds: Region,
     levels: [f64; 2],
-    seen: Option<Plane<'_, u8>>,
+    window_mask: Option<Plane<'_, u8>>,
 ) -> [f64; 5] {
     let mut total = [0.0; 5];
-    let (mut s, mut d) = (Vec::with_capacity(TASK), Vec::with_capacity(TASK));
-    let mut first = part.columns[0];
-    while first < part.columns[1] {
-        let columns = first..part.columns[1].min(first + TASK);
+    let (mut s, mut d) = (Vec::with_capacity(TASK_PIXELS), Vec::with_capacity(TASK_PIXELS));
+    let mut first = bounds.columns[0];
+    while first < bounds.columns[1] {
+        let columns = first..bounds.columns[1].min(first + TASK_PIXELS);
         s.resize(columns.len(), 0.0);
         d.resize(columns.len(), 0.0);
         pair.gather(row, columns.clone(), levels, [&mut s, &mut d]);
-        if let Some(mask) = seen {
+        if let Some(mask) = window_mask {
             for values in [&mut s, &mut d] {
                 let mut columns = columns.clone();
                 values.retain(|_| columns.next().is_some_and(|column| mask.names(row, column)));

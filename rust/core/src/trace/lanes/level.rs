@@ -10,7 +10,7 @@ use crate::base::{Error, Result};
 /// Instruction sets that have kernels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum InstructionSet {
-    /// Arrays; the compiler uses the target's baseline instructions.
+    /// Arrays, for which the compiler generates the target's baseline instructions.
     Portable,
     /// 256-bit vectors.
     #[cfg(target_arch = "x86_64")]
@@ -23,13 +23,13 @@ pub(crate) enum InstructionSet {
 impl InstructionSet {
     /// Returns the sets that this processor supports, the best last.
     pub(crate) fn available() -> Vec<Self> {
-        let mut levels = vec![Self::Portable];
+        let mut sets = vec![Self::Portable];
         #[cfg(target_arch = "x86_64")]
         {
-            levels.extend(Avx2::detect().map(Self::Avx2));
-            levels.extend(Avx512::detect().map(Self::Avx512));
+            sets.extend(Avx2::detect().map(Self::Avx2));
+            sets.extend(Avx512::detect().map(Self::Avx512));
         }
-        levels
+        sets
     }
 
     /// Returns the public name.
@@ -43,30 +43,31 @@ impl InstructionSet {
         }
     }
 
-    /// Returns the chosen set, by default the best one.
+    /// Returns the selected set, by default the best one.
     #[inline]
     pub(crate) fn current() -> Self {
-        let levels = LEVELS.get_or_init(Self::available);
-        let chosen = levels.get(CHOSEN.load(Ordering::Relaxed)).or(levels.last());
-        chosen.copied().unwrap_or(Self::Portable)
+        let sets = AVAILABLE.get_or_init(Self::available);
+        let selected = sets.get(SELECTED.load(Ordering::Relaxed)).or(sets.last());
+        selected.copied().unwrap_or(Self::Portable)
     }
 }
 
-static LEVELS: OnceLock<Vec<InstructionSet>> = OnceLock::new();
-/// Index in `LEVELS`; an index beyond the end selects the best set.
-static CHOSEN: AtomicUsize = AtomicUsize::new(usize::MAX);
+/// Instruction sets that this processor supports, the best last.
+static AVAILABLE: OnceLock<Vec<InstructionSet>> = OnceLock::new();
+/// Index in `AVAILABLE`; an index beyond the end selects the best set.
+static SELECTED: AtomicUsize = AtomicUsize::new(usize::MAX);
 
 /// Returns the names of the instruction sets that have kernels and that this processor supports, the best last.
 pub fn instruction_sets() -> Vec<&'static str> {
-    LEVELS.get_or_init(InstructionSet::available).iter().map(|level| level.name()).collect()
+    AVAILABLE.get_or_init(InstructionSet::available).iter().map(|set| set.name()).collect()
 }
 
 /// Selects the instruction set for all tracing of this process, for tests and timing. All sets give the same bits.
 pub fn use_instruction_set(name: &str) -> Result<()> {
     let names = instruction_sets();
-    let Some(found) = names.iter().position(|&known| known == name) else {
+    let Some(index) = names.iter().position(|&known| known == name) else {
         return Err(Error::value("name", format!("one of {}", names.join(", ")), format!("'{name}'")));
     };
-    CHOSEN.store(found, Ordering::Relaxed);
+    SELECTED.store(index, Ordering::Relaxed);
     Ok(())
 }
