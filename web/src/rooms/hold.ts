@@ -1,5 +1,5 @@
 /** Pointing by a held key or button, and the pointed place of the picture. */
-import { isElsewhere } from '../control/drive';
+import { hasOtherPurpose } from '../control/drive';
 
 /** Code of the key, by its position; number of a mouse's middle button. */
 const [KEY, MIDDLE_BUTTON] = ['KeyE', 1] as const;
@@ -28,7 +28,7 @@ export function createHold(canvas: HTMLCanvasElement, button: HTMLElement): Hold
 
   listen(window, ['keydown'], (event) => {
     const pressed = event as KeyboardEvent;
-    if (pressed.code === KEY && !isElsewhere(pressed)) held.add('key');
+    if (pressed.code === KEY && !hasOtherPurpose(pressed)) held.add('key');
   });
   listen(window, ['keyup'], (event) => {
     if ((event as KeyboardEvent).code === KEY) held.delete('key');
