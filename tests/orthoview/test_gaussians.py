@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from nearfar._scene.srgb import to_linear
-from nearfar.orthoview._gaussians import SIGMA, SUN, THIN, Gaussians, Surfaces, gaussians_of, lit, matrices
+from nearfar.orthoview._gaussians import NORMAL_FACTOR, SIGMA, SUN, Gaussians, Surfaces, gaussians_of, matrices, shade
 from nearfar.orthoview._splat_cells import Cells, Sun
 from nearfar.orthoview._thinned import Picture
 from tests.support import need
@@ -76,7 +76,7 @@ def test_gaussians_equal_the_formulas_of_surfels_and_balls(tree: nf.orthoview.Or
             v = height * (view.up - n_y / n_z * view.toward)
             wanted = SIGMA**2 * (np.outer(u, u) + np.outer(v, v))
             plane = np.cross(u, v) / np.linalg.norm(np.cross(u, v))
-            wanted += (THIN * SIGMA * np.linalg.svd(np.array([u, v]))[1][1]) ** 2 * np.outer(plane, plane)
+            wanted += (NORMAL_FACTOR * SIGMA * np.linalg.svd(np.array([u, v]))[1][1]) ** 2 * np.outer(plane, plane)
             assert np.allclose(covariance, wanted, atol=1e-4 * np.trace(wanted)), direction
             assert scale[2] < min(scale[:2])
             checked["surfel"] += 1
@@ -108,15 +108,15 @@ def test_gaussians_are_lit_like_pictures() -> None:
     shown = np.asarray(frame.coverage) == 1
     codes = np.rint(np.full((shown.sum(), 3), (180, 120, 60))).astype(np.uint8)
     assert np.allclose(np.asarray(frame.albedo)[shown], to_linear(codes / 255), atol=1e-3)
-    got = lit(codes, np.asarray(frame.shading_normal)[shown].astype(np.float32), SUN)
+    got = shade(codes, np.asarray(frame.shading_normal)[shown].astype(np.float32), SUN)
     assert shown.sum() > 300
     assert np.abs(to_linear(got / 255) - np.asarray(frame.color)[shown]).max() < 0.006  # Half a code of white.
-    assert lit(codes, np.zeros((len(codes), 3), np.float32), None) is codes
+    assert shade(codes, np.zeros((len(codes), 3), np.float32), None) is codes
 
 
 def test_the_direction_of_the_sun_is_applied() -> None:
     white, normal = np.full((2, 3), 255, np.uint8), np.array([[1, 0, 0], [-1, 0, 0]], np.float32)
-    from_right, from_left = (to_linear(lit(white, normal, (x, 0.0, 0.0)) / 255) for x in (1.0, -1.0))
+    from_right, from_left = (to_linear(shade(white, normal, (x, 0.0, 0.0)) / 255) for x in (1.0, -1.0))
     # The sun of (0.60, 0.56, 0.50) lights one of two sides, the sky both.
     assert np.allclose(from_right[0] - from_left[0], (0.60, 0.56, 0.50), atol=0.01)
     assert np.allclose(from_left[1] - from_right[1], (0.60, 0.56, 0.50), atol=0.01)

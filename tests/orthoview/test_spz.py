@@ -12,7 +12,7 @@ import pytest
 
 from nearfar._base.errors import UnusableError
 from nearfar.orthoview import _spz
-from nearfar.orthoview._gaussians import NOTHING, Gaussians, matrices
+from nearfar.orthoview._gaussians import NO_GAUSSIANS, Gaussians, matrices
 from tests.support import need
 from tests.support.reader_cases import answer_of
 from tests.support.splat_files import Rows, spz_rows, turn
@@ -88,7 +88,7 @@ def test_fraction_bits_cover_the_reach_and_are_as_few_as_needed() -> None:
 
 
 def test_empty_and_damaged_files_are_handled() -> None:
-    assert len(_spz.decoded(_spz.encoded(NOTHING))) == 0
+    assert len(_spz.decoded(_spz.encoded(NO_GAUSSIANS))) == 0
     data = _spz.encoded(some(2))
     content = bytearray(gzip.decompress(data))
     for wrong in (b"no gzip", data[:-9], gzip.compress(content[:10]), gzip.compress(content[:-1])):

@@ -278,7 +278,7 @@ WRONG: list[tuple[dict[str, Any], str]] = [
     ({"path": np.zeros((0, 3))}, "path: expected at least one position"),
     ({"path": None, "area": [(0, 0)]}, "area: expected 2 to 1000 corners, got 1"),
     ({"hysteresis": 8}, "hysteresis: expected less than the reach of 8 m, got 8"),
-    ({"reach": 1e-6, "hysteresis": 0}, "reach: expected a reach less hysteresis with which about 100,000 regions"),
+    ({"reach": 1e-6, "hysteresis": 0}, "reach: expected reach − hysteresis so large that 100,000 regions"),
     ({"path": None, "area": [(-1999, -1999), (1999, 1999)], "reach": 1.1}, "reach: .*100,000 regions are enough"),
     ({"r2": None}, "r2: expected either r2 or budget, got neither"),
     ({"budget": 3}, "r2: expected either r2 or budget, got both"),

@@ -47,7 +47,7 @@ def test_notes_and_invalid_faces_are_listed() -> None:
 def test_the_camera_frames_the_triangles() -> None:
     """Four distant corners of ground must not shrink the rest to a dot."""
     room = nf.datasets.room()
-    camera = preview.view(room._core, room.bounds)
+    camera = preview.dense_view(room._core, room.bounds)
     assert np.linalg.norm(np.array(camera.position) - room.bounds.mean(axis=0)) < 150.0
 
 
@@ -60,27 +60,27 @@ def test_large_scenes_are_sampled_without_building_their_trees(monkeypatch: pyte
         drawn.append(core)
         return render(core, *arguments, **settings)
 
-    monkeypatch.setattr(preview, "WHOLE", 100_000)
-    monkeypatch.setattr(preview, "SAMPLE", 40_000)
+    monkeypatch.setattr(preview, "MAX_EXACT_ELEMENTS", 100_000)
+    monkeypatch.setattr(preview, "POINT_COUNT", 40_000)
     monkeypatch.setattr(_core, "render_truth", spy)
     shown = Card(scene._repr_html_())
     assert drawn == []
     (picture,) = shown.pictures()
     assert (picture[..., 3] > 0).mean() > 0.1, "the points close up"
     assert re.search(r"; (39|40),\d{3} of 320,000 triangles", shown.text)
-    monkeypatch.setattr(preview, "WHOLE", 1_000_000)
+    monkeypatch.setattr(preview, "MAX_EXACT_ELEMENTS", 1_000_000)
     assert "of 320,000" not in Card(scene._repr_html_()).text
     assert drawn == [scene._core]
 
 
 def test_instances_cost_as_much_as_their_meshes() -> None:
     scene = nf.datasets.city(blocks=4, detail=1)
-    assert preview.cost(scene._core) < scene.triangle_count
+    assert preview.element_count(scene._core) < scene.triangle_count
 
 
 @pytest.mark.parametrize(("total", "wanted"), [(0, 5), (3, 5), (1000, 10), (100_000, 5_000)])
 def test_samples_are_evenly_spaced_and_limited(total: int, wanted: int) -> None:
-    chosen = preview.every(total, wanted)
+    chosen = preview.sample_mask(total, wanted)
     assert chosen.shape == (total,)
     assert chosen.sum() <= wanted + 1
     if total <= wanted:

@@ -121,7 +121,7 @@ def test_other_origins_are_refused(served: Served, uri: str) -> None:
 
 
 def test_other_files_at_urls_are_refused(served: Served) -> None:
-    with pytest.raises(nf.SceneError, match=r"a\.glb: of files at URLs only those of 3D Tiles"):
+    with pytest.raises(nf.SceneError, match=r"a\.glb: only 3D Tiles are read from URLs"):
         nf.Scene.load(f"{served.url}/a.glb")
 
 

@@ -150,7 +150,7 @@ def test_a_name_refused_by_the_server_is_reported(server: Server) -> None:
 
 
 def test_a_server_that_does_not_answer_is_reported(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(_room, "ENTERING", 0.01)
+    monkeypatch.setattr(_room, "ENTRY_TIMEOUT", 0.01)
 
     async def script() -> None:
         held: list[asyncio.StreamWriter] = []

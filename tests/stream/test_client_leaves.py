@@ -82,7 +82,7 @@ def test_a_user_not_admitted_in_time_can_enter_again(server: Server, monkeypatch
         async with wire(server.url, LATE) as slow:
             for number in range(ROUNDS):
                 with monkeypatch.context() as short:
-                    short.setattr(_room, "ENTERING", 4 * LATE * number / ROUNDS)
+                    short.setattr(_room, "ENTRY_TIMEOUT", 4 * LATE * number / ROUNDS)
                     with suppress(RoomError):
                         async with join(slow.url, room="hall", token=given):
                             pass
@@ -94,7 +94,7 @@ def test_a_user_not_admitted_in_time_can_enter_again(server: Server, monkeypatch
 
 @pytest.mark.usefixtures("is_waited_for")
 def test_a_user_who_leaves_while_reconnecting_can_enter_again(server: Server, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(_room, "PAUSES", (1e-3, 1e-3))
+    monkeypatch.setattr(_room, "RECONNECT_PAUSES", (1e-3, 1e-3))
     given = token("hall", KEY)
 
     async def script() -> None:

@@ -84,7 +84,7 @@ async function openScene(
   const site = readSite(document);
   waits();
   const scene = await readScene(base, site, new AbortController().signal, NETWORK);
-  const world = createDemandWorld({ base, site, scene, last, received, network: NETWORK });
+  const world = createDemandWorld({ base, site, scene, lastRing: last, received, network: NETWORK });
   return {
     world,
     files: world.files,

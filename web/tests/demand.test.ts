@@ -212,7 +212,7 @@ test('a place on the grid has one number, and its margin once known', () => {
   assert.deepEqual(grid.of(first).center.join(), '0,1.75,0');
   assert.equal(grid.nearest([-0.6, 1.76, 0.3]), first);
   assert.notEqual(grid.nearest([1.1, 1.7, 0]), first);
-  grid.know(first, { center: [0, 1.75, 0], fold_margin: 44 });
+  grid.record(first, { center: [0, 1.75, 0], fold_margin: 44 });
   assert.equal(grid.of(first).fold_margin, 44);
 });
 

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { afterEach, mock, test } from 'node:test';
 import { cameraOf } from '../src/orthoview/cut/camera';
 import type { Piece } from '../src/orthoview/decode/leaf';
-import type { Drawer, Held } from '../src/orthoview/draw/drawer';
+import type { Drawer, GpuResource } from '../src/orthoview/draw/drawer';
 import { stockOf } from '../src/orthoview/show/stock';
 import { isPassing, type Kind, StoreError } from '../src/orthoview/store/error';
 import { createFiles, type Files } from '../src/orthoview/store/files';
@@ -111,7 +111,7 @@ test('a tree without its documents is missing, and one with damaged documents is
 test('a small limit keeps the leaves of the picture', () => {
   const layout = parseLayout(DESCRIBED);
   let drawn: readonly number[] = [];
-  const drawer: Drawer<Held, Held & { readonly number: number }> = {
+  const drawer: Drawer<GpuResource, GpuResource & { readonly number: number }> = {
     upload: () => ({ bytes: 1 }),
     drop: () => undefined,
     uploadMesh: ({ origin }) => ({ bytes: 1000, number: origin[0] }),

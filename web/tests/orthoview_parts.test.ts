@@ -1,10 +1,10 @@
 /** Parts of the page that flies trees: stand-ins for what is missing, requests, memory, codecs, flight. */
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { REST } from '../src/control/drive';
+import { NO_MOTION } from '../src/control/drive';
 import { Cells } from '../src/orthoview/cut/cells';
 import type { Cut } from '../src/orthoview/cut/cut';
-import { crc32c, statedSize, decompressZstd, xxh64 } from '../src/orthoview/decode/codecs';
+import { crc32c, contentSize, decompressZstd, xxh64 } from '../src/orthoview/decode/codecs';
 import { advanceFlight, startPose } from '../src/orthoview/fly';
 import { Queue } from '../src/orthoview/show/queue';
 import { choose, type Near } from '../src/orthoview/show/stand_in';
@@ -261,12 +261,12 @@ test('checksums and sizes are read', () => {
   assert.equal(xxh64(text('xxhash')), 0x32dd38952c4bc720n);
   const frame = (...bytes: number[]): Uint8Array =>
     Uint8Array.from([0x28, 0xb5, 0x2f, 0xfd, ...bytes, ...Array(12).fill(0)]);
-  assert.equal(statedSize(frame(0x20, 77)), 77);
-  assert.equal(statedSize(frame(0x60, 1, 2)), 256 + 0x201);
-  assert.equal(statedSize(frame(0xa4, 1, 2, 3, 0)), 0x30201);
-  assert.equal(statedSize(frame(0xe0, 1, 0, 0, 0, 2, 0, 0, 0)), 2 ** 33 + 1);
-  assert.equal(statedSize(frame(0x80, 99, 5, 0, 0, 0)), 5);
-  assert.equal(statedSize(frame(0x00, 99)), null);
+  assert.equal(contentSize(frame(0x20, 77)), 77);
+  assert.equal(contentSize(frame(0x60, 1, 2)), 256 + 0x201);
+  assert.equal(contentSize(frame(0xa4, 1, 2, 3, 0)), 0x30201);
+  assert.equal(contentSize(frame(0xe0, 1, 0, 0, 0, 2, 0, 0, 0)), 2 ** 33 + 1);
+  assert.equal(contentSize(frame(0x80, 99, 5, 0, 0, 0)), 5);
+  assert.equal(contentSize(frame(0x00, 99)), null);
 });
 
 test('altered Zstandard frames are refused', () => {
@@ -301,11 +301,11 @@ test('inconsistent layouts are refused', () => {
 
 test('flight is faster at greater height, and follows the view', () => {
   const start = { position: [0, 12, 0] as Triple, yaw: 0, pitch: 0 };
-  const low = advanceFlight(start, { ...REST, ahead: 1 }, 0, 0, 2, 0.5);
+  const low = advanceFlight(start, { ...NO_MOTION, ahead: 1 }, 0, 0, 2, 0.5);
   assert.deepEqual(low.position, [0, 12, -3]);
-  const high = advanceFlight({ ...start, position: [0, 102, 0] }, { ...REST, right: 1 }, 1, 1, 2, 0.1);
+  const high = advanceFlight({ ...start, position: [0, 102, 0] }, { ...NO_MOTION, right: 1 }, 1, 1, 2, 0.1);
   assert.ok(Math.hypot(high.position[0] - 12, high.position[1] - 114, high.position[2]) < 1e-9);
-  const dive = advanceFlight({ ...start, pitch: -Math.PI / 6 }, { ...REST, ahead: 1, isRunning: true }, 0, 0, 2, 0.5);
+  const dive = advanceFlight({ ...start, pitch: -Math.PI / 6 }, { ...NO_MOTION, ahead: 1, isRunning: true }, 0, 0, 2, 0.5);
   assert.ok(Math.abs(dive.position[1] - 6) < 1e-9);
 });
 

@@ -87,7 +87,7 @@ function greatest(mesh: Arrays, growth: Growth, pick: () => State): number {
 
 for (const [name, mesh, growth] of [['ground', GROUND, CITY], ['floor', FLOOR, ROOM], ['wall', WALL, CITY]] as const) {
   test(`the morphed ${name} is where it is to be`, () => {
-    const split = splitArrays(mesh, createRule(growth), { left: ENOUGH });
+    const split = splitArrays(mesh, createRule(growth), { triangles: ENOUGH });
     const { radii } = growth;
     const [first, last] = [radii[0] ?? 0, radii.at(-1) ?? 0];
     const resting = (share: number) => () => {
@@ -113,7 +113,7 @@ for (const [name, mesh, growth] of [['ground', GROUND, CITY], ['floor', FLOOR, R
 
 test('no crack opens, and attributes are interpolated from the source', () => {
   for (const [mesh, growth] of [[FLOOR, ROOM], [WALL, CITY]] as const) {
-    const split = splitArrays(mesh, createRule(growth), { left: ENOUGH });
+    const split = splitArrays(mesh, createRule(growth), { triangles: ENOUGH });
     const count = split.indices.length / 3;
     assert.ok(count > 1000);
     // Each edge belongs to two triangles, in opposite directions, or lies on the outline of the rectangle.
@@ -156,14 +156,14 @@ test('small and distant triangles are not split', () => {
   const small = rectangle([8, 0, 0], [0, 0.05, 0], [0, 0, 0.05]);
   const far = rectangle([70, 0, -500], [0, 0, 1000], [0, 100, 0]);
   const near = rectangle([1, 0, -0.01], [0, 0, 0.02], [0, 0.02, 0]);
-  for (const mesh of [small, far, near]) assert.equal(splitArrays(mesh, rule, { left: ENOUGH }), mesh);
+  for (const mesh of [small, far, near]) assert.equal(splitArrays(mesh, rule, { triangles: ENOUGH }), mesh);
 });
 
 test('near placements get their own triangles', () => {
   const rule = createRule(CITY);
   const mesh = rectangle([-2, 0, 0], [4, 0, 0], [0, 3, 0]);
   const at = (x: number): number[] => [1, 0, 0, x, 0, 1, 0, -1.7, 0, 0, 1, -1];
-  const parts = splitPlaced(mesh, Float32Array.from([at(9), at(400), at(-9)].flat()), rule, { left: ENOUGH });
+  const parts = splitPlaced(mesh, Float32Array.from([at(9), at(400), at(-9)].flat()), rule, { triangles: ENOUGH });
   const [apart, others, ...none] = parts;
   assert.ok(apart && others && none.length === 0);
   assert.equal(apart.placements, null);
@@ -173,15 +173,15 @@ test('near placements get their own triangles', () => {
   assert.deepEqual(others.placements, Float32Array.from(at(400)));
   assert.equal(others.arrays.indices.length, 6);
   const far = Float32Array.from([at(400), at(500)].flat());
-  assert.deepEqual(splitPlaced(mesh, far, rule, { left: ENOUGH }), [{ arrays: mesh, placements: far }]);
+  assert.deepEqual(splitPlaced(mesh, far, rule, { triangles: ENOUGH }), [{ arrays: mesh, placements: far }]);
 });
 
 test('a budget limits the work, and greater tolerances need less', () => {
-  const budget = { left: 100 };
+  const budget = { triangles: 100 };
   splitArrays(GROUND, createRule(CITY), budget);
-  assert.ok(budget.left < 0);
+  assert.ok(budget.triangles < 0);
   const counts = [1, 8, 64].map((factor) => {
-    return splitArrays(GROUND, createRule(CITY, factor * TOLERANCE), { left: ENOUGH }).indices.length;
+    return splitArrays(GROUND, createRule(CITY, factor * TOLERANCE), { triangles: ENOUGH }).indices.length;
   });
   assert.ok((counts[1] ?? 0) < (counts[0] ?? 0) / 4 && (counts[2] ?? 0) < (counts[1] ?? 0) / 4, String(counts));
 });

@@ -1,18 +1,18 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { REST } from '../src/control/drive';
+import { NO_MOTION } from '../src/control/drive';
 import { createSteering, SNAP } from '../src/xr/inputs';
 
 const still = { x: 0, y: 0, isPressed: false };
 
 test('the left stick walks and runs', () => {
   const steering = createSteering();
-  assert.deepEqual(steering.read(still, still), { drive: REST, turn: 0 });
+  assert.deepEqual(steering.read(still, still), { drive: NO_MOTION, turn: 0 });
   const { drive } = steering.read({ x: 1, y: 0, isPressed: true }, still);
-  assert.deepEqual(drive, { ...REST, right: 1, isRunning: true });
+  assert.deepEqual(drive, { ...NO_MOTION, right: 1, isRunning: true });
   assert.equal(steering.read({ ...still, y: -1 }, still).drive.ahead, 1);
   // A worn stick does not return to 0.
-  assert.deepEqual(steering.read({ ...still, x: 0.1, y: -0.1 }, still).drive, REST);
+  assert.deepEqual(steering.read({ ...still, x: 0.1, y: -0.1 }, still).drive, NO_MOTION);
 });
 
 test('the right stick turns once per push', () => {
@@ -25,8 +25,8 @@ test('one hand alone walks and turns', () => {
   for (const hands of [(one: typeof still) => [one, null], (one: typeof still) => [null, one]] as const) {
     const steering = createSteering();
     const read = (one: typeof still) => steering.read(...(hands(one) as [typeof still | null, typeof still | null]));
-    assert.deepEqual(read({ x: 1, y: 0, isPressed: false }), { drive: REST, turn: -SNAP });
+    assert.deepEqual(read({ x: 1, y: 0, isPressed: false }), { drive: NO_MOTION, turn: -SNAP });
     assert.equal(read({ x: 0, y: -1, isPressed: false }).drive.ahead, 1);
   }
-  assert.deepEqual(createSteering().read(null, null), { drive: REST, turn: 0 });
+  assert.deepEqual(createSteering().read(null, null), { drive: NO_MOTION, turn: 0 });
 });

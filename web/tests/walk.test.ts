@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { REST } from '../src/control/drive';
+import { NO_MOTION } from '../src/control/drive';
 import type { Bounds } from '../src/control/limit';
 import { createOrbit } from '../src/control/orbit';
 import { ahead, type Pose } from '../src/control/pose';
@@ -20,7 +20,7 @@ function poseAfterWalk(
   bounds: Bounds | null = null,
 ): Pose {
   const walk = createWalk(START, () => bounds, isSudden);
-  for (let frame = 0; frame < seconds * rate; frame++) walk.update(1 / rate, { ...REST, ...drive });
+  for (let frame = 0; frame < seconds * rate; frame++) walk.update(1 / rate, { ...NO_MOTION, ...drive });
   return walk.pose;
 }
 
@@ -37,7 +37,7 @@ test('speeds are metres per second', () => {
 
 test('a user walks where the view looks, at the same height', () => {
   const walk = createWalk({ position: [1, 1.7, 2], yaw: 0.7, pitch: 1.2 }, () => null, jumps);
-  walk.update(1, { ...REST, ahead: 1 });
+  walk.update(1, { ...NO_MOTION, ahead: 1 });
   const [x, , z] = ahead({ yaw: 0.7, pitch: 0 });
   assert.ok(apart(walk.pose, { ...START, position: [1 + 1.6 * x, 1.7, 2 + 1.6 * z] }) < 1e-9);
 });
@@ -79,16 +79,16 @@ test('after orbiting the eye returns to its height without a jump, or at once on
   const walk = createWalk(START, () => null, glides);
   walk.resume(high);
   assert.equal(walk.pose.position[1], 21.7);
-  walk.update(1 / 60, REST);
+  walk.update(1 / 60, NO_MOTION);
   assert.ok(walk.pose.position[1] > 20 && walk.pose.position[1] < 21.7);
-  walk.update(5, REST);
+  walk.update(5, NO_MOTION);
   assert.ok(Math.abs(walk.pose.position[1] - 1.7) < 1e-6);
   const sudden = createWalk(START, () => null, jumps);
   sudden.resume(high);
-  sudden.update(1 / 60, REST);
+  sudden.update(1 / 60, NO_MOTION);
   assert.equal(sudden.pose.position[1], 1.7);
   sudden.setPose(high);
-  sudden.update(1, REST);
+  sudden.update(1, NO_MOTION);
   assert.equal(sudden.pose.position[1], 21.7);
 });
 
@@ -101,7 +101,7 @@ test('an orbit keeps its point in the middle of the picture and its distance', (
   const orbit = createOrbit({ position: [3, 2, 1], yaw: 0.4, pitch: -0.2 }, () => null);
   const point = middle(orbit.pose, 4);
   orbit.rotate(0.9, 0.3);
-  orbit.update(0.7, { ...REST, turn: 1, look: -0.4 });
+  orbit.update(0.7, { ...NO_MOTION, turn: 1, look: -0.4 });
   middle(orbit.pose, 4).forEach((value, axis) => assert.ok(Math.abs(value - (point[axis] ?? 0)) < 1e-9));
   orbit.zoom(2);
   middle(orbit.pose, 8).forEach((value, axis) => assert.ok(Math.abs(value - (point[axis] ?? 0)) < 1e-9));
@@ -120,7 +120,7 @@ test('an orbit pans in the picture', () => {
 test('an orbit does not depend on the frame rate', () => {
   const end = (rate: number): Pose => {
     const orbit = createOrbit(START, () => null);
-    for (let frame = 0; frame < 2 * rate; frame++) orbit.update(1 / rate, { ...REST, ahead: -0.5, turn: 0.6 });
+    for (let frame = 0; frame < 2 * rate; frame++) orbit.update(1 / rate, { ...NO_MOTION, ahead: -0.5, turn: 0.6 });
     return orbit.pose;
   };
   for (const rate of [4, 30, 144]) assert.ok(apart(end(rate), end(1)) < 1e-9);
@@ -132,8 +132,8 @@ test('an orbit stays within the limit for all inputs', () => {
     () => orbit.zoom(3),
     () => orbit.rotate(1.3, -0.2),
     () => orbit.pan(0.8, -0.3),
-    () => orbit.update(0.3, { ...REST, right: 1, ahead: -1 }),
-    () => orbit.update(0.3, { ...REST, right: -1, ahead: 1, isRunning: true }),
+    () => orbit.update(0.3, { ...NO_MOTION, right: 1, ahead: -1 }),
+    () => orbit.update(0.3, { ...NO_MOTION, right: -1, ahead: 1, isRunning: true }),
   ];
   for (let number = 0; number < 500; number++) {
     acts[(number * 7 + (number >> 2)) % acts.length]?.();

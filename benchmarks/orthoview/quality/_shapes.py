@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from benchmarks.orthoview._splats import Pixels
-from nearfar.orthoview._gaussians import MIN_COSINE, SUN, lit
+from nearfar.orthoview._gaussians import MIN_COSINE, SUN, shade
 
 BORDER = 1.27
 """Factor of the size of surfels at the border of a surface, as in `tree.render`."""
@@ -112,7 +112,7 @@ def _lit(pixels: Pixels, camera: nf.Camera) -> NDArray[np.uint8]:
     """Colours in the light of all pictures, with normals turned towards the viewer."""
     toward = np.array(camera.position) - pixels.middle
     side = np.where((pixels.normal * toward).sum(axis=1, keepdims=True) < 0, -1.0, 1.0)
-    return lit(pixels.color, (side * pixels.normal).astype(np.float32), SUN)
+    return shade(pixels.color, (side * pixels.normal).astype(np.float32), SUN)
 
 
 def _image(camera: nf.Camera, middle: Floats, side: Floats) -> Floats:

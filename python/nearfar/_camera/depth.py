@@ -13,10 +13,10 @@ from nearfar._base import check
 from nearfar._camera.camera import CubeFace, Orthographic, Projection
 
 CLIP_SPACES = ("0..1", "-1..1")
-"""Depth ranges of clip space: Direct3D, Vulkan and WebGPU; OpenGL."""
-STORED = ("float32", "float64", "uint16", "uint32")
+"""Depth ranges of clip space: that of Direct3D, Vulkan and WebGPU, then that of OpenGL."""
+DEPTH_TYPES = ("float32", "float64", "uint16", "uint32")
 """NumPy types of depth that `range_from_depth` accepts."""
-FORMATS = ("float32", "uint16", "uint24")
+GPU_FORMATS = ("float32", "uint16", "uint24")
 """Depth formats of GPUs that `range_error` accepts."""
 
 
@@ -70,10 +70,10 @@ def range_from_depth(
     """
     values = check.plain("depth", depth)
     # The name does not depend on the byte order.
-    if values.dtype.name not in STORED:
-        raise TypeError(f"depth: expected {', '.join(STORED[:-1])} or {STORED[-1]}, got {values.dtype}")
+    if values.dtype.name not in DEPTH_TYPES:
+        raise TypeError(f"depth: expected {', '.join(DEPTH_TYPES[:-1])} or {DEPTH_TYPES[-1]}, got {values.dtype}")
     images, shape = _images("depth", values, values.dtype.newbyteorder("="))
-    return _buffer(images.shape, projection, near, far, reverse, depth_range).ranges(images).reshape(shape)
+    return _depth_buffer(images.shape, projection, near, far, reverse, depth_range).ranges(images).reshape(shape)
 
 
 def depth_from_range(
@@ -100,8 +100,8 @@ def depth_from_range(
     Returns
     -------
     NDArray
-        Depth, 0 to 1, in the shape and type of `ranges`. +inf and distances from the far plane on give the clear value;
-        so do smaller distances whose depth rounds to it if depth is not reversed.
+        Depth, 0 to 1, in the shape and type of `ranges`. +inf and distances from the far plane on give the clear value.
+        If depth is not reversed, smaller distances whose depth rounds to the clear value give it, too.
 
     Raises
     ------
@@ -112,7 +112,7 @@ def depth_from_range(
         Values that are not numbers.
     """
     images, shape = _images("ranges", ranges, None)
-    return _buffer(images.shape, projection, near, far, reverse, depth_range).depths(images).reshape(shape)
+    return _depth_buffer(images.shape, projection, near, far, reverse, depth_range).depths(images).reshape(shape)
 
 
 def range_error(
@@ -149,37 +149,37 @@ def range_error(
     h |s|, hence z by z x/(1 − x), where x = h |s| z. Storing the range as float32 adds 2⁻²⁴ of it. If far is infinite:
 
     - float32, reversed: t = near/z and h ≤ 2⁻²⁴ t, so x ≤ 2⁻²⁴ everywhere: 6e-8 of z, the precision of float32 itself.
-    - float32, standard: t → 1 and h = 2⁻²⁵, so x = 2⁻²⁵ z/near grows with z; from z = 2²⁵ near on nothing is known.
+    - float32, standard: t → 1 and h = 2⁻²⁵, so x = 2⁻²⁵ z/near grows with z; the error is unbounded for z ≥ 2²⁵ near.
     - b bits: h = 2⁻ᵇ/2, so x = 2⁻⁽ᵇ⁺¹⁾ z/near, reversed or not.
     """
     distances = check.array("distance", distance, columns=None, dtype=np.float64, finite=True)
-    nearest, farthest = _planes(near, far)
-    check.choice("depth_format", depth_format, FORMATS)
+    nearest, farthest = _perspective_planes(near, far)
+    check.choice("depth_format", depth_format, GPU_FORMATS)
     is_reversed = check.flag("reverse", reverse)
     if distances.size and (distances.min() < nearest or distances.max() > farthest):
         got = f"{distances.min():g} to {distances.max():g}"
         raise ValueError(f"distance: expected {nearest:g} to {farthest:g} metres, from near to far, got {got}")
     slope = 1.0 / nearest - 1.0 / farthest
-    share = (1.0 / distances - 1.0 / farthest) / slope
-    stored = share if is_reversed else 1.0 - share
-    half = _half_step(stored, depth_format)
+    reversed_depth = (1.0 / distances - 1.0 / farthest) / slope
+    depth = reversed_depth if is_reversed else 1.0 - reversed_depth
+    half_step = _half_step(depth, depth_format)
     with np.errstate(divide="ignore", over="ignore", invalid="ignore"):
-        moved = half * slope * distances
-        error = np.where(moved < 1.0, distances * moved / (1.0 - moved), np.inf)
+        relative_change = half_step * slope * distances
+        error = np.where(relative_change < 1.0, distances * relative_change / (1.0 - relative_change), np.inf)
     # Depth within half a step of the far plane's value cannot be distinguished from it.
-    error = np.where(share <= half, np.inf, error)
+    error = np.where(reversed_depth <= half_step, np.inf, error)
     # 2⁻²⁴ for storing the range as float32, 2⁻⁴⁸ (32 roundings) for computing in float64.
     return np.asarray(error + (distances + error) * (2.0**-24 + 2.0**-48))
 
 
-def _half_step(stored: NDArray[np.float64], depth_format: str) -> NDArray[np.float64]:
+def _half_step(depth: NDArray[np.float64], depth_format: str) -> NDArray[np.float64]:
     """Half the distance between neighbouring values of a format, plus a margin for the rounding of `stored` itself."""
     if depth_format != "float32":
         bits = int(depth_format.removeprefix("uint"))
-        return np.full_like(stored, 0.5 / (2.0**bits - 1.0) + 2.0**-52)
-    _, exponents = np.frexp(stored * (1.0 + 2.0**-50))
+        return np.full_like(depth, 0.5 / (2.0**bits - 1.0) + 2.0**-52)
+    _, exponents = np.frexp(depth * (1.0 + 2.0**-50))
     # Float32 numbers in [2ᵉ⁻¹, 2ᵉ) have steps of 2ᵉ⁻²⁴; below 2⁻¹²⁶ the step is constant.
-    return np.asarray(np.ldexp(1.0, np.maximum(exponents, -125) - 25) + 2.0**-52 * np.minimum(stored, 1.0))
+    return np.asarray(np.ldexp(1.0, np.maximum(exponents, -125) - 25) + 2.0**-52 * np.minimum(depth, 1.0))
 
 
 def _images(name: str, values: ArrayLike, dtype: DTypeLike | None) -> tuple[NDArray[Any], tuple[int, ...]]:
@@ -192,20 +192,20 @@ def _images(name: str, values: ArrayLike, dtype: DTypeLike | None) -> tuple[NDAr
     return images.reshape(-1, *images.shape[-2:]), images.shape
 
 
-def _planes(near: float | None, far: float) -> tuple[float, float]:
+def _perspective_planes(near: float | None, far: float) -> tuple[float, float]:
     if near is None:
         raise ValueError("near: expected the near plane's distance in metres, got None")
-    return check.positive("near", near), _above("far", far, near)
+    return check.positive("near", near), _number_above("far", far, near)
 
 
-def _above(name: str, value: float, least: float) -> float:
+def _number_above(name: str, value: float, lower_bound: float) -> float:
     number = check.number(name, value, finite=False)
-    if not number > least:
-        raise ValueError(f"{name}: expected a number above near = {least:g}, got {number}")
+    if not number > lower_bound:
+        raise ValueError(f"{name}: expected a number above near = {lower_bound:g}, got {number}")
     return number
 
 
-def _buffer(
+def _depth_buffer(
     shape: tuple[int, ...],
     projection: Projection | ArrayLike,
     near: float | None,
@@ -223,22 +223,22 @@ def _buffer(
         if check.number("far", far, finite=False) != math.inf:
             raise ValueError("far: expected none beside a matrix, which has its own planes")
         if reverse is not None:
-            raise ValueError("reverse: expected None beside a matrix, which says it itself")
+            raise ValueError("reverse: expected None beside a matrix, which determines it")
         if depth_range is None:
             raise ValueError(
-                "depth_range: expected '0..1' or '-1..1' (OpenGL's) beside a matrix, which does not say it, got None"
+                "depth_range: expected '0..1' or '-1..1' (OpenGL's), which a matrix does not determine, got None"
             )
-        low = -float(CLIP_SPACES.index(check.choice("depth_range", depth_range, CLIP_SPACES)))
-        return _core.DepthBuffer.from_matrix((width, height), rows.tolist(), low)
+        lowest_depth = -float(CLIP_SPACES.index(check.choice("depth_range", depth_range, CLIP_SPACES)))
+        return _core.DepthBuffer.from_matrix((width, height), rows.tolist(), lowest_depth)
     if depth_range is not None:
         raise ValueError(
             f"depth_range: expected None beside {type(projection).__name__}, got {check.value_or_type(depth_range)}"
         )
     if isinstance(projection, CubeFace) and width != height:
         raise ValueError(f"depth: expected square images for cube faces, got {width} x {height}")
-    parallel = isinstance(projection, Orthographic)
-    kind = "cube" if isinstance(projection, CubeFace) else "orthographic" if parallel else "perspective"
-    nearest, farthest = (_parallel_planes if parallel else _planes)(near, far)
+    is_parallel = isinstance(projection, Orthographic)
+    kind = "cube" if isinstance(projection, CubeFace) else "orthographic" if is_parallel else "perspective"
+    nearest, farthest = (_parallel_planes if is_parallel else _perspective_planes)(near, far)
     options: dict[str, Any] = {"kind": kind, "near": nearest, "far": farthest}
     if not isinstance(projection, CubeFace):
         options["bounds"] = projection._sides
@@ -252,4 +252,4 @@ def _parallel_planes(near: float | None, far: float) -> tuple[float, float]:
         got = f"{check.value_or_type(near)} and {farthest}"
         raise ValueError(f"far: expected finite near and far planes for parallel rays, got {got}")
     nearest = check.at_least_zero("near", near)
-    return nearest, _above("far", far, nearest)
+    return nearest, _number_above("far", far, nearest)

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from nearfar import _core
 from nearfar._base import card
-from nearfar._scene.preview import every
+from nearfar._scene.preview import sample_mask
 
 if TYPE_CHECKING:
     from PIL import Image
@@ -81,10 +81,10 @@ def _largest_triangles(
     count = core.counts()[zone]
     if count <= MAX_LISTED:
         chosen = np.zeros(scene.triangle_count, bool)
-        chosen[core.triangles(zone)[every(count, MAX_MEASURED)]] = True
+        chosen[core.triangles(zone)[sample_mask(count, MAX_MEASURED)]] = True
         corners = scene.subset_of_triangles(chosen).triangles() + shift
     else:
-        sample = scene.subset_of_triangles(every(scene.triangle_count, MAX_MEASURED)).triangles() + shift
+        sample = scene.subset_of_triangles(sample_mask(scene.triangle_count, MAX_MEASURED)).triangles() + shift
         least = _core.triangle_radii(sample.reshape(-1, 3), None, (0.0, 0.0, 0.0))[:, 0]
         corners = sample[np.searchsorted(radii, least) == list(ZONES).index(zone)]
     flat = corners[:, :, [0, 2]] * scale + SIZE
@@ -93,5 +93,5 @@ def _largest_triangles(
     area = np.abs(one[:, 0] * other[:, 1] - one[:, 1] * other[:, 0])
     order = np.argsort(-area, kind="stable")
     others = order[LARGEST:]
-    order = np.concatenate([order[:LARGEST], others[every(len(others), MAX_DRAWN - LARGEST)]])
+    order = np.concatenate([order[:LARGEST], others[sample_mask(len(others), MAX_DRAWN - LARGEST)]])
     return area[order], np.clip(flat[order], -1e5, 1e5)

@@ -21,17 +21,17 @@ def join_scenes(scenes: Sequence[Scene]) -> Scene:
     first = scenes[0]
     names, numbers = _union([scene._names for scene in scenes])
     core = _core.Scene.join([scene._core for scene in scenes], numbers)
-    rests = []
+    rest_poses = []
     for scene in scenes:
-        rest = scene._rest.copy()
-        rest[:, :, 3] += scene.origin - first.origin
-        rests.append(rest)
+        rest_pose = scene._rest.copy()
+        rest_pose[:, :, 3] += scene.origin - first.origin
+        rest_poses.append(rest_pose)
     notes = dict.fromkeys(note for scene in scenes for note in scene._notes)
     return Scene(
         core,
         names,
         frames=_frames(scenes, names, numbers),
-        rest=np.concatenate(rests),
+        rest=np.concatenate(rest_poses),
         dropped=sum(scene._dropped for scene in scenes),
         notes=tuple(notes),
         used=tuple(dict.fromkeys(part for scene in scenes for part in scene._used)),
@@ -39,27 +39,29 @@ def join_scenes(scenes: Sequence[Scene]) -> Scene:
     )
 
 
-def _union(several: Sequence[Names]) -> tuple[Names, list[NDArray[np.int32]]]:
-    """Unique names, and for each list the new numbers of its names; empty arrays if numbers do not change."""
-    first = several[0]
-    if all(names is first for names in several):
-        return first, [np.zeros(0, np.int32) for _ in several]
-    taken: dict[str, int] = {}
+def _union(name_lists: Sequence[Names]) -> tuple[Names, list[NDArray[np.int32]]]:
+    """Unique names, and for each list the new numbers of its names, or an empty array if they do not change."""
+    first = name_lists[0]
+    if all(names is first for names in name_lists):
+        return first, [np.zeros(0, np.int32) for _ in name_lists]
+    number_by_name: dict[str, int] = {}
     numbers = [
-        np.array([taken.setdefault(name, len(taken)) for name in names.as_tuple], np.int32).reshape(-1)
-        for names in several
+        np.array([number_by_name.setdefault(name, len(number_by_name)) for name in names.as_tuple], np.int32).reshape(
+            -1
+        )
+        for names in name_lists
     ]
-    return Names(tuple(taken)), numbers
+    return Names(tuple(number_by_name)), numbers
 
 
 def _frames(scenes: Sequence[Scene], names: Names, numbers: Sequence[NDArray[np.int32]]) -> NDArray[np.float64] | None:
-    """Load transforms by object number; an object of several scenes keeps that of the first scene."""
+    """Load transforms by object number; an object of several scenes keeps the transform of the first of them."""
     if all(scene._frames is None for scene in scenes):
         return None
     if names is scenes[0]._names:
         return scenes[0]._frames
     frames = np.tile(np.eye(4), (len(names), 1, 1))
-    for scene, renumbered in zip(reversed(scenes), reversed(numbers), strict=True):
-        for number, place in enumerate(renumbered.tolist()):
-            frames[place] = frame_of(scene._frames, number)
+    for scene, new_numbers in zip(reversed(scenes), reversed(numbers), strict=True):
+        for number, new_number in enumerate(new_numbers.tolist()):
+            frames[new_number] = frame_of(scene._frames, number)
     return frames

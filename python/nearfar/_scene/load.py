@@ -24,12 +24,12 @@ from nearfar._scene.tileset.tileset import KINDS
 
 def load(path: str | os.PathLike[str], options: LoadOptions, *, moves: bool = False) -> Assembled:
     """Load a file; with `moves` all objects are dynamic. Errors are those of `nearfar.Scene.load`."""
-    place = str(path) if remote.is_url(path) else remote.local(path)
-    if isinstance(place, Path) and place.is_dir():
-        raise IsADirectoryError(errno.EISDIR, _folder(place), os.fspath(place))
-    tiles.check_options(place, options)
-    cities.check_options(place, options)
-    return background.run(lambda: _load(place, options, moves), alone=True)
+    source = str(path) if remote.is_url(path) else remote.local(path)
+    if isinstance(source, Path) and source.is_dir():
+        raise IsADirectoryError(errno.EISDIR, _folder_message(source), os.fspath(source))
+    tiles.check_options(source, options)
+    cities.check_options(source, options)
+    return background.run(lambda: _load(source, options, moves), alone=True)
 
 
 def _load(path: str | Path, options: LoadOptions, moves: bool) -> Assembled:
@@ -45,10 +45,10 @@ def _load(path: str | Path, options: LoadOptions, moves: bool) -> Assembled:
         return assemble(content, options, budget=budget, moves=moves)
 
 
-def _folder(path: Path) -> str:
+def _folder_message(path: Path) -> str:
     if (path / "reduced.json").is_file():
         return "expected a file, got the folder of a reduced scene, which ReducedScene.load reads"
-    files = sorted(item.name for item in path.iterdir() if item.suffix.lower() in _COMMON)
+    files = sorted(item.name for item in path.iterdir() if item.suffix.lower() in _SCENE_SUFFIXES)
     return "expected a file, got a folder" + (f", which holds {', '.join(files[:3])}" if files else "")
 
 
@@ -68,8 +68,8 @@ def _read(path: Path, data: bytes, options: LoadOptions, budget: Budget) -> Cont
     if kind == "json" or kind in cities.KINDS:
         tiles.check_unused(options)
         return cities.read(label, kind, data, options, budget)
-    if kind in _READERS and kind not in trimesh.available_formats():
-        raise UnusableError(f"nearfar does not read .{kind}: {_READERS[kind]}")
+    if kind in _CONVERSION_ADVICE and kind not in trimesh.available_formats():
+        raise UnusableError(f"nearfar does not read .{kind}: {_CONVERSION_ADVICE[kind]}")
     if kind not in trimesh.available_formats() or kind in _NOT_SCENES:
         raise UnusableError(f"the kind of file '{''.join(path.suffixes[-2:]) or path.name}' is not known")
     if not data:
@@ -84,21 +84,21 @@ def _read(path: Path, data: bytes, options: LoadOptions, budget: Budget) -> Cont
         content = load_wavefront.read(label, data, resolver, materials, budget)
     else:
         content = load_trimesh.read(label, load_trimesh.parsed(data, kind, resolver), materials)
-    content.used.insert(0, _FORMATS.get(kind, kind.upper()))
+    content.used.insert(0, _FORMAT_NAMES.get(kind, kind.upper()))
     if len(content.nodes.objects) == 1 and content.nodes.objects[0] in (path.name, "geometry_0", "geometry"):
         content.nodes = replace(content.nodes, objects=[name])
     return content
 
 
-_COMMON = {".glb", ".gltf", ".obj", ".ply", ".stl", ".off", ".3mf", ".dae"}
-"""Suffixes of scene files that a folder may have been given for by mistake."""
+_SCENE_SUFFIXES = {".glb", ".gltf", ".obj", ".ply", ".stl", ".off", ".3mf", ".dae"}
+"""Suffixes of scene files; the message about a folder given by mistake lists such files."""
 
-_FORMATS = {"obj": "Wavefront OBJ", "dae": "COLLADA", "step": "STEP", "stp": "STEP"}
+_FORMAT_NAMES = {"obj": "Wavefront OBJ", "dae": "COLLADA", "step": "STEP", "stp": "STEP"}
 """Names of formats that differ from their suffix."""
 
 _ARCHIVES = {"zip", "tar", "tgz", "bz2", "7z", "rar"}
 
-_READERS = {
+_CONVERSION_ADVICE = {
     "blend": "export it from Blender as glTF (.glb)",
     "fbx": "import it into Blender and export it as glTF (.glb), or convert it with FBX2glTF or Assimp",
     "3ds": "import it into Blender 4.2 or newer and export it as glTF (.glb), or convert it with Assimp",
@@ -130,7 +130,7 @@ _READERS = {
     "laz": "it holds points without triangles; CloudCompare or Open3D makes a mesh of them",
     "e57": "it holds points without triangles; CloudCompare or Open3D makes a mesh of them",
 }
-"""Formats that are not supported, and programs or packages that convert them."""
+"""How to convert formats that nearfar cannot read, some of them only without an optional package."""
 
 _NOT_SCENES = {"dxf", "svg", "json", "dict", "dict64", "binvox"}
 """Formats that trimesh reads but that are not scenes: drawings, voxels and trimesh's own dumps."""

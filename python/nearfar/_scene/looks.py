@@ -1,4 +1,4 @@
-"""Summaries of a source's shapes, and notes on materials drawn differently, for reports."""
+"""Summaries of a source's shapes for reports, and notes on materials that are drawn differently."""
 
 from __future__ import annotations
 
@@ -14,30 +14,30 @@ from nearfar._scene.report import count
 class Look:
     """Attributes and materials shared by some shapes."""
 
-    number: int
+    shape_count: int
     """Number of these shapes."""
     materials: Sequence[BaseColor]
-    """Materials; an empty list means the plain one."""
+    """Materials; an empty list means the default material."""
     has_normals: bool
     has_uvs: bool
     has_colors: bool
-    see_through: int
+    transparent_count: int
     """Number of these shapes with a vertex alpha below 1."""
 
 
 def inventory(looks: Sequence[Look], vertices: int) -> list[str]:
-    """Count shapes, their vertices, and those that have an attribute, one phrase each."""
-    shapes = sum(look.number for look in looks)
+    """Count shapes, vertices, and the shapes with each attribute, one phrase each."""
+    shapes = sum(look.shape_count for look in looks)
     attributes = {
-        "vertex normals": sum(look.number for look in looks if look.has_normals),
-        "texture coordinates": sum(look.number for look in looks if look.has_uvs),
-        "vertex colours": sum(look.number for look in looks if look.has_colors),
+        "vertex normals": sum(look.shape_count for look in looks if look.has_normals),
+        "texture coordinates": sum(look.shape_count for look in looks if look.has_uvs),
+        "vertex colours": sum(look.shape_count for look in looks if look.has_colors),
     }
-    whole = "all of them" if shapes > 1 else "it"
+    all_shapes = "all of them" if shapes > 1 else "it"
     return [
         f"{count(shapes, 'mesh', 'meshes')} with {count(vertices, 'vertex', 'vertices')}",
         *(
-            f"{name} of {whole if number == shapes else f'{number:,} of them'}"
+            f"{name} of {all_shapes if number == shapes else f'{number:,} of them'}"
             for name, number in attributes.items()
             if number
         ),
@@ -56,21 +56,21 @@ def _material_notes(looks: Iterable[Look]) -> list[str]:
 
 
 def _blend_notes(material: BaseColor) -> list[str]:
-    drawn = "opaque" if material.cutoff is None else "where alpha is at least 1/2"
-    return [f"with {material.blend} drawn {drawn}"] if material.blend else []
+    rendering = "opaque" if material.cutoff is None else "where alpha is at least 1/2"
+    return [f"with {material.blend} drawn {rendering}"] if material.blend else []
 
 
 def _alpha_notes(looks: Iterable[Look]) -> list[str]:
-    ignoring = (look for look in looks if not look.materials or any(part.cutoff is None for part in look.materials))
-    transparent = sum(look.see_through for look in ignoring)
-    return [f"{count(transparent, 'mesh', 'meshes')} with vertex alpha below 1 drawn opaque"] if transparent else []
+    opaque_looks = (look for look in looks if not look.materials or any(part.cutoff is None for part in look.materials))
+    mesh_count = sum(look.transparent_count for look in opaque_looks)
+    return [f"{count(mesh_count, 'mesh', 'meshes')} with vertex alpha below 1 drawn opaque"] if mesh_count else []
 
 
 def _emission_notes(looks: Iterable[Look]) -> list[str]:
-    lost = sum(
-        look.number
+    mesh_count = sum(
+        look.shape_count
         for look in looks
         if not look.has_uvs and any(material.emission_texture is not None for material in look.materials)
     )
     ending = "with a map of emission but no texture coordinates drawn and saved without it"
-    return [f"{count(lost, 'mesh', 'meshes')} {ending}"] if lost else []
+    return [f"{count(mesh_count, 'mesh', 'meshes')} {ending}"] if mesh_count else []

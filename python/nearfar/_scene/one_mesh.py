@@ -18,14 +18,14 @@ def one_mesh(
     assembly = Assembly()
 
     def assemble() -> Assembled:
-        corners = check.array("vertices", vertices)
+        positions = check.array("vertices", vertices)
         if face_object is None:
             assembly.objects(names or ["object_0"])
-            mesh = assembly.mesh(corners, faces, copy=copy)
+            mesh = assembly.mesh(positions, faces, copy=copy)
             assembly.instance(mesh, name=names[0] if names else "object_0")
         else:
             assembly.objects(object_count_of("face_object", face_object) if names is None else names)
-            assembly.instance(assembly.mesh(corners, faces, face_object=face_object, copy=copy))
+            assembly.instance(assembly.mesh(positions, faces, face_object=face_object, copy=copy))
         return assembly._assemble()
 
     # NumPy takes seconds for arrays of gigabytes, in functions that signals cannot interrupt.

@@ -14,19 +14,19 @@ from nearfar._scene.report import Report, count
 SIZE = (320, 200)
 """Width and height of the picture in pixels."""
 
-WHOLE = 750_000
-"""Most distinct triangles and instances to draw exactly: their trees take less than a second to build."""
+MAX_EXACT_ELEMENTS = 750_000
+"""Most distinct triangles and instances to draw exactly: their bounding volume trees are built within a second."""
 
-SAMPLE = 250_000
-"""Number of triangles drawn as points for larger scenes, whose trees would take seconds and stay in memory."""
+POINT_COUNT = 250_000
+"""Number of triangles drawn as points for larger scenes, whose trees would take seconds to build and stay in memory."""
 
 SUN = np.array([0.3, 0.9, 0.33])
 """Direction of the light for points."""
 
-MEASURED = 20_000
-"""Number of sampled triangles that determine where the scene is dense."""
+VIEW_SAMPLE_COUNT = 20_000
+"""Number of sampled triangles that determine the dense part of the scene."""
 
-TOWARDS = np.array([0.45, 0.5, 0.74])
+CAMERA_DIRECTION = np.array([0.45, 0.5, 0.74])
 """Unit direction from the middle of the scene towards the camera."""
 
 
@@ -56,11 +56,11 @@ def html(core: _core.Scene, report: Report, bounds: NDArray[np.float64]) -> str:
 
 def picture(core: _core.Scene, bounds: NDArray[np.float64]) -> tuple[NDArray[np.uint8], str]:
     """Draw the dense part of a scene from above and beside, exactly or by samples; return a caption, too."""
-    camera = view(core, bounds)
-    if cost(core) > WHOLE:
-        sample = core.subset_of_triangles(every(core.triangle_count, SAMPLE))
-        share = f"{sample.triangle_count:,} of {core.triangle_count:,} triangles, as points"
-        return _points(sample, camera), f"bird's-eye view of the dense part; {share}"
+    camera = dense_view(core, bounds)
+    if element_count(core) > MAX_EXACT_ELEMENTS:
+        sample = core.subset_of_triangles(sample_mask(core.triangle_count, POINT_COUNT))
+        detail = f"{sample.triangle_count:,} of {core.triangle_count:,} triangles, as points"
+        return _points(sample, camera), f"bird's-eye view of the dense part; {detail}"
     shot = Shot(cameras=(camera,), channels=("color",), samples=4)
     color = _core.render_truth(core, camera._core, shot.settings)["color"]
     return _core.encode_srgb(color).reshape(SIZE[1], SIZE[0], 3), "bird's-eye view of the dense part"
@@ -70,48 +70,52 @@ def _points(core: _core.Scene, camera: Camera) -> NDArray[np.uint8]:
     """Draw the centre of each triangle as 2 × 2 grey pixels (H, W, 4), which hide gaps between sparse samples."""
     corners = core.triangles().astype(np.float64)
     normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    lit = np.abs(normal @ SUN) / np.maximum(np.linalg.norm(normal, axis=1), 1e-300)
-    placed = camera.project(corners.mean(axis=1) + np.array(core.origin))
-    ahead = np.isfinite(placed).all(axis=1)
-    placed, shade = placed[ahead], (60.0 + 170.0 * lit[ahead]).astype(np.uint8)
-    far_first = np.argsort(-placed[:, 2], kind="stable")
-    corner = np.clip(np.floor(placed[far_first, :2] - 0.5), -2, 1 << 20).astype(np.int64)
+    cosine = np.abs(normal @ SUN) / np.maximum(np.linalg.norm(normal, axis=1), 1e-300)
+    screen_points = camera.project(corners.mean(axis=1) + np.array(core.origin))
+    is_in_front = np.isfinite(screen_points).all(axis=1)
+    screen_points, shade = screen_points[is_in_front], (60.0 + 170.0 * cosine[is_in_front]).astype(np.uint8)
+    far_first = np.argsort(-screen_points[:, 2], kind="stable")
+    corner = np.clip(np.floor(screen_points[far_first, :2] - 0.5), -2, 1 << 20).astype(np.int64)
     pixels = (corner[:, None] + np.array([[0, 0], [1, 0], [0, 1], [1, 1]])).reshape(-1, 2)
     shades = np.repeat(shade[far_first], 4)
     inside = ((pixels >= 0) & (pixels < SIZE)).all(axis=1)
-    picture = np.zeros((SIZE[1], SIZE[0], 4), np.uint8)
-    picture[pixels[inside, 1], pixels[inside, 0]] = np.column_stack([*[shades[inside]] * 3, np.full(inside.sum(), 255)])
-    return picture
+    image = np.zeros((SIZE[1], SIZE[0], 4), np.uint8)
+    image[pixels[inside, 1], pixels[inside, 0]] = np.column_stack([*[shades[inside]] * 3, np.full(inside.sum(), 255)])
+    return image
 
 
-def cost(core: _core.Scene) -> int:
+def element_count(core: _core.Scene) -> int:
     """Number of elements in a scene's trees: triangles of distinct meshes, and instances."""
     _, first = np.unique(core.mesh_ids(), return_index=True)
     return int(np.diff(core.triangle_offsets())[first].sum()) + core.instance_count
 
 
-def every(total: int, wanted: int) -> NDArray[np.bool_]:
+def sample_mask(total: int, sample_count: int) -> NDArray[np.bool_]:
     """Sample about `wanted` of `total` triangles: one at a random place in each interval of equal length.
 
     Equal spacing would alias with meshes whose faces are in rows.
     """
-    stretch = max(1, -(-total // max(wanted, 1)))
-    if stretch == 1:
+    interval = max(1, -(-total // max(sample_count, 1)))
+    if interval == 1:
         return np.ones(total, bool)
-    starts = np.arange(0, total, stretch)
-    numbers = starts + np.floor(random.uniform(0, 0, starts) * stretch).astype(np.int64)
-    chosen = np.zeros(total, bool)
-    chosen[numbers[numbers < total]] = True
-    return chosen
+    starts = np.arange(0, total, interval)
+    numbers = starts + np.floor(random.uniform(0, 0, starts) * interval).astype(np.int64)
+    mask = np.zeros(total, bool)
+    mask[numbers[numbers < total]] = True
+    return mask
 
 
-def view(core: _core.Scene, bounds: NDArray[np.float64]) -> Camera:
-    """Camera that sees the middle nine tenths of the triangles: ground and distant hills are wide and hold few."""
-    sample = core.subset_of_triangles(every(core.triangle_count, MEASURED)).triangles().mean(axis=1, dtype=np.float64)
+def dense_view(core: _core.Scene, bounds: NDArray[np.float64]) -> Camera:
+    """Camera that sees the middle nine tenths of the triangles; ground and distant hills are wide but have few."""
+    sample = (
+        core.subset_of_triangles(sample_mask(core.triangle_count, VIEW_SAMPLE_COUNT))
+        .triangles()
+        .mean(axis=1, dtype=np.float64)
+    )
     low, high = np.percentile(sample, [5.0, 95.0], axis=0) + np.array(core.origin)
-    middle, grown = (low + high) / 2.0, 0.65 * (high - low)
-    low, high = np.maximum(middle - grown, bounds[0]), np.minimum(middle + grown, bounds[1])
+    middle, margin = (low + high) / 2.0, 0.65 * (high - low)
+    low, high = np.maximum(middle - margin, bounds[0]), np.minimum(middle + margin, bounds[1])
     middle, radius = (low + high) / 2.0, max(float(np.linalg.norm(high - low)) / 2.0, 1e-3)
     return Camera.look_at(
-        middle + 2.2 * radius * TOWARDS, middle, fov=Fov.symmetric(60.0, SIZE[0] / SIZE[1]), size=SIZE
+        middle + 2.2 * radius * CAMERA_DIRECTION, middle, fov=Fov.symmetric(60.0, SIZE[0] / SIZE[1]), size=SIZE
     )

@@ -22,7 +22,7 @@ def explained(label: str, *, passed: type[Exception] = SceneError) -> Iterator[N
     except (SceneError, passed):
         raise
     except Exception as error:
-        raise SceneError(f"{label}: {check.one_line(sentence(error), LONGEST)}") from error
+        raise SceneError(f"{label}: {check.one_line(sentence(error), MAX_SENTENCE_LENGTH)}") from error
 
 
 def sentence(error: Exception) -> str:
@@ -73,7 +73,7 @@ def _first_line(error: Exception) -> str:
     return next(iter(str(error).splitlines()), "")
 
 
-LONGEST = 300
+MAX_SENTENCE_LENGTH = 300
 """Greatest number of characters of a reason, which may quote the file."""
 
 _DETECTORS = ("chardet", "charset_normalizer")

@@ -1,4 +1,4 @@
-"""Counts of a scene's contents, and notes on parts of its source that are used, dropped or not drawn."""
+"""Counts of a scene's contents, and notes on the parts of its source that are used, dropped or not drawn."""
 
 from __future__ import annotations
 

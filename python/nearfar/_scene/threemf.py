@@ -9,10 +9,10 @@ from collections.abc import Mapping, Sequence
 from nearfar._base.errors import UnusableError
 from nearfar._scene.budget import Budget
 
-_INSTANCE = 1 << 14
-"""Bytes counted per instance: trimesh compares its name with those of all others."""
+_INSTANCE_BYTES = 1 << 14
+"""Bytes taken from the budget per instance; the time grows, too: trimesh compares each name with all others."""
 
-_MAX = 1 << 62
+_MAX_INSTANCES = 1 << 62
 """Cap of instance counts, far above any budget. Each level of components may double the number."""
 
 
@@ -26,43 +26,43 @@ def check_instances(data: bytes, budget: Budget) -> None:
         if not names:
             return
         tags = [f"{{*}}{name}" for name in ("object", "component", "item")]
-        parts: dict[str, list[str]] = {}
+        components: dict[str, list[str]] = {}
         items: list[str] = []
-        owner = ""
+        object_id = ""
         with archive.open(names[0]) as model:
             for event, element in etree.iterparse(model, events=("start", "end"), tag=tags, **XML_PARSER_OPTIONS):
                 kind = etree.QName(element).localname
                 if event == "end":
                     if kind == "object":
-                        owner = ""
+                        object_id = ""
                         element.clear()
                 elif kind == "object":
-                    owner = element.get("id", "")
-                    parts.setdefault(owner, [])
+                    object_id = element.get("id", "")
+                    components.setdefault(object_id, [])
                 elif kind == "component":
-                    parts.setdefault(owner, []).append(element.get("objectid", ""))
+                    components.setdefault(object_id, []).append(element.get("objectid", ""))
                 else:
                     items.append(element.get("objectid", ""))
-    budget.take(_INSTANCE * sum(_instances(parts, items)))
+    budget.take(_INSTANCE_BYTES * sum(_instances(components, items)))
 
 
-def _instances(parts: Mapping[str, Sequence[str]], items: Sequence[str]) -> list[int]:
+def _instances(components: Mapping[str, Sequence[str]], items: Sequence[str]) -> list[int]:
     """Number of objects in each build item: itself and all descendants."""
     counts: dict[str, int] = {}
-    unfinished: set[str] = set()
+    open_objects: set[str] = set()
     for item in items:
         pending = [item]
         while pending:
-            owner = pending[-1]
-            below = parts.get(owner, ())
-            missing = [part for part in below if part not in counts]
-            if owner in counts or not missing:
-                counts.setdefault(owner, min(_MAX, 1 + sum(counts[part] for part in below)))
-                unfinished.discard(owner)
+            object_id = pending[-1]
+            children = components.get(object_id, ())
+            uncounted = [part for part in children if part not in counts]
+            if object_id in counts or not uncounted:
+                counts.setdefault(object_id, min(_MAX_INSTANCES, 1 + sum(counts[part] for part in children)))
+                open_objects.discard(object_id)
                 pending.pop()
-            elif owner in unfinished and not unfinished.isdisjoint(missing):
-                raise UnusableError(f"its object {owner} is a component of itself")
+            elif object_id in open_objects and not open_objects.isdisjoint(uncounted):
+                raise UnusableError(f"its object {object_id} is a component of itself")
             else:
-                unfinished.add(owner)
-                pending += dict.fromkeys(missing)
+                open_objects.add(object_id)
+                pending += dict.fromkeys(uncounted)
     return [counts[item] for item in items]

@@ -29,7 +29,7 @@ from nearfar.cli import (
 )
 from nearfar.cli._groups import Command, expand
 
-INTERRUPTED = 130
+INTERRUPT_STATUS = 130
 """Exit status after Ctrl-C: 128 plus the signal's number, as in shells."""
 
 app = typer.Typer(
@@ -91,29 +91,29 @@ def run(arguments: Sequence[str]) -> int:
             # Reports contain this warning themselves.
             warnings.filterwarnings("ignore", "the picture folds")
             app(list(arguments), prog_name="nearfar")
-    except SystemExit as end:
-        interrupt = _interrupt_behind(end)
+    except SystemExit as exit_error:
+        interrupt = _interrupt_before(exit_error)
         if interrupt is not None:
-            return _fail("; ".join(("interrupted", *getattr(interrupt, "__notes__", ()))), INTERRUPTED)
-        return end.code if isinstance(end.code, int) else int(end.code is not None)
+            return _print_error("; ".join(("interrupted", *getattr(interrupt, "__notes__", ()))), INTERRUPT_STATUS)
+        return exit_error.code if isinstance(exit_error.code, int) else int(exit_error.code is not None)
     except MemoryError as error:
-        return _fail(f"there is not enough memory{f': {error}' if str(error) else ''}", 1)
+        return _print_error(f"there is not enough memory{f': {error}' if str(error) else ''}", 1)
     except OSError as error:
-        return _fail(f"{error.filename}: {error.strerror}" if error.filename else str(error), 1)
+        return _print_error(f"{error.filename}: {error.strerror}" if error.filename else str(error), 1)
     except (nf.Error, ValueError, ImportError) as error:
-        return _fail(str(error), 1)
+        return _print_error(str(error), 1)
     return 0
 
 
-def _interrupt_behind(end: SystemExit) -> KeyboardInterrupt | None:
+def _interrupt_before(exit_error: SystemExit) -> KeyboardInterrupt | None:
     """Return the KeyboardInterrupt that typer turned into an exit, if any."""
-    error: BaseException | None = end
+    error: BaseException | None = exit_error
     while error is not None and not isinstance(error, KeyboardInterrupt):
         error = error.__cause__ or error.__context__
     return error
 
 
-def _fail(sentence: str, status: int) -> int:
+def _print_error(message: str, status: int) -> int:
     # File names may contain bytes that are not valid text.
-    print(f"nearfar: {check.one_line(sentence)}", file=sys.stderr)
+    print(f"nearfar: {check.one_line(message)}", file=sys.stderr)
     return status

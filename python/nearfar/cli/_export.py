@@ -106,7 +106,7 @@ def export(
     as_json: options.Json = False,
 ) -> None:
     """Write near geometry in rings about centres, each with a map of the scene beyond it, as files for the web."""
-    loaded = open_scene(scene, file.loading)
+    input_scene = open_scene(scene, file.loading)
     started = time.perf_counter()
     with _replace_parameter_names():
         bundle = nf.stream.export(

@@ -26,8 +26,8 @@ _SEEDS = 2**63
 def city(blocks: int = 12, seed: int = 0, detail: int = 2, *, instanced: bool = True) -> Scene:
     """Make a city: a grid of streets with buildings, parks, trees, parked cars and a few moving ones.
 
-    The ground is at y = 0, pavements are 0.15 m higher. Two avenues cross at the origin, and both can be seen along
-    to the horizon: see `street_view`. A park lies towards −x and −z of the crossing, down-town ahead, towards −z.
+    The ground is at y = 0, pavements are 0.15 m higher. Two avenues cross at the origin, and the view along
+    both reaches the horizon: see `street_view`. A park lies towards −x and −z of the crossing, down-town towards −z.
     The same arguments give the same bytes on every run and every platform.
 
     Parameters
@@ -38,9 +38,9 @@ def city(blocks: int = 12, seed: int = 0, detail: int = 2, *, instanced: bool = 
         0 to 2⁶³ − 1; it decides the buildings and their places. The streets are the same for all seeds.
     detail
         0: boxes. 1: windows painted on, low-poly trees. 2: windows with reveals, bars and sills, balconies, roofs with
-        their plant, street furniture. 3: frames, dense railings and trees of single leaves. With 12 blocks these are
-        25 thousand, 1.5, 7 and 50 million triangles, of which 25 thousand, 0.25, 0.6 and 1 million are stored: the
-        others are instances.
+        machinery, street furniture. 3: frames, dense railings and trees with separate leaves. With 12 blocks the four
+        levels have 25 thousand, 1.5, 7 and 50 million triangles; 25 thousand, 0.25, 0.6 and 1 million of them are
+        stored, and the others are instances of these.
     instanced
         Whether repeated objects share a mesh. With False each copy is a separate mesh, to measure what instancing
         saves: the same triangles, all of them stored.
@@ -63,12 +63,12 @@ def city(blocks: int = 12, seed: int = 0, detail: int = 2, *, instanced: bool = 
     detail = check.integer("detail", detail, 0, 3)
     stage, grid = Stage(instanced=check.flag("instanced", instanced)), Grid.generate(blocks)
     stage.once(streets.ground(grid, seed, detail), "ground")
-    built = layout.plots(grid, seed)
-    _buildings(stage, built, seed, detail)
+    plots = layout.plots(grid, seed)
+    _buildings(stage, plots, seed, detail)
     _parks(stage, grid, seed, detail)
     if detail >= 1:
         _paint(stage, grid)
-        dress(stage, grid, built, seed, detail)
+        dress(stage, grid, plots, seed, detail)
     return stage.build(dynamic=moving_cars(stage, detail))
 
 
@@ -86,15 +86,17 @@ def street_view() -> tuple[tuple[float, float, float], tuple[float, float, float
 
 def _buildings(stage: Stage, plots: list[Plot], seed: int, detail: int) -> None:
     kind_of = operator.attrgetter("kind")
-    for kind, alike in itertools.groupby(sorted(plots, key=kind_of), kind_of):
-        mine = list(alike)
-        where = placements([p.x for p in mine], KERB, [p.z for p in mine], [0.25 * p.quarter for p in mine])
-        stage.many(building(kind, seed, detail), where, [p.name for p in mine])
+    for kind, group in itertools.groupby(sorted(plots, key=kind_of), kind_of):
+        plots_of_kind = list(group)
+        transforms = placements(
+            [p.x for p in plots_of_kind], KERB, [p.z for p in plots_of_kind], [0.25 * p.quarter for p in plots_of_kind]
+        )
+        stage.many(building(kind, seed, detail), transforms, [p.name for p in plots_of_kind])
 
 
 def _parks(stage: Stage, grid: Grid, seed: int, detail: int) -> None:
     """Add paths and fountains of parks, and garden walls between the rows of the other blocks."""
-    middles = []
+    centers = []
     for j in range(grid.blocks):
         for i in range(grid.blocks):
             x0, x1, z0, z1 = grid.block(i, j)
@@ -103,43 +105,45 @@ def _parks(stage: Stage, grid: Grid, seed: int, detail: int) -> None:
             use = grid.use(i, j, seed)
             if use == "park" and detail >= 1:
                 stage.once(streets.paths(*inner), f"path_{block}")
-                middles.append((0.5 * (x0 + x1), 0.5 * (z0 + z1)))
+                centers.append((0.5 * (x0 + x1), 0.5 * (z0 + z1)))
             elif use == "rows" and detail >= 1:
                 z = 0.5 * (z0 + z1)
                 low = [[x, 0.0, z - 8.0] for x in (inner[0] + 0.437, inner[1] - 0.737)]
                 wall = boxes(low, np.add(low, [0.3, KERB + 2.4, 16.0]), material("brick_grey"), without="-y")
                 stage.once(wall, f"garden_wall_{block}")
-    if middles:
-        x, z = np.array(middles).T
+    if centers:
+        x, z = np.array(centers).T
         stage.many(fountain(detail), placements(x, KERB + 0.05, z), "fountain")
 
 
 def _paint(stage: Stage, grid: Grid) -> None:
-    """Add crossings and lane lines: prototypes along z, turned for the streets along x."""
+    """Add crossings and lane lines: their meshes lie along z and are rotated for streets along x."""
     crossings: dict[float, list[tuple[float, float, float]]] = {STREET: [], AVENUE: []}
     lines: dict[tuple[float, float], list[tuple[float, float, float]]] = {}
     last = grid.blocks
     for i in range(last + 1):
         for j in range(last + 1):
-            x, z, hx, hz = float(grid.x[i]), float(grid.z[j]), grid.half(i), grid.half(j)
+            x, z, half_x, half_z = float(grid.x[i]), float(grid.z[j]), grid.half(i), grid.half(j)
             if j < last:
-                crossings[hx].append((x, z + hz, 0.0))
-                gap = float(grid.z[j + 1] - grid.half(j + 1)) - (z + hz)
-                lines.setdefault((hx, gap), []).append((x, z + hz, 0.0))
+                crossings[half_x].append((x, z + half_z, 0.0))
+                gap = float(grid.z[j + 1] - grid.half(j + 1)) - (z + half_z)
+                lines.setdefault((half_x, gap), []).append((x, z + half_z, 0.0))
             if j > 0:
-                crossings[hx].append((x, z - hz, 0.5))
+                crossings[half_x].append((x, z - half_z, 0.5))
             if i < last:
-                crossings[hz].append((x + hx, z, 0.25))
-                gap = float(grid.x[i + 1] - grid.half(i + 1)) - (x + hx)
-                lines.setdefault((hz, gap), []).append((x + hx, z, 0.25))
+                crossings[half_z].append((x + half_x, z, 0.25))
+                gap = float(grid.x[i + 1] - grid.half(i + 1)) - (x + half_x)
+                lines.setdefault((half_z, gap), []).append((x + half_x, z, 0.25))
             if i > 0:
-                crossings[hz].append((x - hx, z, 0.75))
-    for half, places in crossings.items():
-        if places:
-            x3, z3, turns = np.array(places).T
-            stage.many(streets.zebra(half), placements(x3, 0.0, z3, turns), f"zebra_{round(2 * half)}m")
-    for (half, gap), places in sorted(lines.items()):
-        x3, z3, turns = np.array(places).T
+                crossings[half_z].append((x - half_x, z, 0.75))
+    for half_width, poses in crossings.items():
+        if poses:
+            x3, z3, turns = np.array(poses).T
+            stage.many(streets.zebra(half_width), placements(x3, 0.0, z3, turns), f"zebra_{round(2 * half_width)}m")
+    for (half_width, gap), poses in sorted(lines.items()):
+        x3, z3, turns = np.array(poses).T
         stage.many(
-            streets.lane_lines(gap, half), placements(x3, 0.0, z3, turns), f"lanes_{round(2 * half)}m_{round(gap)}m"
+            streets.lane_lines(gap, half_width),
+            placements(x3, 0.0, z3, turns),
+            f"lanes_{round(2 * half_width)}m_{round(gap)}m",
         )

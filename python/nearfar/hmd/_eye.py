@@ -78,8 +78,8 @@ class Eye:
 
         They are measured from straight ahead, in the planes of the head's axes, so a canted eye sees more on one side.
         """
-        left, right = self._across("horizontal", 0, 1)
-        down, up = self._across("vertical", 1, 0)
+        left, right = self._plane_angles("horizontal", 0, 1)
+        down, up = self._plane_angles("vertical", 1, 0)
         return left, right, down, up
 
     @property
@@ -90,17 +90,20 @@ class Eye:
         angle = math.degrees(math.atan2(math.hypot(axis[0], axis[1]), axis[2]))
         return -angle if axis[0] > 0.0 else angle
 
-    def _across(self, name: str, along: int, zero: int) -> tuple[float, float]:
-        """Least and greatest angle, degrees, at which the view's edge crosses a plane through the head's axis."""
+    def _plane_angles(self, plane: str, axis: int, normal_axis: int) -> tuple[float, float]:
+        """Least and greatest angle, degrees, at which the view's edge crosses a plane through the head's viewing axis.
+
+        Angles are measured from the viewing axis towards `axis`; the plane is perpendicular to `normal_axis`.
+        """
         corners = self.corners
         angles = []
-        for one, other in zip(corners, np.roll(corners, -1, axis=0), strict=True):
-            if (one[zero] < 0.0) != (other[zero] < 0.0):
-                share = one[zero] / (one[zero] - other[zero])
-                point = one + share * (other - one)
-                angles.append(math.degrees(math.atan2(point[along], -point[2])))
+        for start, end in zip(corners, np.roll(corners, -1, axis=0), strict=True):
+            if (start[normal_axis] < 0.0) != (end[normal_axis] < 0.0):
+                fraction = start[normal_axis] / (start[normal_axis] - end[normal_axis])
+                point = start + fraction * (end - start)
+                angles.append(math.degrees(math.atan2(point[axis], -point[2])))
         if not angles:
-            raise ValueError(f"fov: expected a view that the head's {name} plane runs through, got {self}")
+            raise ValueError(f"fov: expected a view that the head's {plane} plane runs through, got {self}")
         return min(angles), max(angles)
 
 
@@ -119,17 +122,20 @@ class TotalFov(NamedTuple):
 
 def total_fov(left: Eye, right: Eye) -> TotalFov:
     """Compute the total field of view of two eyes for distant objects, for which the eyes' positions do not matter."""
-    of_left, of_right = left.angles_deg, right.angles_deg
-    one, other = left.corners, right.corners
+    left_angles, right_angles = left.angles_deg, right.angles_deg
+    left_corners, right_corners = left.corners, right.corners
     return TotalFov(
-        horizontal_deg=of_right[1] - of_left[0],
-        vertical_deg=((of_left[3] - of_left[2]) + (of_right[3] - of_right[2])) / 2.0,
-        diagonal_deg=(_between(one[0], other[2]) + _between(one[3], other[1])) / 2.0,
-        overlap_deg=of_left[1] - of_right[0],
+        horizontal_deg=right_angles[1] - left_angles[0],
+        vertical_deg=((left_angles[3] - left_angles[2]) + (right_angles[3] - right_angles[2])) / 2.0,
+        diagonal_deg=(
+            _angle_between(left_corners[0], right_corners[2]) + _angle_between(left_corners[3], right_corners[1])
+        )
+        / 2.0,
+        overlap_deg=left_angles[1] - right_angles[0],
     )
 
 
-def _between(one: NDArray[np.float64], other: NDArray[np.float64]) -> float:
-    # Tangents may be so large that their products overflow; powers of two change no digit.
-    one, other = (np.ldexp(way, -math.frexp(float(np.abs(way).max()))[1]) for way in (one, other))
-    return math.degrees(math.atan2(float(np.linalg.norm(np.cross(one, other))), float(one @ other)))
+def _angle_between(a: NDArray[np.float64], b: NDArray[np.float64]) -> float:
+    # Tangents may be so large that their products overflow; scaling by powers of two is exact.
+    a, b = (np.ldexp(vector, -math.frexp(float(np.abs(vector).max()))[1]) for vector in (a, b))
+    return math.degrees(math.atan2(float(np.linalg.norm(np.cross(a, b))), float(a @ b)))

@@ -17,11 +17,11 @@ from nearfar._scene.srgb import to_linear
 Floats = NDArray[np.float32]
 
 SIGMA = 0.6
-"""Standard deviation of a surfel in pixels of its view, by measurement (docs/orthoview_export.md): with smaller ones
-the background shows through between pixels, greater ones blur edges."""
+"""Standard deviation of a surfel in pixels of its view, measured in docs/orthoview_export.md: with smaller values
+the background shows through between pixels, and greater values blur edges."""
 
-THIN = 0.1
-"""Standard deviation along a surfel's normal, as a share of the smaller one in its plane."""
+NORMAL_FACTOR = 0.1
+"""Standard deviation along a surfel's normal, as a fraction of the smaller standard deviation in its plane."""
 
 MIN_COSINE = 0.25
 """Least cosine between a surfel's normal and the direction of its view, as in `tree.render`."""
@@ -42,8 +42,8 @@ class Gaussians:
     middle: Floats
     """Centres (N, 3), metres from the frame's origin."""
     rotation: Floats
-    """Unit quaternions (N, 4) x, y, z, w, w the greatest number: the columns of the matrices are the main axes, the
-    third one the normal."""
+    """Unit quaternions (N, 4), x, y, z, w, of which w is the greatest. The columns of their rotation matrices are the
+    main axes; the third is the normal."""
     scale: Floats
     """Standard deviations along the axes (N, 3), metres."""
     color: NDArray[np.uint8]
@@ -65,7 +65,7 @@ class Gaussians:
         return replace(self, middle=(self.middle + shift).astype(np.float32))
 
 
-NOTHING = Gaussians(
+NO_GAUSSIANS = Gaussians(
     np.zeros((0, 3), np.float32), np.zeros((0, 4), np.float32), np.zeros((0, 3), np.float32), np.zeros((0, 3), np.uint8)
 )
 
@@ -99,7 +99,7 @@ class Surfaces:
 
 
 def gaussians_of(
-    shown: Surfaces, axes: Floats, pitch: tuple[float, float], sun: tuple[float, float, float] | None
+    surfaces: Surfaces, axes: Floats, pitch: tuple[float, float], sun: tuple[float, float, float] | None
 ) -> Gaussians:
     """Convert the pixels of a view to Gaussians.
 
@@ -115,30 +115,30 @@ def gaussians_of(
         Unit vector towards the sun; None for colours without light.
     """
     right, up, toward = axes
-    facing = np.maximum(shown.normal @ toward, np.float32(MIN_COSINE))
-    u = np.float32(pitch[0]) * (right - ((shown.normal @ right) / facing)[:, None] * toward)
-    v = np.float32(pitch[1]) * (up - ((shown.normal @ up) / facing)[:, None] * toward)
+    facing = np.maximum(surfaces.normal @ toward, np.float32(MIN_COSINE))
+    u = np.float32(pitch[0]) * (right - ((surfaces.normal @ right) / facing)[:, None] * toward)
+    v = np.float32(pitch[1]) * (up - ((surfaces.normal @ up) / facing)[:, None] * toward)
     # Rotating the pixel's axes until their images u and v are perpendicular gives the main axes of u uᵀ + v vᵀ.
     uu, vv, uv = (np.einsum("ni,ni->n", a, b) for a, b in ((u, u), (v, v), (u, v)))
-    turn = 0.5 * np.arctan2(2.0 * uv, uu - vv)
-    cosine, sine = np.cos(turn)[:, None], np.sin(turn)[:, None]
+    angle = 0.5 * np.arctan2(2.0 * uv, uu - vv)
+    cosine, sine = np.cos(angle)[:, None], np.sin(angle)[:, None]
     first, second = cosine * u + sine * v, cosine * v - sine * u
     lengths = np.stack([np.linalg.norm(first, axis=1), np.linalg.norm(second, axis=1)], axis=1)
     first, second = first / lengths[:, :1], second / lengths[:, 1:]
-    across = np.stack([first, second, np.cross(first, second)], axis=2)
-    along = np.float32(SIGMA) * lengths
-    scale = np.concatenate([along, THIN * along.min(axis=1, keepdims=True)], axis=1)
+    main_axes = np.stack([first, second, np.cross(first, second)], axis=2)
+    deviations = np.float32(SIGMA) * lengths
+    scale = np.concatenate([deviations, NORMAL_FACTOR * deviations.min(axis=1, keepdims=True)], axis=1)
 
-    balls = ~shown.is_surfel
-    across[balls] = np.eye(3, dtype=np.float32)
+    is_ball = ~surfaces.is_surfel
+    main_axes[is_ball] = np.eye(3, dtype=np.float32)
     # A ball's disc encloses the pixel, whose corners lie on the ellipse of a surfel with the radius √½ in pixels.
-    scale[balls] = SIGMA * np.hypot(*pitch) / np.sqrt(2.0)
-    rotation, order = _quaternions(across)
+    scale[is_ball] = SIGMA * np.hypot(*pitch) / np.sqrt(2.0)
+    rotation, order = _quaternions(main_axes)
     scale = np.take_along_axis(scale, order, axis=1).astype(np.float32)
-    return Gaussians(shown.middle, rotation, scale, lit(shown.color, shown.normal, sun))
+    return Gaussians(surfaces.middle, rotation, scale, shade(surfaces.color, surfaces.normal, sun))
 
 
-def lit(color: NDArray[np.uint8], normal: Floats, sun: tuple[float, float, float] | None) -> NDArray[np.uint8]:
+def shade(color: NDArray[np.uint8], normal: Floats, sun: tuple[float, float, float] | None) -> NDArray[np.uint8]:
     """Shade albedo (N, 3) with the light of all pictures and the given sun; sRGB in and out."""
     if sun is None:
         return color
@@ -150,34 +150,34 @@ def lit(color: NDArray[np.uint8], normal: Floats, sun: tuple[float, float, float
 
 
 def _quaternions(matrix: Floats) -> tuple[Floats, NDArray[np.int64]]:
-    """Convert rotation matrices (N, 3, 3), columns are axes, to unit quaternions (N, 4) and the order (N, 3) of axes.
+    """Convert rotation matrices (N, 3, 3), whose columns are axes, to quaternions (N, 4) and the axes' order (N, 3).
 
     Axes have no sign, and the first two may change places. Among the rotations that give the same Gaussian, the one
-    with the greatest w is taken: formats that derive w from the other numbers are most exact there.
+    with the greatest w is taken: formats that derive w from x, y and z are most exact for a great w.
     """
     swapped = np.stack([matrix[:, :, 1], -matrix[:, :, 0], matrix[:, :, 2]], axis=2)
-    both = np.stack([_greatest(matrix), _greatest(swapped)])
-    better = both[1, :, 3] > both[0, :, 3]
-    order = np.where(better[:, None], np.array([1, 0, 2]), np.array([0, 1, 2]))
-    return np.where(better[:, None], both[1], both[0]), order
+    quaternions = np.stack([_quaternion_with_greatest_w(matrix), _quaternion_with_greatest_w(swapped)])
+    is_swap_better = quaternions[1, :, 3] > quaternions[0, :, 3]
+    order = np.where(is_swap_better[:, None], np.array([1, 0, 2]), np.array([0, 1, 2]))
+    return np.where(is_swap_better[:, None], quaternions[1], quaternions[0]), order
 
 
-def _greatest(matrix: Floats) -> Floats:
-    """Return each matrix's quaternion as it is or after a half turn about one of its axes: that of the greatest w."""
+def _quaternion_with_greatest_w(matrix: Floats) -> Floats:
+    """Return each matrix's quaternion, after a half turn about one of its axes where that makes w greater."""
     x, y, z = (matrix[:, axis, axis] for axis in range(3))
-    # 4 w², 4 x², 4 y², 4 z². Half turns about the axes permute the numbers up to their signs.
+    # 4 w², 4 x², 4 y², 4 z². Half turns about the axes permute w, x, y and z up to their signs.
     squares = np.stack([1 + x + y + z, 1 + x - y - z, 1 - x + y - z, 1 - x - y + z], axis=1)
-    turn = squares.argmax(axis=1)
+    axis_code = squares.argmax(axis=1)
     # A half turn about axis k negates the two other columns.
-    signs = np.array([[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]], np.float32)[turn]
+    signs = np.array([[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]], np.float32)[axis_code]
     turned = matrix * signs[:, None, :]
     w = 0.5 * np.sqrt(np.maximum(squares.max(axis=1), 1.0))
-    over = 0.25 / w
+    factor = 0.25 / w
     return np.stack(
         [
-            (turned[:, 2, 1] - turned[:, 1, 2]) * over,
-            (turned[:, 0, 2] - turned[:, 2, 0]) * over,
-            (turned[:, 1, 0] - turned[:, 0, 1]) * over,
+            (turned[:, 2, 1] - turned[:, 1, 2]) * factor,
+            (turned[:, 0, 2] - turned[:, 2, 0]) * factor,
+            (turned[:, 1, 0] - turned[:, 0, 1]) * factor,
             w,
         ],
         axis=1,

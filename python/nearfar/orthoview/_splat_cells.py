@@ -14,7 +14,7 @@ from nearfar._base import formats
 from nearfar.orthoview import _codec, _store
 from nearfar.orthoview._chunks import Chunks
 from nearfar.orthoview._files import Files
-from nearfar.orthoview._gaussians import NOTHING, Gaussians, concatenate, gaussians_of
+from nearfar.orthoview._gaussians import NO_GAUSSIANS, Gaussians, concatenate, gaussians_of
 from nearfar.orthoview._grid import Place
 from nearfar.orthoview._layout import BEHIND, CHANNELS, Layout
 from nearfar.orthoview._thinned import Picture, seen_better
@@ -112,7 +112,7 @@ class Cells:
         pictures = self._pictures(level, chunks)
         center = self.layout.grid.box(level, place).mean(axis=0)
         low, high = ((corner - center).astype(np.float32) for corner in self._box)
-        parts, pixels = [NOTHING], 0
+        parts, pixels = [NO_GAUSSIANS], 0
         for number, picture in enumerate(pictures):
             shown = picture.surfaces()
             inside = ((low <= shown.middle) & (shown.middle <= high)).all(axis=1)

@@ -41,9 +41,9 @@ _PLACEHOLDERS: dict[str, tuple[int, str, bool]] = {
 MAX_BYTES = (1 << 32) - 1
 """Greatest size of a GLB."""
 
-_HARMONIC = 0.282_094_791_773_878_1
+_SH_DEGREE_0 = 0.282_094_791_773_878_1
 _CODES = np.arange(256) / 255.0
-_COEFFICIENTS = ((_CODES - 0.5) / _HARMONIC).astype("<f4")
+_COEFFICIENTS = ((_CODES - 0.5) / _SH_DEGREE_0).astype("<f4")
 _LINEAR = np.rint(to_linear(_CODES) * 255.0).astype(np.uint8)
 
 Extent = NDArray[np.float64]
@@ -52,14 +52,14 @@ Extent = NDArray[np.float64]
 
 def columns(gaussians: Gaussians) -> dict[str, bytes]:
     """Encode the attributes of some Gaussians."""
-    solid = np.full((len(gaussians), 1), 255, np.uint8)
+    alpha = np.full((len(gaussians), 1), 255, np.uint8)
     values = {
         "POSITION": gaussians.middle.astype("<f4"),
         f"{SPLATS}:ROTATION": np.rint(gaussians.rotation * 32767.0).astype("<i2"),
         f"{SPLATS}:SCALE": gaussians.scale.astype("<f4"),
         f"{SPLATS}:OPACITY": np.ones(len(gaussians), "<f4"),
         f"{SPLATS}:SH_DEGREE_0_COEF_0": _COEFFICIENTS[gaussians.color],
-        "COLOR_0": np.concatenate([_LINEAR[gaussians.color], solid], axis=1),
+        "COLOR_0": np.concatenate([_LINEAR[gaussians.color], alpha], axis=1),
     }
     return {name: np.ascontiguousarray(values[name]).tobytes() for name in ATTRIBUTES}
 
@@ -76,15 +76,15 @@ def plain_start(count: int, extent: Extent, center: NDArray[np.float64], extras:
     extras
         Entries for the asset's `extras`.
     """
-    views, accessors, at = [], [], 0
+    views, accessors, offset = [], [], 0
     for number, (component, kind, width, is_normalized) in enumerate(ATTRIBUTES.values()):
-        views.append({"buffer": 0, "byteOffset": at, "byteLength": width * count, "target": 34962})
+        views.append({"buffer": 0, "byteOffset": offset, "byteLength": width * count, "target": 34962})
         accessor: dict[str, Any] = {"bufferView": number, "componentType": component, "count": count, "type": kind}
         accessors.append(accessor | ({"normalized": True} if is_normalized else {}))
-        at += width * count
+        offset += width * count
     accessors[0] |= _corners(extent)
-    body = {"accessors": accessors, "bufferViews": views, "buffers": [{"byteLength": at}]}
-    return _start(_document({}, list(ATTRIBUTES), center, extras) | body, at)
+    body = {"accessors": accessors, "bufferViews": views, "buffers": [{"byteLength": offset}]}
+    return _start(_document({}, list(ATTRIBUTES), center, extras) | body, offset)
 
 
 def plain(gaussians: Gaussians, center: NDArray[np.float64], extras: Mapping[str, Any]) -> bytes:
@@ -102,15 +102,15 @@ def packed_start(
         for component, kind, is_normalized in _PLACEHOLDERS.values()
     ]
     accessors[0] |= _corners(extent)
-    whole = size + padding(size)
+    padded_size = size + padding(size)
     body = {
         "accessors": accessors,
         "bufferViews": [{"buffer": 0, "byteLength": size}],
-        "buffers": [{"byteLength": whole}],
+        "buffers": [{"byteLength": padded_size}],
         "extensionsRequired": [SPLATS, PACKED],
     }
-    own = {"extensions": {PACKED: {"bufferView": 0}}}
-    return _start(_document(own, list(_PLACEHOLDERS), center, extras) | body, whole)
+    packing = {"extensions": {PACKED: {"bufferView": 0}}}
+    return _start(_document(packing, list(_PLACEHOLDERS), center, extras) | body, padded_size)
 
 
 def packed(gaussians: Gaussians, center: NDArray[np.float64], extras: Mapping[str, Any]) -> bytes:
@@ -135,7 +135,7 @@ def _corners(extent: Extent) -> dict[str, Any]:
 
 
 def _document(
-    own: dict[str, Any], attributes: list[str], center: NDArray[np.float64], extras: Mapping[str, Any]
+    packing: dict[str, Any], attributes: list[str], center: NDArray[np.float64], extras: Mapping[str, Any]
 ) -> dict[str, Any]:
     """Return the document shared by all files: one node with one mesh of points."""
     splats = {
@@ -147,14 +147,14 @@ def _document(
     primitive = {
         "attributes": {name: number for number, name in enumerate(attributes)},
         "mode": 0,
-        "extensions": {SPLATS: splats | own},
+        "extensions": {SPLATS: splats | packing},
     }
     # Some viewers read only a node's matrix, not its translation.
     matrix = np.eye(4)
     matrix[3, :3] = center
     return {
         "asset": {"version": "2.0", "generator": f"nearfar {__version__}", "extras": dict(extras)},
-        "extensionsUsed": [SPLATS, *([PACKED] if own else [])],
+        "extensionsUsed": [SPLATS, *([PACKED] if packing else [])],
         "scene": 0,
         "scenes": [{"nodes": [0]}],
         "nodes": [{"mesh": 0, "matrix": matrix.ravel().tolist()}],
@@ -166,8 +166,8 @@ def _start(document: dict[str, Any], size: int) -> bytes:
     """Encode a GLB's header, its document, and the header of a binary chunk of `size` bytes."""
     text = json.dumps(document, separators=(",", ":"), allow_nan=False).encode()
     text += b" " * padding(len(text))
-    whole = 12 + 8 + len(text) + 8 + size
-    if whole > MAX_BYTES:
-        raise UnusableError(f"a GLB holds at most {MAX_BYTES:,} bytes, expected fewer than {whole:,}")
-    head = struct.pack("<4sII", b"glTF", 2, whole) + struct.pack("<I4s", len(text), b"JSON")
+    total_size = 12 + 8 + len(text) + 8 + size
+    if total_size > MAX_BYTES:
+        raise UnusableError(f"a GLB holds at most {MAX_BYTES:,} bytes, this one would have {total_size:,}")
+    head = struct.pack("<4sII", b"glTF", 2, total_size) + struct.pack("<I4s", len(text), b"JSON")
     return head + text + struct.pack("<I4s", size, b"BIN\0")

@@ -22,23 +22,23 @@ from nearfar.stream._room_round_trips import RoundTrips
 if TYPE_CHECKING:
     from typing import Self
 
-ENTERING = 30.0
+ENTRY_TIMEOUT = 30.0
 """Timeout for entering the room, seconds."""
 
-PAUSES = (0.05, 5.0)
+RECONNECT_PAUSES = (0.05, 5.0)
 """First and longest pause before a reconnection attempt, seconds; the pause doubles, with random jitter."""
 
-STAYED = 10.0
-"""Seconds in the room after which the pause is reset."""
+PAUSE_RESET_SECONDS = 10.0
+"""Time in the room, seconds, after which the pause is reset to the first one."""
 
-PATIENCE = 120.0
-"""Seconds after which no further attempt begins."""
+RECONNECT_WINDOW = 120.0
+"""Time after the connection broke, seconds, after which no further attempt to reconnect begins."""
 
-RETURNS = ("gone", "slow", "silent", "ending")
-"""Reasons after which the client reconnects; the others would occur again."""
+RECONNECT_REASONS = ("gone", "slow", "silent", "ending")
+"""Reasons after which the client reconnects; all other reasons would occur again."""
 
-Placing = tuple[ArrayLike, ArrayLike]
-"""Position and quaternion."""
+HandPose = tuple[ArrayLike, ArrayLike]
+"""Position in metres and unit quaternion (x, y, z, w)."""
 
 Payload = bytes | bytearray | memoryview
 """Payload of `say` and `signal`."""
@@ -73,14 +73,14 @@ class Room:
         self._users: dict[int, User] = {}
         self._user: int | None = None
         self._ticket = b""
-        self._missing: int | None = None
+        self._expected_users: int | None = None
         self._sequence = 0
-        self._pause, self._entered = PAUSES[0], time.monotonic()
-        self._inbox, self._trips = Inbox(), RoundTrips()
+        self._pause, self._entry_time = RECONNECT_PAUSES[0], time.monotonic()
+        self._inbox, self._round_trips = Inbox(), RoundTrips()
         self._connection: Connection | None = None
-        self._there = asyncio.Event()
+        self._is_ready = asyncio.Event()
         self._end: Ended | None = None
-        self._reading: asyncio.Task[None] | None = None
+        self._reader: asyncio.Task[None] | None = None
         self._was_entered = False
 
     @property
@@ -92,7 +92,7 @@ class Room:
     def user(self) -> int:
         """The user's own number; RoomError before joining."""
         if self._user is None:
-            raise _outside()
+            raise _not_joined_error()
         return self._user
 
     @property
@@ -103,12 +103,12 @@ class Room:
     @property
     def is_connected(self) -> bool:
         """Whether the user is in the room now; false before joining and while reconnecting."""
-        return self._end is None and self._there.is_set()
+        return self._end is None and self._is_ready.is_set()
 
     @property
     def round_trips(self) -> NDArray[np.float64]:
         """Round-trip times of acknowledged poses, in seconds: the last 10,000, the newest last."""
-        return self._trips.seconds
+        return self._round_trips.seconds
 
     @property
     def dropped(self) -> int:
@@ -120,8 +120,8 @@ class Room:
         position: ArrayLike,
         rotation: ArrayLike = (0.0, 0.0, 0.0, 1.0),
         *,
-        left: Placing | None = None,
-        right: Placing | None = None,
+        left: HandPose | None = None,
+        right: HandPose | None = None,
         pointer: tuple[Begin, float] | None = None,
         stops: bool = False,
         acknowledged: bool = False,
@@ -155,13 +155,13 @@ class Room:
         self._check_end()
         self._sequence += 1
         now = time.monotonic_ns()
-        moved = Pose(self._sequence, now // 1000, *flags, head, *hands, ray)
+        message = Pose(self._sequence, now // 1000, *flags, head, *hands, ray)
         if acknowledged and self._has_peers():
-            self._trips.send(moved.sequence, 1e-9 * now)
-        if self._there.is_set():
+            self._round_trips.send(message.sequence, 1e-9 * now)
+        if self._is_ready.is_set():
             # The reading task handles a broken connection.
-            await self._send(frames.pose(moved), or_else=False)
-        return moved.sequence
+            await self._send(frames.pose(message), raises=False)
+        return message.sequence
 
     async def say(self, data: Payload, *, to: To = "group") -> None:
         """Send at most 4,096 bytes to the group or the room; while disconnected it waits for the reconnection.
@@ -184,17 +184,17 @@ class Room:
             raise RoomError("bye", "expected a Room that was not entered before; join makes another one")
         await self._enter()
         self._was_entered = True
-        self._reading = asyncio.create_task(self._read_on())
+        self._reader = asyncio.create_task(self._run())
         return self
 
     async def __aexit__(
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
-        if self._reading is not None:
+        if self._reader is not None:
             self._finish(RoomError("bye", "the user left"))
-            self._reading.cancel()
+            self._reader.cancel()
             try:
-                await complete(self._reading)
+                await complete(self._reader)
             finally:
                 # A task that is cancelled before its first step does not run its own cleanup.
                 await self._leave()
@@ -204,7 +204,7 @@ class Room:
 
     async def __anext__(self) -> Event:
         if not self._was_entered:
-            raise _outside()
+            raise _not_joined_error()
         event = await self._inbox.take()
         if event is None:
             raise StopAsyncIteration
@@ -217,29 +217,29 @@ class Room:
         """Connect, send hello, and wait for the list of users; RoomError if that fails."""
         connection = Connection(self._address)
         try:
-            async with asyncio.timeout(ENTERING):
+            async with asyncio.timeout(ENTRY_TIMEOUT):
                 await connection.open()
                 await connection.send(frames.hello(self._group, self._name, self._ticket))
-                self._missing = None
-                while self._missing is None or self._missing > 0:
-                    await self._take(connection)
+                self._expected_users = None
+                while self._expected_users is None or self._expected_users > 0:
+                    await self._receive(connection)
         except TimeoutError:
             await connection.close()
-            raise RoomError("silent", f"the server has not let the user in within {ENTERING:g} s") from None
+            raise RoomError("silent", f"the server has not let the user in within {ENTRY_TIMEOUT:g} s") from None
         except BaseException:
             await connection.close()
             raise
         self._connection = connection
-        self._entered = time.monotonic()
-        self._there.set()
+        self._entry_time = time.monotonic()
+        self._is_ready.set()
 
-    async def _read_on(self) -> None:
+    async def _run(self) -> None:
         """Process messages, reconnect after a broken connection, and record the final reason."""
         try:
             end = await self._read()
-            while self._reconnects and end.reason in RETURNS:
+            while self._reconnects and end.reason in RECONNECT_REASONS:
                 self._add(Ended(end.reason, end.sentence, returns=True))
-                await self._return()
+                await self._reconnect()
                 end = await self._read()
         except RoomError as error:
             end = error
@@ -255,19 +255,19 @@ class Room:
         """Process messages until the connection has ended; return the reason."""
         try:
             while self._connection is not None:
-                await self._take(self._connection)
+                await self._receive(self._connection)
             return broken()
         except RoomError as end:
             return end
         finally:
             await self._leave()
 
-    async def _return(self) -> None:
+    async def _reconnect(self) -> None:
         """Reconnect, with repeated attempts; RoomError if that fails for good."""
-        shortest, longest = PAUSES
-        if time.monotonic() - self._entered > STAYED:
+        shortest, longest = RECONNECT_PAUSES
+        if time.monotonic() - self._entry_time > PAUSE_RESET_SECONDS:
             self._pause = shortest
-        last = time.monotonic() + PATIENCE
+        deadline = time.monotonic() + RECONNECT_WINDOW
         while True:
             # Jitter: users whom a server has lost do not all reconnect at the same time.
             await asyncio.sleep(self._pause * random.uniform(0.5, 1.0))
@@ -276,60 +276,60 @@ class Room:
             try:
                 await self._enter()
             except RoomError as error:
-                self._forget()
-                if error.reason not in RETURNS or time.monotonic() > last:
+                self._clear_users()
+                if error.reason not in RECONNECT_REASONS or time.monotonic() > deadline:
                     raise
             else:
                 return
 
     async def _leave(self) -> None:
         """Close the connection, if any, and forget all users."""
-        self._there.clear()
-        self._forget()
+        self._is_ready.clear()
+        self._clear_users()
         if self._connection is not None:
             connection, self._connection = self._connection, None
             await connection.close()
 
-    def _forget(self) -> None:
+    def _clear_users(self) -> None:
         self._users.clear()
-        self._trips.forget()
+        self._round_trips.forget()
 
     def _finish(self, end: RoomError) -> None:
-        """Record the final reason as the last event, unless there is one."""
+        """Record the final reason as the last event, unless one is recorded already."""
         if self._end is None:
             self._end = Ended(end.reason, end.sentence, returns=False)
             self._add(self._end)
             self._inbox.end()
             # Wakes up senders that wait for the reconnection.
-            self._there.set()
+            self._is_ready.set()
 
-    async def _take(self, connection: Connection) -> None:
+    async def _receive(self, connection: Connection) -> None:
         """Receive a message and acknowledge its poses; RoomError at the end."""
         message = await connection.receive()
         if message is None:
             raise broken()
-        acks = b"".join(self._took(frame) for frame in frames.read(message))
+        acks = b"".join(self._process(frame) for frame in frames.read(message))
         if acks:
             await connection.send(acks)
 
-    def _took(self, frame: frames.Frame) -> bytes:
+    def _process(self, frame: frames.Frame) -> bytes:
         """Process a frame; return the response frame, or no bytes."""
         match frame:
             case frames.Welcome(user, others, ticket):
-                self._user, self._missing, self._ticket = user, others, ticket
+                self._user, self._expected_users, self._ticket = user, others, ticket
             case frames.Refused(reason, sentence):
                 raise RoomError(reason, sentence)
             case frames.SettledUpTo(sequence):
-                for event in self._trips.settle(sequence, time.monotonic()):
+                for event in self._round_trips.settle(sequence, time.monotonic()):
                     self._add(event)
             case Joined(user, name, group):
                 self._users[user] = User(user, name, group)
-                self._missing = (self._missing or 0) - 1
+                self._expected_users = (self._expected_users or 0) - 1
                 self._add(frame)
             case Left(user):
                 self._users.pop(user, None)
                 if not self._has_peers():
-                    self._trips.forget()
+                    self._round_trips.forget()
                 self._add(frame)
             case Posed(user, pose):
                 self._add(frame)
@@ -347,34 +347,34 @@ class Room:
     async def _send_inside(self, frame: bytes) -> None:
         """Send a frame once the user is in the room; RoomError at the end."""
         self._check_end()
-        await self._there.wait()
+        await self._is_ready.wait()
         self._check_end()
         await self._send(frame)
 
-    async def _send(self, frame: bytes, *, or_else: bool = True) -> None:
+    async def _send(self, frame: bytes, *, raises: bool = True) -> None:
         """Send a frame; RoomError if the connection is broken, unless `or_else` is false."""
         try:
             if self._connection is not None:
                 await self._connection.send(frame)
         except RoomError:
-            if or_else:
+            if raises:
                 raise
 
     def _check_end(self) -> None:
         if not self._was_entered:
-            raise _outside()
+            raise _not_joined_error()
         if self._end is not None:
             raise RoomError(self._end.reason, self._end.sentence)
 
 
-def _outside() -> RoomError:
+def _not_joined_error() -> RoomError:
     return RoomError("unreached", "expected a user who has joined, by `async with`")
 
 
-def _payload(data: Payload, most: int) -> bytes:
+def _payload(data: Payload, max_bytes: int) -> bytes:
     if not isinstance(data, bytes | bytearray | memoryview):
         raise TypeError(f"data: expected bytes, such as text.encode() makes, got {check.type_and_value(data)}")
     payload = bytes(data)
-    if len(payload) > most:
-        raise ValueError(f"data: expected at most {most:,} bytes, got {len(payload):,}")
+    if len(payload) > max_bytes:
+        raise ValueError(f"data: expected at most {max_bytes:,} bytes, got {len(payload):,}")
     return payload

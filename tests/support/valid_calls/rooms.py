@@ -30,5 +30,5 @@ def room(kind: type[client.Room] = client.Room) -> client.Room:
     made._connection = _Nowhere(Address.build(URL, "hall", None, None))
     made._was_entered = True
     made._user = 1
-    made._there.set()
+    made._is_ready.set()
     return made

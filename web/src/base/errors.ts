@@ -6,24 +6,24 @@ export function messageOf(reason: unknown): string {
 }
 
 /**
- * Creates a promise that rejects with the signal's reason when the signal aborts. `begin` gets the functions that
- * settle it, and returns the function that an abort calls.
+ * Creates a promise that rejects with the signal's reason when the signal aborts. `begin` receives
+ * the functions that fulfil and reject the promise. It may return a function to call on abort.
  */
 export function abortable<T>(
   signal: AbortSignal,
-  begin: (done: (value: T) => void, failed: (reason: unknown) => void) => (() => void) | void,
+  begin: (fulfil: (value: T) => void, fail: (reason: unknown) => void) => (() => void) | void,
 ): Promise<T> {
   return new Promise((resolve, reject) => {
     signal.throwIfAborted();
     const abort = (): void => {
-      end?.();
+      stop?.();
       reject(signal.reason as Error);
     };
-    const settled = <Argument>(settle: (argument: Argument) => void) => (argument: Argument): void => {
+    const detached = <Argument>(settle: (argument: Argument) => void) => (argument: Argument): void => {
       signal.removeEventListener('abort', abort);
       settle(argument);
     };
     signal.addEventListener('abort', abort, { once: true });
-    const end = begin(settled(resolve), settled(reject));
+    const stop = begin(detached(resolve), detached(reject));
   });
 }

@@ -1,64 +1,64 @@
-/** Requests: one for all who ask for the same thing at the same time, and a limited number at once. */
+/** Shares simultaneous requests for the same file, and limits the number of simultaneous jobs. */
 import { abortable } from '../base/errors';
 
-type Received = (bytes: number) => void;
-type Load = (name: string, signal: AbortSignal, received: Received) => Promise<ArrayBuffer>;
+type ByteListener = (bytes: number) => void;
+type Load = (name: string, signal: AbortSignal, onBytes: ByteListener) => Promise<ArrayBuffer>;
 
 interface Request {
   readonly result: Promise<ArrayBuffer>;
-  readonly stop: AbortController;
-  readonly listeners: Set<Received>;
+  readonly controller: AbortController;
+  readonly listeners: Set<ByteListener>;
   /** Bytes received so far. */
-  size: number;
+  receivedBytes: number;
 }
 
 /**
- * Shares the requests of a function. Each asker gets its own copy of the data and all progress; a request is aborted
- * when its last asker leaves.
+ * Shares the requests of a function. Each caller gets its own copy of the data and all progress; a request is aborted
+ * when its last caller aborts.
  */
 export function createShared(load: Load): Load {
-  const open = new Map<string, Request>();
+  const pending = new Map<string, Request>();
 
   function begin(name: string): Request {
-    const stop = new AbortController();
-    const listeners = new Set<Received>();
+    const controller = new AbortController();
+    const listeners = new Set<ByteListener>();
     const request: Request = {
       listeners,
-      stop,
-      size: 0,
+      controller,
+      receivedBytes: 0,
       result: Promise.resolve().then(() =>
-        load(name, stop.signal, (bytes) => {
-          request.size += bytes;
-          for (const received of listeners) received(bytes);
+        load(name, controller.signal, (bytes) => {
+          request.receivedBytes += bytes;
+          for (const listener of listeners) listener(bytes);
         }),
       ),
     };
-    open.set(name, request);
-    const forget = (): void => {
-      if (open.get(name) === request) open.delete(name);
+    pending.set(name, request);
+    const remove = (): void => {
+      if (pending.get(name) === request) pending.delete(name);
     };
-    request.result.then(forget, forget);
+    request.result.then(remove, remove);
     return request;
   }
 
-  return async (name, signal, received) => {
+  return async (name, signal, onBytes) => {
     signal.throwIfAborted();
-    const request = open.get(name) ?? begin(name);
+    const request = pending.get(name) ?? begin(name);
     const isFirst = request.listeners.size === 0;
-    // Wrapped, so that a function passed by several askers counts once for each.
-    const own: Received = (bytes) => received(bytes);
-    request.listeners.add(own);
-    if (request.size > 0) own(request.size);
+    // A new function, because the set would merge equal functions of several callers.
+    const listener: ByteListener = (bytes) => onBytes(bytes);
+    request.listeners.add(listener);
+    if (request.receivedBytes > 0) listener(request.receivedBytes);
     const leave = (): void => {
-      request.listeners.delete(own);
+      request.listeners.delete(listener);
       if (request.listeners.size > 0) return;
-      // Later askers get a new request.
-      if (open.get(name) === request) open.delete(name);
-      request.stop.abort(signal.reason);
+      // Later callers get a new request.
+      if (pending.get(name) === request) pending.delete(name);
+      request.controller.abort(signal.reason);
     };
-    return abortable<ArrayBuffer>(signal, (done, failed) => {
-      // Copied before the first asker can transfer its buffer.
-      request.result.then((data) => done(isFirst ? data : data.slice(0)), failed);
+    return abortable<ArrayBuffer>(signal, (fulfil, fail) => {
+      // Copied before the first caller can transfer its buffer.
+      request.result.then((data) => fulfil(isFirst ? data : data.slice(0)), fail);
       return leave;
     });
   };
@@ -66,11 +66,11 @@ export function createShared(load: Load): Load {
 
 export type Slots = <T>(signal: AbortSignal, job: () => Promise<T>) => Promise<T>;
 
-export function createSlots(number: number): Slots {
-  let free = number;
+export function createSlots(slotCount: number): Slots {
+  let freeSlots = slotCount;
   const waiting = new Set<() => void>();
 
-  function place(signal: AbortSignal): Promise<void> {
+  function waitForSlot(signal: AbortSignal): Promise<void> {
     return abortable<void>(signal, (enter) => {
       waiting.add(enter);
       return () => waiting.delete(enter);
@@ -79,8 +79,8 @@ export function createSlots(number: number): Slots {
 
   return async (signal, job) => {
     signal.throwIfAborted();
-    if (free === 0) await place(signal);
-    else free -= 1;
+    if (freeSlots === 0) await waitForSlot(signal);
+    else freeSlots -= 1;
     try {
       return await job();
     } finally {
@@ -89,7 +89,7 @@ export function createSlots(number: number): Slots {
         waiting.delete(next);
         next();
       } else {
-        free += 1;
+        freeSlots += 1;
       }
     }
   };

@@ -6,27 +6,29 @@ import { LEVELS, type Tallies } from './messages';
 /** Content of the card. */
 export interface CardState {
   /** Instruction for the user. */
-  readonly words: string;
+  readonly instruction: string;
   readonly canStart: boolean;
   /** Null before the first trial. */
   readonly trial: TrialState | null;
   /** Scores of other groups, as text. */
-  readonly others: string;
+  readonly otherScores: string;
 }
 
 export interface TrialState {
   /** Title, such as `Trial 1 of 3`. */
   readonly title: string;
-  readonly left: number;
+  readonly secondsLeft: number;
   /** Level of the sphere; empty without a sphere. */
   readonly level: string;
+  /** Users who aim at the sphere and users needed, such as `1/2`; empty without a sphere. */
   readonly aiming: string;
   readonly spheres: number;
   readonly misses: number;
-  readonly over: boolean;
+  readonly isOver: boolean;
   readonly tallies: Tallies;
-  /** Frames per second, and round-trip time in seconds; null if unknown. */
-  readonly frames: number | null;
+  /** Null if unknown. */
+  readonly framesPerSecond: number | null;
+  /** Seconds; null if unknown. */
   readonly roundTrip: number | null;
 }
 
@@ -36,71 +38,71 @@ export interface CollectPanel {
 
 /** Builds the card above the page's buttons; `start` begins a run. */
 export function createPanel(root: HTMLElement, start: () => void): CollectPanel {
-  const words = make('p', { class: 'collect-words', role: 'status' });
+  const instruction = make('p', { class: 'collect-words', role: 'status' });
   const title = make('h2', {}, 'Sphere collection');
-  const names = ['Left', 'Level', 'Aiming', 'Spheres', 'Misses'] as const;
-  const values = names.map(() => make('dd', {}));
+  const figureNames = ['Left', 'Level', 'Aiming', 'Spheres', 'Misses'] as const;
+  const figureCells = figureNames.map(() => make('dd', {}));
   const figures = make(
     'dl',
     { class: 'collect-figures' },
-    ...names.map((name, at) => make('div', {}, make('dt', {}, name), values[at] ?? '')),
+    ...figureNames.map((name, index) => make('div', {}, make('dt', {}, name), figureCells[index] ?? '')),
   );
-  const others = make('p', { class: 'collect-words' });
+  const otherScores = make('p', { class: 'collect-words' });
   const rows = LEVELS.map(() => [make('td', {}), make('td', {}), make('td', {})]);
   const table = make(
     'table',
     { class: 'collect-table' },
     make('tr', {}, ...['Level', 'Spheres', 'Seconds', 'Misses'].map((name) => make('th', { scope: 'col' }, name))),
-    ...LEVELS.map((level, at) => make('tr', {}, make('th', { scope: 'row' }, level), ...(rows[at] ?? []))),
+    ...LEVELS.map((level, index) => make('tr', {}, make('th', { scope: 'row' }, level), ...(rows[index] ?? []))),
   );
-  const device = make('p', { class: 'collect-words' });
-  const begin = button('Start', 'button-main', start);
+  const speedLine = make('p', { class: 'collect-words' });
+  const startButton = button('Start', 'button-main', start);
   const card = make(
     'section',
     { class: 'card collect', 'aria-label': 'Sphere collection' },
-    make('header', {}, title, begin),
+    make('header', {}, title, startButton),
     figures,
     table,
-    device,
-    others,
-    words,
+    speedLine,
+    otherScores,
+    instruction,
   );
   root.querySelector('.bottom')?.prepend(card);
 
-  function showTrial({ title: name, over, ...state }: TrialState): void {
+  function showTrial({ title: name, isOver, ...state }: TrialState): void {
     write(title, name);
-    figures.hidden = over;
-    table.hidden = device.hidden = !over;
+    figures.hidden = isOver;
+    table.hidden = speedLine.hidden = !isOver;
     const counts = [state.spheres, state.misses].map(String);
-    const texts = [clock(state.left), state.level || '–', state.aiming || '–', ...counts];
-    texts.forEach((text, at) => values[at] && write(values[at], text));
-    state.tallies.forEach(({ spheres, seconds, misses }, at) => {
+    const texts = [formatClock(state.secondsLeft), state.level || '–', state.aiming || '–', ...counts];
+    texts.forEach((text, index) => figureCells[index] && write(figureCells[index], text));
+    state.tallies.forEach(({ spheres, seconds, misses }, index) => {
       const cells = [String(spheres), spheres > 0 ? (seconds / spheres).toFixed(2) : '–', String(misses)];
       cells.forEach((text, column) => {
-        const cell = rows[at]?.[column];
+        const cell = rows[index]?.[column];
         if (cell) write(cell, text);
       });
     });
-    const rate = state.frames === null ? [] : [`${state.frames.toFixed(1)} frames a second`];
-    const trip = state.roundTrip === null ? [] : [`round trip ${milliseconds(1000 * state.roundTrip)}`];
-    write(device, [...rate, ...trip].join(', '));
+    const rateText = state.framesPerSecond === null ? [] : [`${state.framesPerSecond.toFixed(1)} frames a second`];
+    const tripText = state.roundTrip === null ? [] : [`round trip ${milliseconds(1000 * state.roundTrip)}`];
+    write(speedLine, [...rateText, ...tripText].join(', '));
   }
 
   return {
     update(state) {
-      write(words, state.words);
-      words.hidden = state.words === '';
-      write(others, state.others);
-      others.hidden = state.others === '';
-      begin.hidden = !state.canStart;
+      write(instruction, state.instruction);
+      instruction.hidden = state.instruction === '';
+      write(otherScores, state.otherScores);
+      otherScores.hidden = state.otherScores === '';
+      startButton.hidden = !state.canStart;
       if (state.trial) showTrial(state.trial);
-      else figures.hidden = table.hidden = device.hidden = true;
+      else figures.hidden = table.hidden = speedLine.hidden = true;
     },
   };
 }
 
 /** Formats a time as `2:05`, rounded up to whole seconds. */
-function clock(seconds: number): string {
-  const whole = Math.max(Math.ceil(seconds), 0);
-  return `${Math.floor(whole / 60)}:${String(whole % 60).padStart(2, '0')}`;
+function formatClock(seconds: number): string {
+  const rounded = Math.max(Math.ceil(seconds), 0);
+  return `${Math.floor(rounded / 60)}:${String(rounded % 60).padStart(2, '0')}`;
 }

@@ -122,7 +122,7 @@ function collect(room: Room, host: Host, parameters: RuleParameters): Collecting
 
   function cardState(now: number): CardState {
     const isHere = room.connection.state.kind === 'here';
-    if (!task || !isHere) return { words: 'Not in the room', canStart: false, trial: null, others: '' };
+    if (!task || !isHere) return { instruction: 'Not in the room', canStart: false, trial: null, otherScores: '' };
     const { group } = task;
     const others = [...task.scores]
       .filter(([other]) => other !== group)
@@ -131,7 +131,8 @@ function collect(room: Room, host: Host, parameters: RuleParameters): Collecting
       .map(([other, { spheres, misses }]) => `Group ${other}: ${spheres} spheres, ${misses} misses`);
     const { roundTrips } = room.connection;
     const trial = task.trial && trialState(task, task.trial, now, frames.rate, roundTrips.median);
-    return { words: wordsOf(task, canStart(task)), canStart: canStart(task), trial, others: others.join(' · ') };
+    const instruction = wordsOf(task, canStart(task));
+    return { instruction, canStart: canStart(task), trial, otherScores: others.join(' · ') };
   }
 
   const collecting: Collecting = {
@@ -219,14 +220,14 @@ function wordsOf(task: Task, canStart: boolean): string {
 function trialState(task: Task, trial: Trial, now: number, frames: number | null, roundTrip: number | null): TrialState {
   return {
     title: `Trial ${trial.trial} of ${trial.trials}`,
-    left: trial.duration - task.elapsed(now),
+    secondsLeft: trial.duration - task.elapsed(now),
     level: task.sphere?.level ?? '',
     aiming: task.sphere ? `${task.aims.length}/${task.needed}` : '',
     spheres: task.count,
     misses: task.missed + task.misses,
-    over: trial.over,
+    isOver: trial.over,
     tallies: trial.tallies,
-    frames,
+    framesPerSecond: frames,
     roundTrip,
   };
 }

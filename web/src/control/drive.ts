@@ -1,6 +1,6 @@
-/** Movement commands of keys, thumbs and gamepads, as shares of full speed. */
+/** Movement commands of keys, touch and gamepads, as fractions of full speed. */
 
-/** Current movement commands of keys, thumbs and sticks, as shares of full speed from −1 to 1. */
+/** Current movement commands, as fractions of full speed from −1 to 1. */
 export interface Drive {
   /** Steps to the right and ahead. */
   readonly right: number;
@@ -12,7 +12,7 @@ export interface Drive {
   readonly isRunning: boolean;
 }
 
-export const REST: Drive = { right: 0, ahead: 0, turn: 0, look: 0, isRunning: false };
+export const NO_MOTION: Drive = { right: 0, ahead: 0, turn: 0, look: 0, isRunning: false };
 
 /** Sum of commands, limited to full speed. */
 export function combine(...drives: readonly Drive[]): Drive {
@@ -28,12 +28,12 @@ function clampLength(x: number, y: number): readonly [number, number] {
   return [x / length, y / length];
 }
 
-/** Stick position with a dead zone around the centre; outside it starts at 0. */
-export function applyDeadZone(x: number, y: number, rest: number): readonly [number, number] {
+/** Stick position with a dead zone around the centre: 0 up to the zone's edge, then growing linearly to 1. */
+export function applyDeadZone(x: number, y: number, deadZone: number): readonly [number, number] {
   const length = Math.hypot(x, y);
-  if (!(length > rest)) return [0, 0];
-  const share = Math.min((length - rest) / (1 - rest), 1) / length;
-  return [x * share, y * share];
+  if (!(length > deadZone)) return [0, 0];
+  const scale = Math.min((length - deadZone) / (1 - deadZone), 1) / length;
+  return [x * scale, y * scale];
 }
 
 /** Steps to the right and ahead, turns to the left and up, by physical key code. */
@@ -50,19 +50,19 @@ const AXES: Readonly<Record<string, readonly [number, number, number, number]>> 
   PageDown: [0, 0, 0, -1],
 };
 
-/** Whether a key moves the user, by its physical code. */
-export function isMoving(code: string): boolean {
+/** Whether the key with a physical code moves the user. */
+export function isMovementKey(code: string): boolean {
   return Object.hasOwn(AXES, code);
 }
 
 /** Whether a key event has another purpose: a browser shortcut, or typing into a field. */
-export function isElsewhere(event: KeyboardEvent): boolean {
+export function hasOtherPurpose(event: KeyboardEvent): boolean {
   if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey) return true;
   const { target } = event;
-  return typeof Element !== 'undefined' && target instanceof Element && target.closest(TYPED) !== null;
+  return typeof Element !== 'undefined' && target instanceof Element && target.closest(TEXT_FIELDS) !== null;
 }
 
-const TYPED = 'input, textarea, select, [contenteditable], dialog[open]';
+const TEXT_FIELDS = 'input, textarea, select, [contenteditable], dialog[open]';
 
 export interface Keys {
   readonly drive: Drive;
@@ -71,48 +71,48 @@ export interface Keys {
 
 /** Listens to keys of a window or an element. */
 export function createKeys(source: EventTarget): Keys {
-  const held = new Set<string>();
-  const stop = new AbortController();
+  const pressedCodes = new Set<string>();
+  const controller = new AbortController();
   const listen = (name: string, action: (event: Event) => void): void =>
-    source.addEventListener(name, action, { signal: stop.signal });
+    source.addEventListener(name, action, { signal: controller.signal });
   let isRunning = false;
 
   listen('keydown', (event) => {
-    const pressed = event as KeyboardEvent;
-    isRunning = pressed.shiftKey;
-    if (!isMoving(pressed.code) || isElsewhere(pressed)) return;
-    held.add(pressed.code);
-    // Otherwise arrow keys scroll.
-    pressed.preventDefault();
+    const keyEvent = event as KeyboardEvent;
+    isRunning = keyEvent.shiftKey;
+    if (!isMovementKey(keyEvent.code) || hasOtherPurpose(keyEvent)) return;
+    pressedCodes.add(keyEvent.code);
+    // Otherwise arrow keys scroll the page.
+    keyEvent.preventDefault();
   });
   listen('keyup', (event) => {
     isRunning = (event as KeyboardEvent).shiftKey;
-    held.delete((event as KeyboardEvent).code);
+    pressedCodes.delete((event as KeyboardEvent).code);
     // macOS sends no keyup events while Command is held.
-    if ((event as KeyboardEvent).key === 'Meta') held.clear();
+    if ((event as KeyboardEvent).key === 'Meta') pressedCodes.clear();
   });
   // A key released elsewhere sends no event.
   listen('blur', () => {
-    held.clear();
+    pressedCodes.clear();
     isRunning = false;
   });
 
   return {
     get drive() {
       const sums = [0, 0, 0, 0];
-      for (const code of held) AXES[code]?.forEach((value, axis) => (sums[axis] = (sums[axis] ?? 0) + value));
+      for (const code of pressedCodes) AXES[code]?.forEach((value, axis) => (sums[axis] = (sums[axis] ?? 0) + value));
       const [right = 0, ahead = 0, turn = 0, look = 0] = sums;
-      const [across, along] = clampLength(right, ahead);
-      return { right: across, ahead: along, turn: Math.sign(turn), look: Math.sign(look), isRunning };
+      const [clampedRight, clampedAhead] = clampLength(right, ahead);
+      return { right: clampedRight, ahead: clampedAhead, turn: Math.sign(turn), look: Math.sign(look), isRunning };
     },
-    dispose: () => stop.abort(),
+    dispose: () => controller.abort(),
   };
 }
 
-/** Dead zone as a share of a stick's range: worn sticks do not return to 0. */
+/** Dead zone as a fraction of a stick's range: worn sticks do not return to 0. */
 const DEAD_ZONE = 0.18;
-/** Button numbers in the standard layout: left shoulder, left stick. */
-const HASTE = [4, 10] as const;
+/** Buttons for running, by number in the standard layout: left shoulder, left stick. */
+const RUN_BUTTONS = [4, 10] as const;
 
 /** Subset of the browser's Gamepad. */
 export interface Pad {
@@ -124,14 +124,14 @@ export interface Pad {
 
 /** Commands of all gamepads with the standard layout. */
 export function readPads(pads: readonly (Pad | null)[]): Drive {
-  const known = pads.filter((pad) => pad !== null && pad.connected && pad.mapping === 'standard');
-  return known.length === 0 ? REST : combine(...known.map((pad) => (pad ? driveOf(pad) : REST)));
+  const standardPads = pads.filter((pad) => pad !== null && pad.connected && pad.mapping === 'standard');
+  return standardPads.length === 0 ? NO_MOTION : combine(...standardPads.map((pad) => (pad ? driveOf(pad) : NO_MOTION)));
 }
 
 function driveOf({ axes, buttons }: Pad): Drive {
   const [right, back] = applyDeadZone(axes[0] ?? 0, axes[1] ?? 0, DEAD_ZONE);
   const [clockwise, down] = applyDeadZone(axes[2] ?? 0, axes[3] ?? 0, DEAD_ZONE);
-  const isRunning = HASTE.some((number) => buttons[number]?.pressed ?? false);
+  const isRunning = RUN_BUTTONS.some((number) => buttons[number]?.pressed ?? false);
   // Subtracted from 0, so that a stick at rest gives 0 instead of −0.
   return { right, ahead: 0 - back, turn: 0 - clockwise, look: 0 - down, isRunning };
 }

@@ -1,5 +1,5 @@
 /** Mouse, pen and touch: dragging, two fingers, double taps, the wheel, and a locked pointer. */
-import { applyDeadZone, type Drive, REST } from './drive';
+import { applyDeadZone, type Drive, NO_MOTION } from './drive';
 
 /** Radians per picture height of dragging: for a walker's head, and for orbiting. */
 const [LOOK, AROUND] = [1.6, Math.PI] as const;
@@ -56,7 +56,7 @@ interface Down {
 export function createPointers(element: HTMLElement, actions: PointerActions): Pointers {
   const downs = new Map<number, Down>();
   const stop = new AbortController();
-  let drive = REST;
+  let drive = NO_MOTION;
 
   const taps = createTaps(go);
   let isTouch = false;
@@ -115,7 +115,7 @@ export function createPointers(element: HTMLElement, actions: PointerActions): P
 
   function step({ x, y }: { x: number; y: number }, { clientX, clientY }: PointerEvent): void {
     const [right, down] = applyDeadZone((clientX - x) / THUMB_REACH, (clientY - y) / THUMB_REACH, THUMB_REST);
-    drive = { ...REST, right, ahead: 0 - down };
+    drive = { ...NO_MOTION, right, ahead: 0 - down };
     actions.thumb({ x, y, right: clientX - x, down: clientY - y });
   }
 
@@ -134,7 +134,7 @@ export function createPointers(element: HTMLElement, actions: PointerActions): P
   }
 
   function rest(): void {
-    drive = REST;
+    drive = NO_MOTION;
     actions.thumb(null);
   }
 

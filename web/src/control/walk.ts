@@ -3,14 +3,18 @@ import type { Drive } from './drive';
 import { type Bounds, confine, leadBack } from './limit';
 import { clamp, type Pose, rightOf, STEEPEST, type Vector } from './pose';
 
-/** Walking speed, metres per second, and factor for running. */
-const [SPEED, HASTE] = [1.6, 3] as const;
+/** Walking speed, metres per second. */
+const SPEED = 1.6;
+/** Running speed divided by walking speed. */
+const RUN_FACTOR = 3;
 /** Turning speed, radians per second. */
-const TURN = 1.4;
-/** Time constants in seconds (to 1/e) of the speed, and of the eye's return to its height. */
-const [START, RISE] = [0.09, 0.25] as const;
+const TURN_SPEED = 1.4;
+/** Seconds in which the difference from the goal speed falls to 1/e. */
+const SPEED_TIME = 0.09;
+/** Seconds in which the eye's difference from its height falls to 1/e. */
+const HEIGHT_TIME = 0.25;
 /** Longest integration step, seconds; within it the path is straight. */
-const STEP = 1 / 120;
+const MAX_STEP = 1 / 120;
 
 export interface Walk {
   readonly pose: Pose;
@@ -20,9 +24,9 @@ export interface Walk {
   look(left: number, up: number): void;
   /** Moves the user; the new height is the eye height from then on. */
   setPose(pose: Pose): void;
-  /** Continues from a pose to which the user's own body has moved the head, with its height; the speed stays. */
+  /** Continues from the pose of a tracked head, whose height becomes the eye height; the speed does not change. */
   follow(pose: Pose): void;
-  /** Takes over from another mode; the eye returns to its height in a moment. */
+  /** Continues from the last pose of another mode with speed 0; the eye then returns to its height. */
   resume(pose: Pose): void;
 }
 
@@ -34,19 +38,23 @@ export function createWalk(start: Pose, bounds: () => Bounds | null, isSudden: (
   let velocity: readonly [number, number] = [0, 0];
 
   function step(seconds: number, drive: Drive): void {
-    const turned = TURN * drive.turn * seconds;
-    const middle = yaw + turned / 2;
-    yaw += turned;
-    pitch = clamp(pitch + TURN * drive.look * seconds, -STEEPEST, STEEPEST);
-    const speed = SPEED * (drive.isRunning ? HASTE : 1);
-    const [right, rightSpeed] = glide(velocity[0], speed * drive.right, seconds, isSudden());
-    const [front, frontSpeed] = glide(velocity[1], speed * drive.ahead, seconds, isSudden());
-    velocity = [rightSpeed, frontSpeed];
-    const [x, , z] = rightOf(middle);
-    const drop = isSudden() ? 0 : (position[1] - height) * Math.exp(-seconds / RISE);
+    const turnAngle = TURN_SPEED * drive.turn * seconds;
+    const middleYaw = yaw + turnAngle / 2;
+    yaw += turnAngle;
+    pitch = clamp(pitch + TURN_SPEED * drive.look * seconds, -STEEPEST, STEEPEST);
+    const speed = SPEED * (drive.isRunning ? RUN_FACTOR : 1);
+    const [rightDistance, rightSpeed] = glide(velocity[0], speed * drive.right, seconds, isSudden());
+    const [aheadDistance, aheadSpeed] = glide(velocity[1], speed * drive.ahead, seconds, isSudden());
+    velocity = [rightSpeed, aheadSpeed];
+    const [x, , z] = rightOf(middleYaw);
+    const heightError = isSudden() ? 0 : (position[1] - height) * Math.exp(-seconds / HEIGHT_TIME);
     // Ahead on the ground is (z, −x) if right is (x, z).
-    const wanted: Vector = [position[0] + x * right + z * front, height + drop, position[2] + z * right - x * front];
-    position = leadBack(confine(position, wanted, bounds()), bounds(), seconds);
+    const target: Vector = [
+      position[0] + x * rightDistance + z * aheadDistance,
+      height + heightError,
+      position[2] + z * rightDistance - x * aheadDistance,
+    ];
+    position = leadBack(confine(position, target, bounds()), bounds(), seconds);
   }
 
   function follow(pose: Pose): void {
@@ -59,7 +67,7 @@ export function createWalk(start: Pose, bounds: () => Bounds | null, isSudden: (
       return { position, yaw, pitch };
     },
     update(seconds, drive) {
-      const steps = Math.ceil(seconds / STEP);
+      const steps = Math.ceil(seconds / MAX_STEP);
       for (let number = 0; number < steps; number++) step(seconds / steps, drive);
     },
     look(left, up) {
@@ -79,11 +87,11 @@ export function createWalk(start: Pose, bounds: () => Bounds | null, isSudden: (
 }
 
 /**
- * Distance covered and speed reached when the speed v tends to a goal g by dv/dt = (g − v) / START. The closed form
+ * Distance and final speed when the speed v tends to a goal g by dv/dt = (g − v) / SPEED_TIME. The closed form
  * makes one long step equal many short ones.
  */
 function glide(speed: number, goal: number, seconds: number, isSudden: boolean): readonly [number, number] {
   if (isSudden) return [goal * seconds, goal];
-  const left = Math.exp(-seconds / START);
-  return [goal * seconds + (speed - goal) * START * (1 - left), goal + (speed - goal) * left];
+  const decay = Math.exp(-seconds / SPEED_TIME);
+  return [goal * seconds + (speed - goal) * SPEED_TIME * (1 - decay), goal + (speed - goal) * decay];
 }

@@ -144,10 +144,10 @@ async function surfacesOf(glb: Glb, { glb: file, center, isDynamic }: GeometryRe
 /** Pieces whose large triangles are split as finely as the budget allows. */
 function splitPieces(surfaces: readonly Surface[], offset: Point, { growth, isDynamic }: GeometryRequest): Piece[] {
   for (let tolerance = TOLERANCE; ; tolerance *= 2) {
-    const budget = { left: MAX_ADDED_TRIANGLES };
+    const budget = { triangles: MAX_ADDED_TRIANGLES };
     // Dynamic objects may be posed, which changes which triangles are large.
     const pieces = piecesOf(surfaces, offset, createRule(isDynamic ? NO_GROWTH : growth, tolerance), budget);
-    if (budget.left >= 0) return pieces;
+    if (budget.triangles >= 0) return pieces;
   }
 }
 

@@ -7,56 +7,59 @@ import type { Arrays } from './surfaces';
 /** Greatest number of triangles of a piece: about a megabyte. */
 const MAX_TRIANGLES = 32_768;
 /** Number of vertices that 16-bit indices can address. */
-const SHORT = 65_536;
+const SHORT_INDEX_VERTICES = 65_536;
 
 /** The same triangles in pieces of bounded size, each with the vertices that it uses. */
-export function splitIntoPieces(whole: Arrays): Arrays[] {
-  const corners = 3 * MAX_TRIANGLES;
-  if (whole.indices.length === 0) return [];
-  if (whole.indices.length <= corners) return [whole];
-  const renamed = new Int32Array(whole.positions.length / 3).fill(-1);
-  const count = Math.ceil(whole.indices.length / corners);
+export function splitIntoPieces(mesh: Arrays): Arrays[] {
+  const indicesPerPiece = 3 * MAX_TRIANGLES;
+  if (mesh.indices.length === 0) return [];
+  if (mesh.indices.length <= indicesPerPiece) return [mesh];
+  const newIndices = new Int32Array(mesh.positions.length / 3).fill(-1);
+  const count = Math.ceil(mesh.indices.length / indicesPerPiece);
   return Array.from({ length: count }, (_, n) => {
-    return selectTriangles(whole, whole.indices.subarray(n * corners, (n + 1) * corners), renamed);
+    return selectTriangles(mesh, mesh.indices.subarray(n * indicesPerPiece, (n + 1) * indicesPerPiece), newIndices);
   });
 }
 
-/** Triangles by their indices, with the vertices that they use. `renamed` has −1 for each vertex, before and after. */
+/**
+ * Triangles by their indices, with the vertices that they use. `newIndices` is −1 for each vertex on entry and on
+ * return.
+ */
 export function selectTriangles(
-  whole: Arrays,
-  corners: Uint16Array | Uint32Array,
-  renamed = new Int32Array(whole.positions.length / 3).fill(-1),
+  mesh: Arrays,
+  triangleIndices: Uint16Array | Uint32Array,
+  newIndices = new Int32Array(mesh.positions.length / 3).fill(-1),
 ): Arrays {
-  const indices = new Uint32Array(corners.length);
-  const used = new Uint32Array(corners.length);
+  const indices = new Uint32Array(triangleIndices.length);
+  const usedBuffer = new Uint32Array(triangleIndices.length);
   let count = 0;
-  for (let n = 0; n < corners.length; n++) {
-    const vertex = corners[n] as number;
-    if (renamed[vertex] === -1) {
-      renamed[vertex] = count;
-      used[count++] = vertex;
+  for (let n = 0; n < triangleIndices.length; n++) {
+    const vertex = triangleIndices[n] as number;
+    if (newIndices[vertex] === -1) {
+      newIndices[vertex] = count;
+      usedBuffer[count++] = vertex;
     }
-    indices[n] = renamed[vertex] as number;
+    indices[n] = newIndices[vertex] as number;
   }
-  const chosen = used.subarray(0, count);
-  for (const vertex of chosen) renamed[vertex] = -1;
+  const usedVertices = usedBuffer.subarray(0, count);
+  for (const vertex of usedVertices) newIndices[vertex] = -1;
   return {
-    ...whole,
-    indices: count <= SHORT ? Uint16Array.from(indices) : indices,
-    positions: rowsOf(whole.positions, chosen, 3),
-    normals: whole.normals && rowsOf(whole.normals, chosen, 3),
-    uvs: whole.uvs && rowsOf(whole.uvs, chosen, 2),
-    colors: whole.colors && rowsOf(whole.colors, chosen, 4),
+    ...mesh,
+    indices: count <= SHORT_INDEX_VERTICES ? Uint16Array.from(indices) : indices,
+    positions: rowsOf(mesh.positions, usedVertices, 3),
+    normals: mesh.normals && rowsOf(mesh.normals, usedVertices, 3),
+    uvs: mesh.uvs && rowsOf(mesh.uvs, usedVertices, 2),
+    colors: mesh.colors && rowsOf(mesh.colors, usedVertices, 4),
   };
 }
 
-function rowsOf<T extends Float32Array | Uint16Array>(rows: T, chosen: Uint32Array, width: number): T {
-  const found = new (rows.constructor as new (length: number) => T)(chosen.length * width);
-  for (let n = 0; n < chosen.length; n++) {
-    const row = chosen[n] as number;
-    for (let column = 0; column < width; column++) found[n * width + column] = rows[row * width + column] as number;
+function rowsOf<T extends Float32Array | Uint16Array>(rows: T, selection: Uint32Array, width: number): T {
+  const selectedRows = new (rows.constructor as new (length: number) => T)(selection.length * width);
+  for (let n = 0; n < selection.length; n++) {
+    const row = selection[n] as number;
+    for (let column = 0; column < width; column++) selectedRows[n * width + column] = rows[row * width + column] as number;
   }
-  return found;
+  return selectedRows;
 }
 
 /** Greatest number of pieces and bands of a part; deserialising one takes about 20 µs. */
@@ -68,7 +71,7 @@ const MAX_BYTES = 2 ** 22;
 export function packIntoParts(bands: readonly Band[], pieces: readonly Piece[]): Part[] {
   const parts: { bands: Band[]; pieces: Piece[] }[] = [];
   let [count, bytes] = [0, 0];
-  const place = (size: number): { bands: Band[]; pieces: Piece[] } => {
+  const partFor = (size: number): { bands: Band[]; pieces: Piece[] } => {
     let last = parts.at(-1);
     if (!last || count === MAX_PIECES || bytes + size > MAX_BYTES) {
       last = { bands: [], pieces: [] };
@@ -79,15 +82,16 @@ export function packIntoParts(bands: readonly Band[], pieces: readonly Piece[]):
     bytes += size;
     return last;
   };
-  for (const band of bands) place(4 * band.rows.width * band.rows.height).bands.push(band);
+  for (const band of bands) partFor(4 * band.rows.width * band.rows.height).bands.push(band);
   const sent = new Set<string | Float32Array | null>();
   for (const piece of pieces) {
     const { same, placements } = piece;
-    const whole = same !== null && sent.has(same) ? withoutArrays(piece) : piece;
+    const withNeededArrays = same !== null && sent.has(same) ? withoutArrays(piece) : piece;
     // Pieces of a mesh share placements; transferring them with one piece detaches them for the others.
-    const own = placements && sent.has(placements) ? { ...whole, placements: placements.slice() } : whole;
+    const isShared = placements !== null && sent.has(placements);
+    const transferable = isShared ? { ...withNeededArrays, placements: placements.slice() } : withNeededArrays;
     sent.add(same).add(placements);
-    place(arraysOf(own).reduce((sum, array) => sum + array.byteLength, 0)).pieces.push(own);
+    partFor(arraysOf(transferable).reduce((sum, array) => sum + array.byteLength, 0)).pieces.push(transferable);
   }
   return parts;
 }
@@ -115,7 +119,7 @@ function arraysOf({ positions, normals, uvs, colors, indices, placements }: Piec
   return [positions, normals, uvs, colors, indices, placements].filter((array) => array !== null);
 }
 
-/** Copy of a piece without arrays that an earlier piece has. */
+/** Copy of a piece without the arrays that an earlier piece of the same mesh has. */
 function withoutArrays(piece: Piece): Piece {
   const { normals, uvs, colors } = piece;
   return {

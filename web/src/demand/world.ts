@@ -1,4 +1,4 @@
-/** World whose regions a server makes on demand, for any place of a grid. */
+/** World whose regions a server reduces on demand, at any point of a grid. */
 import type { FileEntry } from '../bundle/manifest';
 import { createFiles, type Files, MAX_MANIFEST, type Received } from '../bundle/source';
 import type { Network } from '../bundle/transfer';
@@ -14,8 +14,8 @@ export interface DemandSettings {
   readonly base: URL;
   readonly site: Site;
   readonly scene: SceneFacts;
-  /** Last requested ring, as text; null for all. */
-  readonly last: string | null;
+  /** Last ring to request, as text; null for all rings. */
+  readonly lastRing: string | null;
   readonly received: Received;
   readonly network: Network;
 }
@@ -26,81 +26,83 @@ export interface DemandWorld extends World {
   progressOf(region: number): ServerProgress | null;
 }
 
-export function createDemandWorld({ base, site, scene, last, received, network }: DemandSettings): DemandWorld {
+export function createDemandWorld({ base, site, scene, lastRing, received, network }: DemandSettings): DemandWorld {
   const grid = createGrid(site.grid);
-  const makings = new Map<number, ServerProgress>();
+  const progressByRegion = new Map<number, ServerProgress>();
   // Files are named by their content, so entries of different places agree.
-  const listed = new Map<string, FileEntry>();
+  const entries = new Map<string, FileEntry>();
   return {
     places: grid,
     faceSize: scene.faceSize,
     nearShare: scene.nearShare,
     marginShare: scene.nearShare,
     fade: scene.fade,
-    files: createFiles(base, (name) => listed.get(name), received, network),
+    files: createFiles(base, (name) => entries.get(name), received, network),
     async open(region, signal) {
-      const report = (making: ServerProgress): void => {
-        if (!signal.aborted) makings.set(region, making);
+      const report = (progress: ServerProgress): void => {
+        if (!signal.aborted) progressByRegion.set(region, progress);
       };
       const name = `at/${grid.of(region).center.join()}/parts`;
       report({ stage: 'asked' });
-      signal.addEventListener('abort', () => makings.delete(region), { once: true });
+      signal.addEventListener('abort', () => progressByRegion.delete(region), { once: true });
       const busy = (seconds: number): void => report({ stage: 'busy', seconds });
       const answer = await request(new URL(name, base), 'place', busy, signal, network);
-      const coming = await readPlace(linesOf('parts', answer, MAX_MANIFEST), last, {
+      const place = await readPlace(linesOf('parts', answer, MAX_MANIFEST), lastRing, {
         listed(files) {
-          for (const [file, described] of Object.entries(files)) listed.set(file, described);
+          for (const [file, entry] of Object.entries(files)) entries.set(file, entry);
         },
         making: report,
       });
-      grid.know(region, coming.entry);
-      return coming;
+      grid.record(region, place.entry);
+      return place;
     },
-    progressOf: (region) => makings.get(region) ?? null,
+    progressOf: (region) => progressByRegion.get(region) ?? null,
   };
 }
 
 /** Step to which a server rounds the height of a place, metres. */
-const HEIGHT = 1 / 8;
-/** Remaining share of the limit below which the next place is requested, and above which it is dropped. */
-const [ASKED_SHARE, DROPPED_SHARE] = [0.5, 0.6] as const;
-/** A requested place is kept while its distance is below this share of the distance to the shown centre. */
-const KEPT_SHARE = 0.6;
+const HEIGHT_STEP = 1 / 8;
+/** Fraction of the limit's distance below which the next place is requested. */
+const REQUEST_SHARE = 0.5;
+/** Fraction of the limit's distance above which a requested place is dropped. */
+const DROP_SHARE = 0.6;
+/** A requested place is kept while the user's distance to it is below this fraction of that to the shown centre. */
+const KEEP_SHARE = 0.6;
 
 export interface Grid extends Places {
   /** Records the place of a region. */
-  know(region: number, spot: Spot): void;
+  record(region: number, spot: Spot): void;
 }
 
 export function createGrid(spacing: number): Grid {
-  const numbers = new Map<string, number>();
+  const regionByName = new Map<string, number>();
   const spots: Spot[] = [];
   const of = (region: number): Spot => spots[region] as Spot;
 
   function nearest([x, y, z]: Vector): number {
-    const center: Vector = [snap(x, spacing), snap(y, HEIGHT), snap(z, spacing)];
+    const center: Vector = [snap(x, spacing), snap(y, HEIGHT_STEP), snap(z, spacing)];
     const name = center.join();
-    const found = numbers.get(name);
-    if (found !== undefined) return found;
+    const region = regionByName.get(name);
+    if (region !== undefined) return region;
     // The margin is unknown; users who request the region are at most this far away.
     spots.push({ center, fold_margin: spacing });
-    numbers.set(name, spots.length - 1);
+    regionByName.set(name, spots.length - 1);
     return spots.length - 1;
   }
 
   return {
     of,
     nearest,
-    /** Place of the user, if the shown region is about to end; the previous choice, while it is about as good. */
+    /** Region at the user if the shown region's limit is near; the region requested before while it is close enough. */
     ahead({ place, current, ahead, limit }) {
-      const left = limit.metres - distance(place, limit);
-      if (left > (ahead === null ? ASKED_SHARE : DROPPED_SHARE) * limit.metres) return null;
-      const far = (region: number): number => distance(place, { center: of(region).center, metres: 0 });
-      if (ahead !== null && ahead !== current && far(ahead) <= KEPT_SHARE * far(current)) return ahead;
-      const here = nearest(place);
-      return here === current ? null : here;
+      const remaining = limit.metres - distance(place, limit);
+      if (remaining > (ahead === null ? REQUEST_SHARE : DROP_SHARE) * limit.metres) return null;
+      const distanceTo = (region: number): number => distance(place, { center: of(region).center, metres: 0 });
+      if (ahead !== null && ahead !== current && distanceTo(ahead) <= KEEP_SHARE * distanceTo(current)) return ahead;
+      const nearestRegion = nearest(place);
+      return nearestRegion === current ? null : nearestRegion;
     },
-    know(region, spot) {
+    record(region, spot) {
       spots[region] = spot;
     },
   };

@@ -1,5 +1,5 @@
 /** Flight along the view, sideways, up and down, at a speed proportional to the height; the pose at the start. */
-import { browserPads, combine, createKeys, type Drive, isElsewhere, readPads } from '../control/drive';
+import { browserPads, combine, createKeys, type Drive, hasOtherPurpose, readPads } from '../control/drive';
 import { createPointers, type Thumb } from '../control/pointers';
 import { addScaled, ahead, clamp, type Pose, rightOf, STEEPEST, type Vector } from '../control/pose';
 import type { Layout } from './store/layout';
@@ -78,7 +78,7 @@ export function createFly(
   });
 
   window.addEventListener('keydown', (event) => {
-    if (!Object.hasOwn(VERTICAL_KEYS, event.code) || isElsewhere(event)) return;
+    if (!Object.hasOwn(VERTICAL_KEYS, event.code) || hasOtherPurpose(event)) return;
     heldKeys.add(event.code);
     // Otherwise the space bar presses buttons.
     if (!(event.target instanceof HTMLButtonElement)) event.preventDefault();

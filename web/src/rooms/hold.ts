@@ -1,5 +1,5 @@
 /** Pointing while a key or button is held, and the point of the picture that is pointed at. */
-import { isElsewhere } from '../control/drive';
+import { hasOtherPurpose } from '../control/drive';
 
 /** Physical code of the key that points. */
 const POINTING_KEY = 'KeyE';
@@ -33,7 +33,7 @@ export function createHold(canvas: HTMLCanvasElement, button: HTMLElement): Hold
 
   listen(window, ['keydown'], (event) => {
     const keyEvent = event as KeyboardEvent;
-    if (keyEvent.code === POINTING_KEY && !isElsewhere(keyEvent)) heldInputs.add('key');
+    if (keyEvent.code === POINTING_KEY && !hasOtherPurpose(keyEvent)) heldInputs.add('key');
   });
   listen(window, ['keyup'], (event) => {
     if ((event as KeyboardEvent).code === POINTING_KEY) heldInputs.delete('key');

@@ -1,5 +1,5 @@
 /** Commands by key, which the panel runs, and the help with all keys, touch gestures and gamepad controls. */
-import { isElsewhere, isMoving } from '../control/drive';
+import { hasOtherPurpose, isMovementKey } from '../control/drive';
 import { icon, ICONS, make } from './dom';
 
 /** Keys or gestures, and their effect. */
@@ -132,7 +132,7 @@ export function listen(run: (name: Name) => void, keys: EventTarget = window): v
   keys.addEventListener('keydown', (event) => {
     const pressed = event as KeyboardEvent;
     // On some keyboards a command's letter is on a key that moves the user.
-    if (isElsewhere(pressed) || pressed.repeat || isMoving(pressed.code)) return;
+    if (hasOtherPurpose(pressed) || pressed.repeat || isMovementKey(pressed.code)) return;
     const name = names.get(pressed.key.toLowerCase());
     if (!name) return;
     pressed.preventDefault();

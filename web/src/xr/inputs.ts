@@ -1,5 +1,5 @@
 /** Input of a frame: rays of the hands, tracked joints, and sticks that walk and turn. */
-import { applyDeadZone, type Drive, REST } from '../control/drive';
+import { applyDeadZone, type Drive, NO_MOTION } from '../control/drive';
 import type { Vector } from '../control/pose';
 
 declare global {
@@ -116,10 +116,10 @@ export function createSteering(): Steering {
       const walks = left ?? right;
       const turns = right ?? left;
       const turn = snap(turns?.x ?? 0);
-      if (!walks) return { drive: REST, turn };
+      if (!walks) return { drive: NO_MOTION, turn };
       // A single stick walks only ahead and back.
       const [x, y] = applyDeadZone(walks === turns ? 0 : walks.x, walks.y, DEAD_ZONE);
-      return { drive: { ...REST, right: x, ahead: 0 - y, isRunning: walks.isPressed }, turn };
+      return { drive: { ...NO_MOTION, right: x, ahead: 0 - y, isRunning: walks.isPressed }, turn };
     },
   };
 }

@@ -48,28 +48,28 @@ def regions(
     """Divide a walk into regions, each with a centre from which it is reduced, so that no picture folds on the way.
 
     The centres lie on a hexagonal grid with the spacing √3 (R − b), so that every place is within R − b of one; R is
-    `reach` and b `hysteresis`. Only cells that the path visits, or that have a part of the area, get a centre. Of
-    several directions of the grid's rows, one with the fewest cells is taken. Nothing is baked yet.
+    `reach` and b `hysteresis`. Only cells that the path visits or that overlap the area get a centre. The grid is
+    tried in several directions, and the one with the fewest cells is used. Nothing is baked yet.
 
     Parameters
     ----------
     scene
         The scene; its triangles count for a `budget`.
     path
-        (N, 3) world positions of the eye, metres, which the user passes in straight pieces.
+        (N, 3) world positions of the eye, metres; the user walks straight from each to the next.
     area
         Instead of a path: (N, 2) x and z of the corners of a polygon on the ground, metres; two are opposite corners of
-        a rectangle. The ground is found by vertical rays. Under a roof, give a path.
+        a rectangle. Vertical rays find the ground, so below a roof a path is needed instead.
     hysteresis
-        Least way b in metres between two changes of region, 0 ≤ b < R.
+        Least distance b in metres that a user walks between two changes of region, 0 ≤ b < R.
     morph
         As in `reduce`. "cylinder" suits users who stay at the height of the centre.
     keep
         Number of reduced scenes to cache, at least 3: the present, the previous and the next one.
     radii
         Requirements on the radii, as `RadiusSettings`; all regions have the same radii. `reach` is the greatest
-        distance R of a user from the centre of their region, less than r2. A `budget` is kept about every centre. A
-        path states its own heights; then `eye_height` is only used for the shear of the ground.
+        distance R of a user from the centre of their region, less than r2. A `budget` holds around every centre. A
+        path contains the eye's heights; then `eye_height` is only used for the shear of the ground.
     settings
         Size, samples, channels and backend of the maps, as `MapSettings`.
     keywords
@@ -97,30 +97,33 @@ def regions(
     core_of(scene)
     if (path is None) == (area is None):
         raise ValueError(f"path: expected either path or area, got {'neither' if path is None else 'both'}")
-    rest, own = split(RadiusSettings, keywords)
-    baking, wanted = gather(MapSettings, settings, rest), gather(RadiusSettings, radii, own, argument="radii")
-    walked = _length("reach", wanted.reach)
-    height = _length("eye_height", wanted.eye_height)
-    band = checked_hysteresis(hysteresis, walked)
+    map_keywords, radius_keywords = split(RadiusSettings, keywords)
+    map_settings, radius_settings = (
+        gather(MapSettings, settings, map_keywords),
+        gather(RadiusSettings, radii, radius_keywords, argument="radii"),
+    )
+    reach = _check_length("reach", radius_settings.reach)
+    eye_height = _check_length("eye_height", radius_settings.eye_height)
+    min_walk = checked_hysteresis(hysteresis, reach)
     check.choice("morph", morph, MORPHS)
     checked_keep(keep)
-    if wanted.r2 is not None and walked >= wanted.r2:
+    if radius_settings.r2 is not None and reach >= radius_settings.r2:
         raise ValueError(
-            f"reach: expected less than r2 = {wanted.r2:g} m, beyond which all is in the map, got {walked:g}"
+            f"reach: expected less than r2 = {radius_settings.r2:g} m, beyond which all is in the map, got {reach:g}"
         )
-    spacing = spacing_for(walked, band)
+    spacing = spacing_for(reach, min_walk)
     if path is not None:
         eyes = _eyes(scene, path)
         centers = _on_path(eyes, spacing)
     else:
-        centers = _on_ground(scene, _corners(scene, area), spacing, height)
-    chosen = _radii(scene, centers, wanted)
+        centers = _on_ground(scene, _corners(scene, area), spacing, eye_height)
+    common_radii = _common_radii(scene, centers, radius_settings)
     if path is not None and np.ptp(eyes[:, 1]) > 0.0:
-        _check_heights(centers, climbs(eyes, centers, walked), chosen, morph)
-    return Regions(scene, centers, radii=chosen, hysteresis=band, morph=morph, baking=baking, keep=keep)
+        _check_heights(centers, climbs(eyes, centers, reach), common_radii, morph)
+    return Regions(scene, centers, radii=common_radii, hysteresis=min_walk, morph=morph, baking=map_settings, keep=keep)
 
 
-def _length(name: str, length: float) -> float:
+def _check_length(name: str, length: float) -> float:
     """Check a length in metres that is small enough for grids; ValueError otherwise."""
     if length > check.FARTHEST:
         raise ValueError(f"{name}: expected up to {check.FARTHEST:g} m, got {length:g}")
@@ -151,12 +154,12 @@ def _corners(scene: Scene, area: ArrayLike | None) -> Floats:
     return corners
 
 
-def _check_within(name: str, scene: Scene, places: Floats) -> None:
+def _check_within(name: str, scene: Scene, points: Floats) -> None:
     """Raise ValueError for places (N, 2) beyond the scene's bounds."""
     low, high = scene.bounds[:, [0, 2]]
-    outside = np.flatnonzero(((places < low) | (places > high)).any(axis=1))
+    outside = np.flatnonzero(((points < low) | (points > high)).any(axis=1))
     if len(outside):
-        x, z = places[outside[0]]
+        x, z = points[outside[0]]
         raise ValueError(
             f"{name}: expected places within the scene, which has x from {low[0]:.6g} to {high[0]:.6g} and z from "
             f"{low[1]:.6g} to {high[1]:.6g} m, got {len(outside)} outside, the first x = {x:.6g}, z = {z:.6g}"
@@ -164,45 +167,45 @@ def _check_within(name: str, scene: Scene, places: Floats) -> None:
 
 
 def _on_path(eyes: Floats, spacing: float) -> Floats:
-    """Centres (K, 3) in the order of a path, in the middle between its least and greatest height in each cell."""
-    flat = eyes[:, [0, 2]]
-    _check_number(float(np.hypot(*np.diff(flat, axis=0).T).sum()) / spacing)
-    found = [(grid, *grid.visited(eyes)) for grid in grids(flat, spacing)]
-    grid, cells, facts = min(found, key=lambda choice: len(choice[1]))
-    places, (low, high, _) = grid.places(cells), facts.T
-    return np.column_stack([places[:, 0], 0.5 * (low + high), places[:, 1]])
+    """Centres (K, 3) in a path's order; the height is the mean of the path's least and greatest height in the cell."""
+    ground_points = eyes[:, [0, 2]]
+    _check_region_count(float(np.hypot(*np.diff(ground_points, axis=0).T).sum()) / spacing)
+    candidates = [(grid, *grid.visited(eyes)) for grid in grids(ground_points, spacing)]
+    grid, cells, cell_heights = min(candidates, key=lambda choice: len(choice[1]))
+    points, (low, high, _) = grid.places(cells), cell_heights.T
+    return np.column_stack([points[:, 0], 0.5 * (low + high), points[:, 1]])
 
 
-def _on_ground(scene: Scene, corners: Floats, spacing: float, height: float) -> Floats:
-    """Centres (K, 3) of the cells of an area, an eye's height above the ground."""
+def _on_ground(scene: Scene, corners: Floats, spacing: float, eye_height: float) -> Floats:
+    """Centres (K, 3) of the cells of an area, `eye_height` metres above the ground."""
     extent = np.ptp(corners, axis=0) / spacing + 1.0
-    _check_number(float(extent.prod()))
-    found: list[tuple[Grid, NDArray[np.int64]]] = [
+    _check_region_count(float(extent.prod()))
+    candidates: list[tuple[Grid, NDArray[np.int64]]] = [
         (grid, grid.touched(corners)) for grid in grids(np.concatenate([corners, corners[:1]]), spacing)
     ]
-    grid, cells = min(found, key=lambda choice: len(choice[1]))
-    places = grid.places(cells)
-    ground = ground_heights(scene, places, spacing / math.sqrt(3.0))
-    return np.column_stack([places[:, 0], ground + height, places[:, 1]])
+    grid, cells = min(candidates, key=lambda choice: len(choice[1]))
+    points = grid.places(cells)
+    ground = ground_heights(scene, points, spacing / math.sqrt(3.0))
+    return np.column_stack([points[:, 0], ground + eye_height, points[:, 1]])
 
 
-def _check_number(count: float) -> None:
+def _check_region_count(count: float) -> None:
     if not count <= MAX_REGIONS:
         raise ValueError(
-            f"reach: expected a reach less hysteresis with which about {MAX_REGIONS:,} regions are enough, got one "
-            f"that needs {count:.2g}"
+            f"reach: expected reach − hysteresis so large that {MAX_REGIONS:,} regions are enough, got values that "
+            f"need about {count:.2g}"
         )
 
 
-def _radii(scene: Scene, centers: Floats, wanted: RadiusSettings) -> Radii:
-    """Radii for all centres; for a budget those of the centre with the most triangles around it."""
-    worst = centers[0]
-    if (budget := wanted.budget) is not None:
-        worst = min(centers, key=lambda center: float(load_curve(scene, center=center).radius(budget)))
-    radii = choose_radii(scene, worst, settings=wanted)
-    if wanted.reach >= radii.r2:
+def _common_radii(scene: Scene, centers: Floats, settings: RadiusSettings) -> Radii:
+    """Radii for all centres; a budget determines them at the centre with the most triangles around it."""
+    densest_center = centers[0]
+    if (budget := settings.budget) is not None:
+        densest_center = min(centers, key=lambda center: float(load_curve(scene, center=center).radius(budget)))
+    radii = choose_radii(scene, densest_center, settings=settings)
+    if settings.reach >= radii.r2:
         raise ValueError(
-            f"reach: expected less than r2, which is {radii.r2:.4g} m for this budget, got {wanted.reach:g}"
+            f"reach: expected less than r2, which is {radii.r2:.4g} m for this budget, got {settings.reach:g}"
         )
     return radii
 

@@ -16,7 +16,7 @@ from nearfar._scene.city.outlines import Outlines
 from nearfar._scene.city.surfaces import offsets
 from nearfar._scene.city.table import Table
 
-_DEEPEST = 16
+_MAX_NESTING = 16
 """Maximum nesting depth of geometry collections."""
 
 GEOMETRIES = {"Point", "MultiPoint", "LineString", "MultiLineString", "Polygon", "MultiPolygon", "GeometryCollection"}
@@ -37,8 +37,8 @@ def read(root: Any) -> Table:
     for number, feature in enumerate(features):
         collector.feature(entry(feature, "geometry", dict, f"features[{number}].", {}), f"features[{number}].geometry")
     properties = [entry(f, "properties", dict, f"features[{n}].", {}) for n, f in enumerate(features)]
-    system, degrees = _system(root)
-    return Table(collector.outlines(), system, degrees, _Columns(properties, features), skipped=collector.skipped)
+    system, is_in_degrees = _system(root)
+    return Table(collector.outlines(), system, is_in_degrees, _Columns(properties, features), skipped=collector.skipped)
 
 
 def is_polygon_list(root: Any) -> bool:
@@ -96,41 +96,45 @@ class _Collector:
         self._feature_polygons: list[int] = []
         self.skipped = 0
 
-    def feature(self, geometry: dict[str, Any], place: str) -> None:
+    def feature(self, geometry: dict[str, Any], json_path: str) -> None:
         """Add the polygons of a feature, which may have none."""
-        before = len(self._polygon_rings)
-        for polygons, where in self._polygons_of(geometry, place, 0) if geometry else ():
-            self._add(polygons, where)
-        self._feature_polygons.append(len(self._polygon_rings) - before)
+        previous_count = len(self._polygon_rings)
+        for polygons, polygon_path in self._polygons_of(geometry, json_path, 0) if geometry else ():
+            self._add(polygons, polygon_path)
+        self._feature_polygons.append(len(self._polygon_rings) - previous_count)
 
-    def polygons(self, polygons: list[Any], place: str) -> None:
+    def polygons(self, polygons: list[Any], json_path: str) -> None:
         """Add a feature with given polygons."""
-        self._add(polygons, place)
+        self._add(polygons, json_path)
         self._feature_polygons.append(len(polygons))
 
-    def _polygons_of(self, geometry: dict[str, Any], place: str, depth: int) -> Iterator[tuple[list[Any], str]]:
+    def _polygons_of(self, geometry: dict[str, Any], json_path: str, depth: int) -> Iterator[tuple[list[Any], str]]:
         kind = geometry.get("type")
         if kind == "GeometryCollection":
-            if depth == _DEEPEST:
-                raise UnusableError(f"{place}: expected geometries nested less than {_DEEPEST} deep")
-            for number, item in enumerate(entry(geometry, "geometries", list, f"{place}.")):
-                where = f"{place}.geometries[{number}]"
-                yield from self._polygons_of(typed(item, dict, where), where, depth + 1)
+            if depth == _MAX_NESTING:
+                raise UnusableError(f"{json_path}: expected geometries nested less than {_MAX_NESTING} deep")
+            for number, item in enumerate(entry(geometry, "geometries", list, f"{json_path}.")):
+                item_path = f"{json_path}.geometries[{number}]"
+                yield from self._polygons_of(typed(item, dict, item_path), item_path, depth + 1)
         elif kind in ("Polygon", "MultiPolygon"):
-            coordinates = entry(geometry, "coordinates", list, f"{place}.")
-            yield ([coordinates] if kind == "Polygon" else coordinates), f"{place}.coordinates"
+            coordinates = entry(geometry, "coordinates", list, f"{json_path}.")
+            yield ([coordinates] if kind == "Polygon" else coordinates), f"{json_path}.coordinates"
         elif isinstance(kind, str) and kind in GEOMETRIES:
             self.skipped += 1
         else:
-            raise UnusableError(f"{place}.type: expected a geometry of GeoJSON, got {check.shortened(kind)}")
+            raise UnusableError(f"{json_path}.type: expected a geometry of GeoJSON, got {check.shortened(kind)}")
 
-    def _add(self, polygons: list[Any], place: str) -> None:
-        rings = flattened(polygons, 1, place)
-        points = flattened(rings, 1, place)
+    def _add(self, polygons: list[Any], json_path: str) -> None:
+        rings = flattened(polygons, 1, json_path)
+        points = flattened(rings, 1, json_path)
         sizes = set(map(len, points)) if set(map(type, points)) <= {list} else {0}
-        if points and (min(sizes) < 2 or set(map(type, flattened([p[:2] for p in points], 1, place))) - {int, float}):
-            wrong = next((p for p in points if not _is_position(p)), points[0])
-            raise UnusableError(f"{place}: expected positions of two or three numbers, got {check.shortened(wrong)}")
+        if points and (
+            min(sizes) < 2 or set(map(type, flattened([p[:2] for p in points], 1, json_path))) - {int, float}
+        ):
+            bad_position = next((p for p in points if not _is_position(p)), points[0])
+            raise UnusableError(
+                f"{json_path}: expected positions of two or three numbers, got {check.shortened(bad_position)}"
+            )
         self._points += points if sizes <= {2} else [point[:2] for point in points]
         self._ring_sizes += map(len, rings)
         self._polygon_rings += map(len, polygons)

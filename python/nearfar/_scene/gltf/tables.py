@@ -1,4 +1,4 @@
-"""Accessors of a glTF document as one table: where their rows lie, and which can be used unchanged."""
+"""Accessors of a glTF document as one table: the place of their rows, and whether these can be used unchanged."""
 
 from __future__ import annotations
 
@@ -13,18 +13,18 @@ from nearfar._scene.budget import TooLargeError
 from nearfar._scene.gltf.buffers import COMPONENTS, WIDTHS, Buffers
 
 _NONE = -1
-_FIRST, _FLOAT = 5120, 5126
-"""Least and greatest code of a component type."""
+_BYTE, _FLOAT = 5120, 5126
+"""Component types with the least and the greatest code."""
 
 _MAX_WIDTH = max(WIDTHS.values())
 _SIZES = {code: np.dtype(kind).itemsize for code, kind in COMPONENTS.items()}
-_EMPTY = (0, 0, 4, 0, 1, _FLOAT, 0)
+_EMPTY_ROW = (0, 0, 4, 0, 1, _FLOAT, 0)
 """Row of an accessor that cannot be used unchanged."""
 
-_VIEW = {"buffer": _NONE, "byteOffset": 0, "byteLength": _NONE, "byteStride": _NONE}
+_VIEW_DEFAULTS = {"buffer": _NONE, "byteOffset": 0, "byteLength": _NONE, "byteStride": _NONE}
 """Entries of a buffer view with their defaults."""
 
-_UNUSED = (_NONE, 0, 0, 0, 0, 0, 0)
+_UNUSED_ROW = (_NONE, 0, 0, 0, 0, 0, 0)
 """Row of an accessor that is not in use."""
 
 Numbers = NDArray[np.int64]
@@ -42,10 +42,10 @@ class Table:
 
     def allows(self, widths: tuple[int, ...], kinds: Iterable[int] = COMPONENTS) -> NDArray[np.bool_]:
         """Whether each accessor is plain, with one of the widths and one of the component types (A,)."""
-        has_width, has_kind = np.zeros(_MAX_WIDTH + 1, bool), np.zeros(_FLOAT - _FIRST + 1, bool)
+        has_width, has_kind = np.zeros(_MAX_WIDTH + 1, bool), np.zeros(_FLOAT - _BYTE + 1, bool)
         has_width[[*widths]] = True
-        has_kind[[kind - _FIRST for kind in kinds]] = True
-        return self.is_plain & has_width[self.rows[:, 4]] & has_kind[self.rows[:, 5] - _FIRST]
+        has_kind[[kind - _BYTE for kind in kinds]] = True
+        return self.is_plain & has_width[self.rows[:, 4]] & has_kind[self.rows[:, 5] - _BYTE]
 
     @property
     def counts(self) -> Numbers:
@@ -61,36 +61,36 @@ class Table:
 
 def _sizes(kinds: Numbers) -> Numbers:
     """Bytes per component of each type; 0 for unknown types."""
-    known, places = np.unique(kinds, return_inverse=True)
-    return np.array([_SIZES.get(kind, 0) for kind in known.tolist()], np.int64)[places]
+    unique_kinds, indices = np.unique(kinds, return_inverse=True)
+    return np.array([_SIZES.get(kind, 0) for kind in unique_kinds.tolist()], np.int64)[indices]
 
 
-def table(header: dict[str, Any], buffers: Buffers, used: Collection[int]) -> Table | None:
-    """Table of the `used` accessors, with all others empty; None if the document has damaged entries."""
+def table(header: dict[str, Any], buffers: Buffers, accessor_numbers: Collection[int]) -> Table | None:
+    """Table of all accessors; those not in `accessor_numbers` have no rows. None if entries are damaged."""
     try:
-        accessors, views = _accessors(header, used), _views(header)
+        accessors, views = _accessors(header, accessor_numbers), _views(header)
     except (AttributeError, LookupError, OverflowError, TypeError, ValueError):
         return None
     if not len(accessors) or not len(views):
         return None
     view, offset, kind, count, width, is_fraction, is_sparse = accessors.T
-    chosen = (view >= 0) & (view < len(views)) & (is_sparse == 0) & (width > 0)
-    view = np.where(chosen, view, 0)
-    blocks, block, start, length = _blocks(buffers, views, np.unique(view[chosen]).tolist())
+    is_usable = (view >= 0) & (view < len(views)) & (is_sparse == 0) & (width > 0)
+    view = np.where(is_usable, view, 0)
+    blocks, block, start, length = _blocks(buffers, views, np.unique(view[is_usable]).tolist())
     size = _sizes(kind) * width
     step = np.where(views[view, 3] == _NONE, size, views[view, 3])
-    chosen &= (size > 0) & (step >= size) & (count >= 0) & (offset >= 0) & (length[view] >= 0)
+    is_usable &= (size > 0) & (step >= size) & (count >= 0) & (offset >= 0) & (length[view] >= 0)
     # Prevents overflow of products: nothing in a file has that many rows or bytes.
-    chosen &= np.maximum(count, offset) <= length[view]
-    chosen &= (step <= np.maximum(length[view], size)) & (count <= np.iinfo(np.int64).max // np.maximum(step, 1))
-    end = offset + np.where(count > 0, (count - 1) * np.where(chosen, step, 0) + size, 0)
-    chosen &= end <= length[view]
+    is_usable &= np.maximum(count, offset) <= length[view]
+    is_usable &= (step <= np.maximum(length[view], size)) & (count <= np.iinfo(np.int64).max // np.maximum(step, 1))
+    end = offset + np.where(count > 0, (count - 1) * np.where(is_usable, step, 0) + size, 0)
+    is_usable &= end <= length[view]
     rows = np.column_stack([block[view], start[view] + offset, step, count, width, kind, is_fraction])
-    rows[~chosen] = _EMPTY
-    return Table(blocks, rows, chosen)
+    rows[~is_usable] = _EMPTY_ROW
+    return Table(blocks, rows, is_usable)
 
 
-def _accessors(header: dict[str, Any], used: Collection[int]) -> Numbers:
+def _accessors(header: dict[str, Any], accessor_numbers: Collection[int]) -> Numbers:
     """Columns (A, 7): view, first byte, component type, count, width, whether normalised, whether sparse."""
     return _numbers(
         [
@@ -103,8 +103,8 @@ def _accessors(header: dict[str, Any], used: Collection[int]) -> Numbers:
                 int(accessor.get("normalized", False) is True),
                 int("sparse" in accessor),
             )
-            if number in used
-            else _UNUSED
+            if number in accessor_numbers
+            else _UNUSED_ROW
             for number, accessor in enumerate(header.get("accessors", []))
         ]
     )
@@ -113,7 +113,10 @@ def _accessors(header: dict[str, Any], used: Collection[int]) -> Numbers:
 def _views(header: dict[str, Any]) -> Numbers:
     """Columns (V, 4): buffer, first byte, length and stride, −1 for none."""
     return _numbers(
-        [tuple(view.get(key, default) for key, default in _VIEW.items()) for view in header.get("bufferViews", [])]
+        [
+            tuple(view.get(key, default) for key, default in _VIEW_DEFAULTS.items())
+            for view in header.get("bufferViews", [])
+        ]
     )
 
 
@@ -125,17 +128,17 @@ def _numbers(rows: list[tuple[Any, ...]]) -> Numbers:
 
 
 def _blocks(
-    buffers: Buffers, views: Numbers, used: list[int]
+    buffers: Buffers, views: Numbers, view_numbers: list[int]
 ) -> tuple[list[NDArray[np.uint8]], Numbers, Numbers, Numbers]:
-    """Blocks of bytes, and for each view (V,) its block, its first byte therein and its length; −1 for none."""
+    """Blocks of bytes, and for each view (V,) its block, its first byte in that block and its length; −1 for none."""
     blocks: list[NDArray[np.uint8]] = []
-    of_buffer: dict[int, int] = {}
+    block_by_buffer: dict[int, int] = {}
     block, start, length = (np.full(len(views), value, np.int64) for value in (0, 0, _NONE))
-    for number in used:
-        buffer, first, size, _ = views[number].tolist()
+    for number in view_numbers:
+        buffer, first_byte, size, _ = views[number].tolist()
         try:
             is_packed = buffers.is_packed(number)
-            if is_packed or buffer not in of_buffer:
+            if is_packed or buffer not in block_by_buffer:
                 content = buffers.view(number) if is_packed else buffers.whole(buffer)
         except TooLargeError:
             raise
@@ -145,9 +148,9 @@ def _blocks(
             block[number], length[number] = len(blocks), len(content)
             blocks.append(np.frombuffer(content, np.uint8) if len(content) else np.zeros(0, np.uint8))
             continue
-        if buffer not in of_buffer:
-            of_buffer[buffer] = len(blocks)
+        if buffer not in block_by_buffer:
+            block_by_buffer[buffer] = len(blocks)
             blocks.append(np.frombuffer(content, np.uint8) if len(content) else np.zeros(0, np.uint8))
-        if 0 <= first <= first + size <= len(blocks[of_buffer[buffer]]):
-            block[number], start[number], length[number] = of_buffer[buffer], first, size
+        if 0 <= first_byte <= first_byte + size <= len(blocks[block_by_buffer[buffer]]):
+            block[number], start[number], length[number] = block_by_buffer[buffer], first_byte, size
     return blocks, block, start, length

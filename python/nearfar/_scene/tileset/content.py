@@ -139,7 +139,7 @@ class Reader:
         one = len(nodes.objects) == 1
         objects = [str(n) if one else f"{n}/{node}" for n in range(len(placed)) for node in nodes.objects]
         content = replace(model, label=name, nodes=Nodes(objects, transforms, nodes.shapes * len(placed)))
-        return TileContent(content, parts.has_properties, instances.turns_with_the_earth(parts.features))
+        return TileContent(content, parts.has_properties, instances.rotations_depend_on_location(parts.features))
 
     def _composite(self, name: str, data: bytes, up: str, to_earth: Floats, depth: int) -> TileContent:
         if depth >= _MAX_NESTED:

@@ -13,7 +13,7 @@ import numpy as np
 from nearfar._base import check, glb
 from nearfar._base.errors import UnusableError
 from nearfar._scene.budget import Budget
-from nearfar._scene.reasons import LONGEST, sentence
+from nearfar._scene.reasons import MAX_SENTENCE_LENGTH, sentence
 from nearfar._scene.tileset import implicit, metadata, subtree, values, volumes
 from nearfar._scene.tileset.files import Files
 from nearfar._scene.tileset.frames import Floats
@@ -23,7 +23,7 @@ from nearfar._scene.tileset.tile import IDENTITY, Source, StatedTile, Tile
 VERSIONS = ("0.0", "1.0", "1.1")
 """Supported versions of 3D Tiles."""
 
-_KNOWN = {
+_SUPPORTED_EXTENSIONS = {
     implicit.EXTENSION,
     "3DTILES_content_gltf",
     "3DTILES_multiple_contents",
@@ -35,7 +35,7 @@ _GZIP = b"\x1f\x8b"
 
 
 class NamedError(UnusableError):
-    """Error: a document is unusable; the message names it unless it is the top one."""
+    """A document is unusable; the message names the document unless it is the top one."""
 
 
 class Documents:
@@ -52,11 +52,11 @@ class Documents:
         self._parsed: dict[str, dict[str, Any]] = {}
         self._subtrees: dict[tuple[str, str, int, int], subtree.Subtree | None] = {}
         self.missing: dict[str, None] = {}
-        """Names of missing tilesets and subtrees; the tiles below them are left out."""
+        """Names of missing tilesets and subtrees, as keys; their tiles are left out."""
 
     def root(self) -> Tile:
         """Root tile of the top document; NamedError if it is unusable."""
-        with self._errors_named(self._files.top):
+        with self._name_errors(self._files.top):
             return self._root_of(Source(self._files.top, "Y"), IDENTITY, replaces=False)
 
     def _root_of(self, source: Source, transform: Floats, *, replaces: bool) -> StatedTile:
@@ -66,10 +66,10 @@ class Documents:
             stated = check.shortened(asset.get("version"))
             raise UnusableError(f"it is 3D Tiles {stated}, and only 1.0 and 1.1 are read")
         for name in values.items("extensionsRequired", document.get("extensionsRequired", [])):
-            if name not in _KNOWN:
+            if name not in _SUPPORTED_EXTENSIONS:
                 raise UnusableError(f"it needs the extension {check.shortened(name)}, which is not read")
         up = values.choice("asset.gltfUpAxis", asset.get("gltfUpAxis", "Y"), ("X", "Y", "Z"))
-        source = Source(source.name, up, source.above)
+        source = Source(source.name, up, source.referrers)
         return self._tile("root", source, document.get("root"), transform, replaces)
 
     def _document(self, name: str) -> dict[str, Any]:
@@ -83,58 +83,58 @@ class Documents:
         data = self._files.read(name, budget)
         return budget.unpacked(data) if data.startswith(_GZIP) else data
 
-    def _tile(self, place: str, source: Source, described: Any, above: Floats, replaces: bool) -> StatedTile:
-        described = values.entries(place, described)
-        if described.get("refine") is not None:
-            replaces = values.choice(f"{place}.refine", described["refine"], ("ADD", "REPLACE")) == "REPLACE"
-        stated = implicit.described_by(described)
-        contents = tuple(_contents(place, described))
-        tilesets = tuple(uri for uri in contents if stated is None and _is_tileset(uri))
-        children = values.items(f"{place}.children", described.get("children", []))
+    def _tile(self, json_path: str, source: Source, entry: Any, parent_transform: Floats, replaces: bool) -> StatedTile:
+        entry = values.entries(json_path, entry)
+        if entry.get("refine") is not None:
+            replaces = values.choice(f"{json_path}.refine", entry["refine"], ("ADD", "REPLACE")) == "REPLACE"
+        tiling_entry = implicit.tiling_entry_of(entry)
+        contents = tuple(_contents(json_path, entry))
+        tilesets = tuple(uri for uri in contents if tiling_entry is None and _is_tileset(uri))
+        children = values.items(f"{json_path}.children", entry.get("children", []))
         tile = StatedTile(
-            place,
+            json_path,
             source,
-            volumes.read(f"{place}.boundingVolume", described.get("boundingVolume")),
-            values.number(f"{place}.geometricError", described.get("geometricError", 0.0)),
+            volumes.read(f"{json_path}.boundingVolume", entry.get("boundingVolume")),
+            values.number(f"{json_path}.geometricError", entry.get("geometricError", 0.0)),
             replaces,
-            _transform(f"{place}.transform", described.get("transform"), above),
+            _transform(f"{json_path}.transform", entry.get("transform"), parent_transform),
             tuple(uri for uri in contents if uri not in tilesets),
             partial(self._children, children, tilesets) if children or tilesets else None,
             refers=bool(tilesets),
         )
-        if stated is None:
+        if tiling_entry is None:
             return tile
         # The content URIs are templates for all tiles below; this tile itself only states the tiling.
         boxes = metadata.box_properties(self._document(source.name))
-        tiling = implicit.read(tile, stated, self._subtree, boxes)
+        tiling = implicit.read(tile, tiling_entry, self._subtree, boxes)
         root = partial(self._implicit_root, tiling)
-        return StatedTile(place, source, tile.volume, tile.error, replaces, tile.transform, (), root, refers=True)
+        return StatedTile(json_path, source, tile.volume, tile.error, replaces, tile.transform, (), root, refers=True)
 
     def _implicit_root(self, tiling: Implicit, tile: StatedTile) -> list[Tile]:
-        with self._errors_named(tile.source.name):
+        with self._name_errors(tile.source.name):
             return tiling.root()
 
     def _children(self, children: list[Any], tilesets: tuple[str, ...], tile: StatedTile) -> list[Tile]:
-        with self._errors_named(tile.source.name):
-            found: list[Tile] = [
-                self._tile(f"{tile.place}.children[{n}]", tile.source, child, tile.transform, tile.replaces)
+        with self._name_errors(tile.source.name):
+            tiles: list[Tile] = [
+                self._tile(f"{tile.json_path}.children[{n}]", tile.source, child, tile.transform, tile.replaces)
                 for n, child in enumerate(children)
             ]
             for uri in tilesets:
-                found += self._external(uri, tile)
-            return found
+                tiles += self._external(uri, tile)
+            return tiles
 
     def _external(self, uri: str, tile: StatedTile) -> list[Tile]:
         """Root tile of an external tileset; empty if its file is missing."""
         source = tile.source
         name = self._files.resolve(source.name, uri)
-        above = (*source.above, source.name)
-        if name in above:
-            through = " and ".join(map(self._files.display_name, above[above.index(name) :]))
-            raise UnusableError(f"{tile.place}: it refers to itself, through {through}")
-        with self._errors_named(name):
+        ancestors = (*source.referrers, source.name)
+        if name in ancestors:
+            cycle = " and ".join(map(self._files.display_name, ancestors[ancestors.index(name) :]))
+            raise UnusableError(f"{tile.json_path}: it refers to itself, through {cycle}")
+        with self._name_errors(name):
             try:
-                return [self._root_of(Source(name, "Y", above), tile.transform, replaces=tile.replaces)]
+                return [self._root_of(Source(name, "Y", ancestors), tile.transform, replaces=tile.replaces)]
             except FileNotFoundError:
                 self.missing[name] = None
                 return []
@@ -153,51 +153,57 @@ class Documents:
         except FileNotFoundError:
             self.missing[name] = None
             return None
-        with self._errors_named(name):
-            return subtree.read(data, tiling.axes, tiling.subtree_levels, partial(self._beside, name), tiling.boxes)
+        with self._name_errors(name):
+            return subtree.read(
+                data, tiling.axes, tiling.subtree_levels, partial(self._read_relative, name), tiling.boxes
+            )
 
-    def _beside(self, name: str, uri: str) -> bytes:
+    def _read_relative(self, name: str, uri: str) -> bytes:
         return self.read(self._files.resolve(name, uri))
 
     @contextmanager
-    def _errors_named(self, name: str) -> Iterator[None]:
-        """Convert any exception caused by a damaged document to an error that names it."""
+    def _name_errors(self, name: str) -> Iterator[None]:
+        """Convert any exception caused by a damaged document to a NamedError."""
         try:
             yield
         except (NamedError, OSError):
             raise
         except Exception as error:
-            reason = check.one_line(sentence(error), LONGEST)
-            where = "" if name == self._files.top else f"{self._files.display_name(name)}: "
-            raise NamedError(f"{where}{reason}") from error
+            reason = check.one_line(sentence(error), MAX_SENTENCE_LENGTH)
+            prefix = "" if name == self._files.top else f"{self._files.display_name(name)}: "
+            raise NamedError(f"{prefix}{reason}") from error
 
 
-def _contents(place: str, described: dict[str, Any]) -> Iterator[str]:
+def _contents(json_path: str, tile: dict[str, Any]) -> Iterator[str]:
     """URIs of a tile's content."""
-    listed = values.items(f"{place}.contents", described.get("contents", []))
-    extensions = described.get("extensions", {})
+    contents = values.items(f"{json_path}.contents", tile.get("contents", []))
+    extensions = tile.get("extensions", {})
     if isinstance(extensions, dict) and "3DTILES_multiple_contents" in extensions:
-        several = extensions["3DTILES_multiple_contents"]
-        several = several.get("contents", several.get("content")) if isinstance(several, dict) else several
-        listed = listed + values.items(f"{place}.contents", several)
-    if described.get("content") is not None:
-        listed = [described["content"], *listed]
-    for content in listed:
-        entry = values.entries(f"{place}.content", content)
+        more_contents = extensions["3DTILES_multiple_contents"]
+        more_contents = (
+            more_contents.get("contents", more_contents.get("content"))
+            if isinstance(more_contents, dict)
+            else more_contents
+        )
+        contents = contents + values.items(f"{json_path}.contents", more_contents)
+    if tile.get("content") is not None:
+        contents = [tile["content"], *contents]
+    for content in contents:
+        entry = values.entries(f"{json_path}.content", content)
         # Tilesets before 1.0 use url.
-        yield values.text(f"{place}.content.uri", entry.get("uri", entry.get("url")))
+        yield values.text(f"{json_path}.content.uri", entry.get("uri", entry.get("url")))
 
 
 def _is_tileset(uri: str) -> bool:
     return urlsplit(uri).path.lower().endswith(".json")
 
 
-def _transform(place: str, stated: Any, above: Floats) -> Floats:
-    """Compose the tile→tileset transform (4, 4): the parent's times the tile's own, column-major in documents."""
-    if stated is None:
-        return above
-    matrix = values.numbers(place, stated, 16).reshape(4, 4).T
+def _transform(json_path: str, numbers: Any, parent_transform: Floats) -> Floats:
+    """Compose the tile→tileset transform (4, 4): the parent's times the tile's own; documents are column-major."""
+    if numbers is None:
+        return parent_transform
+    matrix = values.numbers(json_path, numbers, 16).reshape(4, 4).T
     if not np.array_equal(matrix[3], (0, 0, 0, 1)):
-        raise UnusableError(f"{place}: expected an affine transform, got the last row {matrix[3].tolist()}")
-    placed: Floats = above @ matrix
-    return placed
+        raise UnusableError(f"{json_path}: expected an affine transform, got the last row {matrix[3].tolist()}")
+    transform: Floats = parent_transform @ matrix
+    return transform

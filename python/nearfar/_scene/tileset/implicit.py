@@ -18,8 +18,8 @@ from nearfar._scene.tileset.subtree import MAX_LEVELS, Subtree, tiles_above
 from nearfar._scene.tileset.tile import Source, StatedTile, Tile
 from nearfar._scene.tileset.volumes import Box, Region, Sphere, Volume
 
-_MAX_LEVELS = 64
-"""Maximum depth of a tree: the Earth's cells are then far smaller than atoms."""
+_MAX_TREE_LEVELS = 64
+"""Maximum depth of a tree: at this depth the cells of a tiling of the Earth are far smaller than atoms."""
 
 EXTENSION = "3DTILES_implicit_tiling"
 
@@ -32,10 +32,10 @@ class Implicit:
 
     Parameters
     ----------
-    place, source
-        The tile that states it, and its document.
+    json_path, source
+        JSON path of the tile that declares the tiling, and its document.
     volume, error, replaces, transform
-        Values of that tile.
+        Values of the tile that declares the tiling.
     axes
         2 for a quadtree, 3 for an octree.
     subtree_levels, levels
@@ -48,7 +48,7 @@ class Implicit:
         Metadata properties with tiles' boxes, which override the subdivided volume, by class name.
     """
 
-    place: str
+    json_path: str
     source: Source
     volume: Box | Region
     error: float
@@ -64,13 +64,13 @@ class Implicit:
 
     def root(self) -> list[Tile]:
         """Tile of level 0, if it is available."""
-        return self.first_of_subtree(0, (0,) * self.axes)
+        return self.subtree_root(0, (0,) * self.axes)
 
-    def first_of_subtree(self, level: int, cell: Cell) -> list[Tile]:
+    def subtree_root(self, level: int, cell: Cell) -> list[Tile]:
         """Top tile of a subtree, if it is available."""
-        subtree = self.open_subtree(self, filled(self.subtrees, level, cell))
-        is_there = subtree is not None and subtree.tiles.bit(0)
-        return [ImplicitTile(self, subtree, level, cell, 0, 0)] if subtree is not None and is_there else []
+        subtree = self.open_subtree(self, fill_template(self.subtrees, level, cell))
+        is_available = subtree is not None and subtree.tiles.bit(0)
+        return [ImplicitTile(self, subtree, level, cell, 0, 0)] if subtree is not None and is_available else []
 
 
 class ImplicitTile(Tile):
@@ -93,7 +93,7 @@ class ImplicitTile(Tile):
 
     @property
     def volume(self) -> Volume:
-        """Box stated by its metadata, else its part of the tiling's volume."""
+        """The box in the tile's metadata, else the tile's part of the tiling's volume."""
         subtree = self._subtree
         if subtree.boxes is not None:
             middle, *axes = subtree.boxes[subtree.tiles.rank(self._bit)]
@@ -103,63 +103,65 @@ class ImplicitTile(Tile):
     @property
     def contents(self) -> tuple[str, ...]:
         """URIs of the available contents."""
-        there = zip(self._tiling.contents, self._subtree.contents, strict=False)
-        return tuple(filled(template, self._level, self._cell) for template, bits in there if bits.bit(self._bit))
+        templates = zip(self._tiling.contents, self._subtree.contents, strict=False)
+        return tuple(
+            fill_template(template, self._level, self._cell) for template, bits in templates if bits.bit(self._bit)
+        )
 
     def expand(self) -> list[Tile]:
-        """Make the available children."""
+        """Create the available children."""
         tiling, subtree, depth = self._tiling, self._subtree, self._depth + 1
         children: list[Tile] = []
         first = tiles_above(depth, tiling.axes)
-        twice = [2 * place for place in self._cell]
-        for corner, step in enumerate(_CORNERS[tiling.axes]):
+        first_child = [2 * coordinate for coordinate in self._cell]
+        for corner, step in enumerate(_CHILD_OFFSETS[tiling.axes]):
             number = (self._number << tiling.axes) + corner
             is_inside = depth < tiling.subtree_levels
             if not (subtree.tiles.bit(first + number) if is_inside else subtree.children.bit(number)):
                 continue
-            below = tuple(map(add, twice, step))
+            cell = tuple(map(add, first_child, step))
             if is_inside:
-                children.append(ImplicitTile(tiling, subtree, self._level + 1, below, depth, number))
+                children.append(ImplicitTile(tiling, subtree, self._level + 1, cell, depth, number))
             else:
-                children += tiling.first_of_subtree(self._level + 1, below)
+                children += tiling.subtree_root(self._level + 1, cell)
         return children
 
 
-_CORNERS = {axes: [corner[::-1] for corner in product((0, 1), repeat=axes)] for axes in (2, 3)}
+_CHILD_OFFSETS = {axes: [corner[::-1] for corner in product((0, 1), repeat=axes)] for axes in (2, 3)}
 """Offsets of a parent's children; the first axis changes fastest, as in Morton numbers."""
 
 
-def described_by(described: dict[str, Any]) -> dict[str, Any] | None:
+def tiling_entry_of(tile: dict[str, Any]) -> dict[str, Any] | None:
     """Implicit tiling entry of a tile, of 1.1 or of the extension; None without one."""
-    extensions = described.get("extensions")
-    found = described.get("implicitTiling")
-    if found is None and isinstance(extensions, dict):
-        found = extensions.get(EXTENSION)
-    return None if found is None else values.entries("implicitTiling", found)
+    extensions = tile.get("extensions")
+    entry = tile.get("implicitTiling")
+    if entry is None and isinstance(extensions, dict):
+        entry = extensions.get(EXTENSION)
+    return None if entry is None else values.entries("implicitTiling", entry)
 
 
 def read(
     tile: StatedTile,
-    stated: dict[str, Any],
+    entry: dict[str, Any],
     open_subtree: Callable[[Implicit, str], Subtree | None],
     boxes: dict[str, BoxProperty],
 ) -> Implicit:
     """Read the tiling of a tile, whose content URIs are templates."""
-    place = f"{tile.place}.implicitTiling"
-    scheme = values.choice(f"{place}.subdivisionScheme", stated.get("subdivisionScheme"), ("QUADTREE", "OCTREE"))
+    json_path = f"{tile.json_path}.implicitTiling"
+    scheme = values.choice(f"{json_path}.subdivisionScheme", entry.get("subdivisionScheme"), ("QUADTREE", "OCTREE"))
     volume = tile.volume
     if isinstance(volume, Sphere):
-        raise UnusableError(f"{place}: expected a box or a region, which can be divided, got a sphere")
-    if "maximumLevel" in stated and "availableLevels" not in stated:  # drafts of the extension
-        levels = values.whole(f"{place}.maximumLevel", stated["maximumLevel"], 0, _MAX_LEVELS - 1) + 1
+        raise UnusableError(f"{json_path}: expected a box or a region, which can be divided, got a sphere")
+    if "maximumLevel" in entry and "availableLevels" not in entry:  # drafts of the extension
+        levels = values.whole(f"{json_path}.maximumLevel", entry["maximumLevel"], 0, _MAX_TREE_LEVELS - 1) + 1
     else:
-        levels = values.whole(f"{place}.availableLevels", stated.get("availableLevels"), 1, _MAX_LEVELS)
+        levels = values.whole(f"{json_path}.availableLevels", entry.get("availableLevels"), 1, _MAX_TREE_LEVELS)
     axes = 2 if scheme == "QUADTREE" else 3
-    most = MAX_LEVELS[axes]
-    subtree_levels = values.whole(f"{place}.subtreeLevels", stated.get("subtreeLevels"), 1, most)
-    template = values.entries(f"{place}.subtrees", stated.get("subtrees")).get("uri")
+    max_subtree_levels = MAX_LEVELS[axes]
+    subtree_levels = values.whole(f"{json_path}.subtreeLevels", entry.get("subtreeLevels"), 1, max_subtree_levels)
+    template = values.entries(f"{json_path}.subtrees", entry.get("subtrees")).get("uri")
     return Implicit(
-        place=tile.place,
+        json_path=tile.json_path,
         source=tile.source,
         volume=volume,
         error=tile.error,
@@ -168,16 +170,16 @@ def read(
         axes=axes,
         subtree_levels=subtree_levels,
         levels=levels,
-        subtrees=values.text(f"{place}.subtrees.uri", template),
+        subtrees=values.text(f"{json_path}.subtrees.uri", template),
         contents=tile.contents,
         open_subtree=open_subtree,
         boxes=boxes,
     )
 
 
-def filled(template: str, level: int, cell: Cell) -> str:
+def fill_template(template: str, level: int, cell: Cell) -> str:
     """Fill in a URI template."""
-    filled = template.replace("{level}", str(level))
+    uri = template.replace("{level}", str(level))
     for name, number in zip("xyz", cell, strict=False):
-        filled = filled.replace(f"{{{name}}}", str(number))
-    return filled
+        uri = uri.replace(f"{{{name}}}", str(number))
+    return uri

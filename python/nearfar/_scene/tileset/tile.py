@@ -20,7 +20,7 @@ class Source:
     """Path or URL."""
     up: str
     """Up axis of its tiles' glTF: X, Y or Z."""
-    above: tuple[str, ...] = ()
+    referrers: tuple[str, ...] = ()
     """Names of the documents that refer to it, outermost first."""
 
 
@@ -118,7 +118,7 @@ class StatedTile(Tile):
 
     Parameters
     ----------
-    place
+    json_path
         Its JSON path in the document, for messages.
     volume, contents
         Values of the properties of these names.
@@ -128,11 +128,11 @@ class StatedTile(Tile):
         As in `Tile`.
     """
 
-    __slots__ = ("_contents", "_expand", "_volume", "place")
+    __slots__ = ("_contents", "_expand", "_volume", "json_path")
 
     def __init__(
         self,
-        place: str,
+        json_path: str,
         source: Source,
         volume: Volume,
         error: float,
@@ -145,7 +145,7 @@ class StatedTile(Tile):
     ) -> None:
         has_content, is_leaf = bool(contents), expand is None
         super().__init__(source, error, replaces, transform, has_content=has_content, is_leaf=is_leaf, refers=refers)
-        self.place, self._volume, self._contents, self._expand = place, volume, contents, expand
+        self.json_path, self._volume, self._contents, self._expand = json_path, volume, contents, expand
 
     @property
     def volume(self) -> Volume:

@@ -16,12 +16,12 @@ from nearfar.datasets._stage import Stage
 from nearfar.datasets._study.layout import CENTER, MAX_SEED, R1, R2, Point, Task, ground
 
 _RADIUS = 1.0
-# Rows of spheres, from below: distance from the axis, least and greatest, and height, metres. The heights differ so
-# much that no user sees a sphere in front of one of the next row.
+# Rows of spheres from the lowest to the highest: least and greatest distance from the axis, and height, metres. The
+# heights differ so much that no user sees a sphere of one row in front of a sphere of another.
 _INSIDE, _ACROSS, _BEYOND = (38.0, 46.0, 1.5), (R2 - 0.2, R2 + 0.2, 5.0), (53.0, 60.0, 9.0)
-# Angle of view of a row, and the greatest shift of a sphere in it, as fractions of a full turn. Spheres of a row stay
-# apart by more than the 0.007 of their diameter and the 0.01 of parallax for users 8 m away from the centre.
-_WIDTH, _SHIFT = 80.0 / 360.0, 2.0 / 360.0
+# Angle of view of a row, and the greatest shift of a sphere in it, as fractions of a full turn. Neighbours in a row
+# are farther apart than their diameter (0.007) and the parallax of users 8 m away from the centre (0.01) together.
+_ROW_ANGLE, _MAX_SHIFT = 80.0 / 360.0, 2.0 / 360.0
 
 
 @dataclass(frozen=True)
@@ -66,24 +66,24 @@ def count_task(seed: int = 0) -> tuple[Scene, CountTask]:
     Popescu, Lee, Choi, Fahmy (2022), user study.
     """
     draw = Draw(check.integer("seed", seed, 0, MAX_SEED), 92)
-    answer, across = 11 + int(draw.integers(1, 3)[0]), 1 + int(draw.integers(1, 2)[0])
-    inside = (answer - across) // 2
-    counts = (inside, across, answer - across - inside)
+    answer, cut_count = 11 + int(draw.integers(1, 3)[0]), 1 + int(draw.integers(1, 2)[0])
+    inside_count = (answer - cut_count) // 2
+    counts = (inside_count, cut_count, answer - cut_count - inside_count)
     rows = [_row(draw, *row, count) for row, count in zip((_INSIDE, _ACROSS, _BEYOND), counts, strict=True)]
     stage = Stage()
     stage.once(ground(), "ground")
     names = tuple(f"sphere_{number}" for number in range(answer))
     ball = triangles(_RADIUS * sphere(3), material("sign_red"))
-    for name, place in zip(names, np.concatenate(rows), strict=True):
-        stage.once(ball.translate(place), name)
+    for name, position in zip(names, np.concatenate(rows), strict=True):
+        stage.once(ball.translate(position), name)
     target: Point = (0.0, _ACROSS[2], -R2)
-    cut = names[inside : inside + across]
-    return stage.build(), CountTask(CENTER, target, R1, R2, names, answer, _RADIUS, cut)
+    cut_names = names[inside_count : inside_count + cut_count]
+    return stage.build(), CountTask(CENTER, target, R1, R2, names, answer, _RADIUS, cut_names)
 
 
 def _row(draw: Draw, nearest: float, farthest: float, height: float, count: int) -> NDArray[np.float64]:
-    """Places (count, 3) of a row's spheres, evenly spread and then shifted at random."""
-    turns = _WIDTH * ((np.arange(count) + 0.5) / count - 0.5) + draw.uniform(count, -_SHIFT, _SHIFT)
-    away = draw.uniform(count, nearest, farthest)
-    cosine, sine = turn(turns)
-    return np.stack([away * sine, np.full(count, height), -away * cosine], axis=1)
+    """Positions (count, 3) of a row's spheres, evenly spread and then shifted at random."""
+    angles = _ROW_ANGLE * ((np.arange(count) + 0.5) / count - 0.5) + draw.uniform(count, -_MAX_SHIFT, _MAX_SHIFT)
+    distances = draw.uniform(count, nearest, farthest)
+    cosine, sine = turn(angles)
+    return np.stack([distances * sine, np.full(count, height), -distances * cosine], axis=1)

@@ -36,7 +36,7 @@ class LodThreshold:
 
     References
     ----------
-    Liebisch (2021), Sec. 3.1.4.1, Eq. 3.1, which prints y = kx + d and leaves x open.
+    Liebisch (2021), Sec. 3.1.4.1, Eq. 3.1, which prints y = kx + d without a definition of x.
     """
 
     k: float = 0.27

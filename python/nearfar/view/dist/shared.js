@@ -4232,15 +4232,15 @@ vec3 irradiance(vec3 n) {
   return SKY_LOW + (SKY_HIGH - SKY_LOW) * sky + SUN * max(dot(n, SUN_DIRECTION), 0.0);
 }
 `,ah=`
-vec3 shading_normal(vec3 face, vec3 toward, vec3 own) {
-  float size = length(face);
-  face = size > 0.0 ? face / size : toward;
+vec3 shading_normal(vec3 face_normal, vec3 toward, vec3 vertex_normal) {
+  float face_length = length(face_normal);
+  vec3 face = face_length > 0.0 ? face_normal / face_length : toward;
   face = dot(face, toward) < 0.0 ? -face : face;
-  float own_size = length(own);
-  if (own_size == 0.0) {
+  float vertex_length = length(vertex_normal);
+  if (vertex_length == 0.0) {
     return face;
   }
-  vec3 n = own / own_size;
+  vec3 n = vertex_normal / vertex_length;
   return dot(n, face) < 0.0 ? -n : n;
 }
 `,oh=`

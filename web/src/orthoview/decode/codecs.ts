@@ -7,7 +7,7 @@ import type { Bytes } from '../store/files';
 
 /** Polynomial of CRC32C (Castagnoli), bit-reversed. */
 const CASTAGNOLI = 0x82f6_3b78;
-const TABLE = Uint32Array.from({ length: 256 }, (_, byte) => {
+const CRC_TABLE = Uint32Array.from({ length: 256 }, (_, byte) => {
   let sum = byte;
   for (let bit = 0; bit < 8; bit++) sum = sum & 1 ? (sum >>> 1) ^ CASTAGNOLI : sum >>> 1;
   return sum;
@@ -15,11 +15,11 @@ const TABLE = Uint32Array.from({ length: 256 }, (_, byte) => {
 
 export function crc32c(bytes: Uint8Array): number {
   let sum = ~0;
-  for (const byte of bytes) sum = (sum >>> 8) ^ (TABLE[(sum ^ byte) & 255] as number);
+  for (const byte of bytes) sum = (sum >>> 8) ^ (CRC_TABLE[(sum ^ byte) & 255] as number);
   return ~sum >>> 0;
 }
 
-/** Bytes in front of a checksum; throws if it is wrong. */
+/** Data before a chunk's checksum; throws if the checksum is wrong. */
 function verifyChecksum(bytes: Uint8Array): Uint8Array {
   const data = bytes.subarray(0, -4);
   const sum = new DataView(bytes.buffer, bytes.byteOffset + data.length).getUint32(0, true);
@@ -27,37 +27,37 @@ function verifyChecksum(bytes: Uint8Array): Uint8Array {
   return data;
 }
 
-/** Greatest decompressed size of a chunk in bytes, because a damaged one may state any. */
-const MAX = 4096 * 4096 * 4;
+/** Greatest decompressed size of a chunk in bytes; the header of a damaged chunk may state any size. */
+const MAX_CHUNK_BYTES = 4096 * 4096 * 4;
 
 /** Content size in the header of a Zstandard frame (RFC 8878, 3.1.1.1); null if it is absent. */
-export function statedSize(frame: Uint8Array): number | null {
+export function contentSize(frame: Uint8Array): number | null {
   const view = new DataView(frame.buffer, frame.byteOffset, frame.byteLength);
   const flags = view.getUint8(4);
-  const [isSingle, kind] = [(flags & 32) !== 0, flags >> 6];
-  const at = 5 + (isSingle ? 0 : 1) + ([0, 1, 2, 4][flags & 3] as number);
-  if (kind === 0) return isSingle ? view.getUint8(at) : null;
-  if (kind === 1) return view.getUint16(at, true) + 256;
-  return kind === 2 ? view.getUint32(at, true) : Number(view.getBigUint64(at, true));
+  const [isSingleSegment, sizeCode] = [(flags & 32) !== 0, flags >> 6];
+  const offset = 5 + (isSingleSegment ? 0 : 1) + ([0, 1, 2, 4][flags & 3] as number);
+  if (sizeCode === 0) return isSingleSegment ? view.getUint8(offset) : null;
+  if (sizeCode === 1) return view.getUint16(offset, true) + 256;
+  return sizeCode === 2 ? view.getUint32(offset, true) : Number(view.getBigUint64(offset, true));
 }
 
 /** Content of a Zstandard frame with a checksum. */
 export function decompressZstd(frame: Uint8Array): Uint8Array {
-  const size = frame.length < 18 ? null : statedSize(frame);
-  if (size === null || size > MAX) throw damaged('a chunk', `its header states ${size} bytes`);
-  const found = decompress(frame, new Uint8Array(size));
+  const size = frame.length < 18 ? null : contentSize(frame);
+  if (size === null || size > MAX_CHUNK_BYTES) throw damaged('a chunk', `its header states ${size} bytes`);
+  const content = decompress(frame, new Uint8Array(size));
   const sum = new DataView(frame.buffer, frame.byteOffset + frame.length - 4).getUint32(0, true);
   // fzstd does not verify the checksum.
-  if (found.length !== size || Number(xxh64(found) & 0xffff_ffffn) !== sum)
+  if (content.length !== size || Number(xxh64(content) & 0xffff_ffffn) !== sum)
     throw damaged('a chunk', 'its checksum is wrong');
-  return found;
+  return content;
 }
 
 interface Meta {
   readonly shape: readonly number[];
 }
 
-function encode(): never {
+function rejectEncoding(): never {
   throw new Error('stores are only read here');
 }
 
@@ -68,16 +68,16 @@ function register(name: string, fromConfig: (config: unknown, meta: Meta) => obj
 
 /** Registers the codecs with zarrita. */
 export function registerCodecs(): void {
-  register('zstd', () => ({ kind: 'bytes_to_bytes', encode, decode: decompressZstd }));
+  register('zstd', () => ({ kind: 'bytes_to_bytes', encode: rejectEncoding, decode: decompressZstd }));
   register('crc32c', () => ({
     kind: 'bytes_to_bytes',
-    encode,
+    encode: rejectEncoding,
     decode: verifyChecksum,
     computeEncodedSize: (size: number) => size + 4,
   }));
   register('imagecodecs_webp', (_, { shape }) => ({
     kind: 'array_to_bytes',
-    encode,
+    encode: rejectEncoding,
     decode: async (bytes: Bytes) => ({ data: await pixelsOf(bytes, shape), shape, stride: stridesOf(shape) }),
   }));
 }
@@ -119,23 +119,25 @@ const round = (sum: bigint, input: bigint): bigint => mask(rotateLeft(mask(sum +
 /** XXH64 with seed 0, whose lower 32 bits are the checksum of Zstandard frames (xxHash specification 0.1.1). */
 export function xxh64(bytes: Uint8Array): bigint {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
-  let at = 0;
+  let offset = 0;
   let sum: bigint = P5;
   if (bytes.length >= STRIPE) {
-    at = bytes.length - (bytes.length % STRIPE);
-    const lanes = [mask(P1 + P2), P2, 0n, mask(-P1)].map((start, lane) => laneSum(view, start, 8 * lane, at));
+    offset = bytes.length - (bytes.length % STRIPE);
+    const lanes = [mask(P1 + P2), P2, 0n, mask(-P1)].map((start, lane) => laneSum(view, start, 8 * lane, offset));
     const [a, b, c, d] = lanes as [bigint, bigint, bigint, bigint];
     sum = mask(rotateLeft(a, 1n) + rotateLeft(b, 7n) + rotateLeft(c, 12n) + rotateLeft(d, 18n));
     for (const lane of lanes) sum = mask((sum ^ round(0n, lane)) * P1 + P4);
   }
   sum = mask(sum + BigInt(bytes.length));
-  for (; at + 8 <= bytes.length; at += 8) {
-    sum = mask(rotateLeft(sum ^ round(0n, view.getBigUint64(at, true)), 27n) * P1 + P4);
+  for (; offset + 8 <= bytes.length; offset += 8) {
+    sum = mask(rotateLeft(sum ^ round(0n, view.getBigUint64(offset, true)), 27n) * P1 + P4);
   }
-  for (; at + 4 <= bytes.length; at += 4) {
-    sum = mask(rotateLeft(sum ^ mask(BigInt(view.getUint32(at, true)) * P1), 23n) * P2 + P3);
+  for (; offset + 4 <= bytes.length; offset += 4) {
+    sum = mask(rotateLeft(sum ^ mask(BigInt(view.getUint32(offset, true)) * P1), 23n) * P2 + P3);
   }
-  for (; at < bytes.length; at++) sum = mask(rotateLeft(sum ^ mask(BigInt(view.getUint8(at)) * P5), 11n) * P1);
+  for (; offset < bytes.length; offset++) {
+    sum = mask(rotateLeft(sum ^ mask(BigInt(view.getUint8(offset)) * P5), 11n) * P1);
+  }
   sum = mask((sum ^ (sum >> 33n)) * P2);
   sum = mask((sum ^ (sum >> 29n)) * P3);
   return sum ^ (sum >> 32n);
@@ -144,8 +146,8 @@ export function xxh64(bytes: Uint8Array): bigint {
 /** A lane's sum over all stripes, in 32-bit arithmetic: 64-bit BigInts take ten times as long. */
 function laneSum(view: DataView, start: bigint, first: number, end: number): bigint {
   let [high, low] = [Number(start >> 32n), Number(start & 0xffff_ffffn)];
-  for (let at = first; at < end; at += STRIPE) {
-    const [inputLow, inputHigh] = [view.getUint32(at, true), view.getUint32(at + 4, true)];
+  for (let offset = first; offset < end; offset += STRIPE) {
+    const [inputLow, inputHigh] = [view.getUint32(offset, true), view.getUint32(offset + 4, true)];
     // sum + input × P2
     let product = upperOf(inputLow, 0x27d4_eb4f);
     let upper = product + Math.imul(inputHigh, 0x27d4_eb4f) + Math.imul(inputLow, 0xc2b2_ae3d);
@@ -166,6 +168,6 @@ function laneSum(view: DataView, start: bigint, first: number, end: number): big
 /** Upper 32 bits of the product of two 32-bit numbers. */
 function upperOf(a: number, b: number): number {
   const [a0, a1, b0, b1] = [a & 0xffff, a >>> 16, b & 0xffff, b >>> 16];
-  const middle = a0 * b1 + a1 * b0 + ((a0 * b0) >>> 16);
-  return a1 * b1 + Math.floor(middle / 65536);
+  const middleSum = a0 * b1 + a1 * b0 + ((a0 * b0) >>> 16);
+  return a1 * b1 + Math.floor(middleSum / 65536);
 }

@@ -5,18 +5,18 @@ import type { Splats } from '../decode/pack';
 import type { Box, Model } from './sight';
 
 /** A resource on the GPU. */
-export interface Held {
+export interface GpuResource {
   readonly bytes: number;
 }
 
-/** A drawn layer of a view; `box` may bound the splats' centres. */
+/** A layer of a view to draw; `box` bounds the splats' centres if it is known. */
 export interface Item<Layer> {
   readonly layer: Layer;
   readonly box: Box | null;
 }
 
-export interface Drawn {
-  /** Splats of parts that reach into the picture. */
+export interface FrameCounts {
+  /** Splats of parts that are at least partly in the picture. */
   readonly splats: number;
   /** Triangles of the geometry. */
   readonly triangles: number;
@@ -25,13 +25,13 @@ export interface Drawn {
 }
 
 /** Draws layers of views, and meshes of leaves. */
-export interface Drawer<Layer extends Held, Mesh extends Held> {
+export interface Drawer<Layer extends GpuResource, Mesh extends GpuResource> {
   upload(model: Model, splats: Splats): Layer;
   drop(layer: Layer): void;
   uploadMesh(piece: Piece): Mesh;
   dropMesh(mesh: Mesh): void;
-  /** Draws meshes and layers with `grid` × `grid` samples per pixel; the nearest ones should come first. */
-  draw(meshes: readonly Mesh[], items: readonly Item<Layer>[], camera: Camera, grid: number): Drawn;
+  /** Draws meshes and layers with `grid` × `grid` samples per pixel; the nearest of each should come first. */
+  draw(meshes: readonly Mesh[], items: readonly Item<Layer>[], camera: Camera, grid: number): FrameCounts;
   /** Whether the GPU has finished the last picture. */
   readonly isDone: boolean;
   /** Waits until the GPU has finished the last picture. */
@@ -43,17 +43,17 @@ export interface Drawer<Layer extends Held, Mesh extends Held> {
   readonly unhidden: number | null;
 }
 
-/** Near distance for geometry, metres along the axis. */
-const NEAREST = 0.05;
+/** Greatest near distance with meshes, metres along the viewing axis. */
+const MESH_NEAR_DISTANCE = 0.05;
 
-/** Near distance in metres along the axis; depth values are this divided by the distance. */
-export function nearestOf(items: readonly Item<{ readonly model: Model }>[], hasMeshes: boolean): number {
+/** Near distance in metres along the viewing axis; a depth value is the near distance divided by the point's. */
+export function nearDistanceOf(items: readonly Item<{ readonly model: Model }>[], hasMeshes: boolean): number {
   let least = 1e6;
   for (const { layer } of items) least = Math.min(least, Math.max(layer.model.pitch[0], layer.model.pitch[1]));
-  return hasMeshes ? Math.min(least / 2, NEAREST) : least / 2;
+  return hasMeshes ? Math.min(least / 2, MESH_NEAR_DISTANCE) : least / 2;
 }
 
-/** Samples along each axis of a pixel, reduced so that `length` pixels of them fit into a texture. */
-export function gridOf(grid: number, length: number, longest: number): number {
-  return Math.max(Math.min(grid, Math.floor(longest / length)), 1);
+/** Samples along each axis of a pixel, reduced so that `length` pixels need at most `maxLength` texels. */
+export function gridOf(grid: number, length: number, maxLength: number): number {
+  return Math.max(Math.min(grid, Math.floor(maxLength / length)), 1);
 }

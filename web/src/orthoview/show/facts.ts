@@ -1,5 +1,5 @@
 /** Facts of the last picture of a tree, for the panel and for tests. */
-import type { Drawn } from '../draw/drawer';
+import type { FrameCounts } from '../draw/drawer';
 import type { Choice } from './stand_in';
 import type { Graphics } from './start';
 import type { Stock } from './stock';
@@ -45,7 +45,7 @@ export const NOTHING: Omit<Facts, 'unhidden'> = {
 /** Facts of a picture that do not depend on requests. */
 export function factsOf(
   { shown, near, holes }: Choice,
-  drawn: Drawn,
+  drawn: FrameCounts,
   stock: Stock,
 ): Omit<Facts, 'unhidden' | 'waiting' | 'isComplete' | 'graphics'> {
   return {

@@ -2,7 +2,7 @@
 import type { Camera } from '../cut/camera';
 import type { Piece } from '../decode/leaf';
 import type { Splats } from '../decode/pack';
-import type { Drawer, Drawn, Held, Item } from '../draw/drawer';
+import type { Drawer, FrameCounts, GpuResource, Item } from '../draw/drawer';
 import { modelOf } from '../draw/sight';
 import { GEOMETRY, type Layout, nameOf, type Triple } from '../store/layout';
 import type { Choice } from './stand_in';
@@ -22,7 +22,7 @@ export interface Stock {
   there(level: number, place: Triple): readonly number[];
   /** Whether a leaf's geometry is loaded. */
   hasLeaf(place: Triple): boolean;
-  draw(choice: Choice, camera: Camera, grid: number, kept: Kept): Drawn;
+  draw(choice: Choice, camera: Camera, grid: number, kept: Kept): FrameCounts;
   /** Bytes on the GPU; number of views. */
   readonly bytes: number;
   readonly views: number;
@@ -32,7 +32,7 @@ export interface Stock {
 }
 
 /** Creates a stock that is limited to this many bytes of views and a quarter as many of geometry. */
-export function stockOf<Layer extends Held, Mesh extends Held>(
+export function stockOf<Layer extends GpuResource, Mesh extends GpuResource>(
   layout: Layout,
   drawer: Drawer<Layer, Mesh>,
   bytes: number,

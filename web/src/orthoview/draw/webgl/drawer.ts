@@ -3,11 +3,11 @@ import type { Camera } from '../../cut/camera';
 import type { Piece } from '../../decode/leaf';
 import { type Part, type Splats, WORDS } from '../../decode/pack';
 import type { Layout } from '../../store/layout';
-import { type Drawer, type Drawn, gridOf, type Item, nearestOf } from '../drawer';
+import { type Drawer, type FrameCounts, gridOf, type Item, nearDistanceOf } from '../drawer';
 import { isIn, type Model, type Projector, projectorOf, rowsOf, seenOf, sightOf, VECTORS, writeView } from '../sight';
 import { type Program, programOf, type Target, targetOf } from './gl';
 import { type Mesh, Meshes } from './meshes';
-import { RESOLVE_FRAGMENT, SPLAT_FRAGMENT, SPLAT_VERTEX, WHOLE_VERTEX } from './shaders';
+import { RESOLVE_FRAGMENT, SPLAT_FRAGMENT, SPLAT_VERTEX, FULL_SCREEN_VERTEX } from './shaders';
 
 /** A layer of a view on the GPU. */
 export interface Layer {
@@ -38,7 +38,7 @@ export class WebglDrawer implements Drawer<Layer, Mesh> {
     if (!gl) throw new Error('this browser has no WebGL 2');
     this.#gl = gl as WebGL2RenderingContext;
     this.#splats = programOf(this.#gl, SPLAT_VERTEX, SPLAT_FRAGMENT);
-    this.#resolve = programOf(this.#gl, WHOLE_VERTEX, RESOLVE_FRAGMENT);
+    this.#resolve = programOf(this.#gl, FULL_SCREEN_VERTEX, RESOLVE_FRAGMENT);
     this.#meshes = new Meshes(this.#gl);
     this.#largest = (this.#gl.getParameter(this.#gl.ALIASED_POINT_SIZE_RANGE) as Float32Array)[1] ?? 1;
     this.#longest = this.#gl.getParameter(this.#gl.MAX_TEXTURE_SIZE) as number;
@@ -69,7 +69,7 @@ export class WebglDrawer implements Drawer<Layer, Mesh> {
     this.#meshes.drop(mesh);
   }
 
-  draw(meshes: readonly Mesh[], items: readonly Item<Layer>[], camera: Camera, wanted: number): Drawn {
+  draw(meshes: readonly Mesh[], items: readonly Item<Layer>[], camera: Camera, wanted: number): FrameCounts {
     const gl = this.#gl;
     const grid = gridOf(wanted, Math.max(camera.width, camera.height), this.#longest);
     const sampled = { ...camera, width: camera.width * grid, height: camera.height * grid };
@@ -82,7 +82,7 @@ export class WebglDrawer implements Drawer<Layer, Mesh> {
     gl.clearColor(0, 0, 0, 0);
     gl.clearDepth(0);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
-    const nearest = nearestOf(items, meshes.length > 0);
+    const nearest = nearDistanceOf(items, meshes.length > 0);
     const { triangles, calls: before } = this.#meshes.draw(meshes, projector, nearest);
     gl.useProgram(this.#splats.program);
     this.#setCamera(this.#splats, projector);
@@ -110,7 +110,7 @@ export class WebglDrawer implements Drawer<Layer, Mesh> {
     this.#gl.readPixels(0, 0, 1, 1, this.#gl.RGBA, this.#gl.UNSIGNED_BYTE, new Uint8Array(4));
   }
 
-  #drawItem({ layer, box }: Item<Layer>, projector: Projector): Omit<Drawn, 'triangles'> {
+  #drawItem({ layer, box }: Item<Layer>, projector: Projector): Omit<FrameCounts, 'triangles'> {
     const gl = this.#gl;
     const sight = sightOf(layer.model, projector);
     const rows = rowsOf(layer.model, this.layout, box);

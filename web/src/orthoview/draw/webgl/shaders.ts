@@ -8,8 +8,8 @@ precision highp int;
 `;
 
 /**
- * A splat is a point: a square around its ellipse. Its middle, the inverse of the ellipse's axes, and its nearness 1/W
- * with the changes along both axes go on to the fragments as they are.
+ * A splat is drawn as a point primitive: a square around its ellipse. The fragments receive without interpolation its
+ * middle, the inverse of the ellipse's axes, and its nearness 1/W with the changes along both axes.
  */
 export const SPLAT_VERTEX = /* glsl */ `${HEAD}
 layout(location = 0) in uvec3 splat;
@@ -27,21 +27,21 @@ const float RADIUS = ${float(Math.sqrt(SQUARED_RADIUS))};
 const vec4 NOWHERE = vec4(2.0, 2.0, 2.0, 1.0);
 ${IRRADIANCE}
 ${LINEAR}
-// Half the extent of a ball along an axis: the length of the gradient of X/W.
-float disc(vec3 own, float place, float over) {
-  return length((own - place * gradients[2]) * over) * view[2].w;
+// Half the extent of a ball along an axis of the picture: the length of the gradient of X/W (or Y/W).
+float half_extent(vec3 gradient, float ratio, float inverse_w) {
+  return length((gradient - ratio * gradients[2]) * inverse_w) * view[2].w;
 }
 
 void main() {
   float depth = float((splat.x >> 24) << 8 | splat.y >> 24) - 0.5;
-  vec3 at = vec3(float(splat.z & 4095u) + 0.5, float(splat.z >> 12 & 4095u) + 0.5, depth);
-  vec3 inside = vec3(dot(view[7].xyz, at), dot(view[8].xyz, at), dot(view[9].xyz, at));
+  vec3 view_point = vec3(float(splat.z & 4095u) + 0.5, float(splat.z >> 12 & 4095u) + 0.5, depth);
+  vec3 inside = vec3(dot(view[7].xyz, view_point), dot(view[8].xyz, view_point), dot(view[9].xyz, view_point));
   inside += vec3(view[7].w, view[8].w, view[9].w);
-  vec3 function = view[0].xyz + at.x * view[1].xyz + at.y * view[2].xyz + at.z * view[3].xyz;
-  float over = 1.0 / function.z;
-  vec2 middle = function.xy * over;
+  vec3 xyw = view[0].xyz + view_point.x * view[1].xyz + view_point.y * view[2].xyz + view_point.z * view[3].xyz;
+  float inverse_w = 1.0 / xyw.z;
+  vec2 middle = xyw.xy * inverse_w;
 
-  // Normal, and the change of depth per pixel on its plane.
+  // Normal, and the changes u and v of (X, Y, W) per pixel of the view on the plane of the normal.
   vec2 code = vec2(float(splat.y & 4095u), float(splat.y >> 12 & 4095u)) * view[1].w - 1.0;
   vec3 normal = vec3(code, 1.0 - abs(code.x) - abs(code.y));
   float fold = max(-normal.z, 0.0);
@@ -54,9 +54,9 @@ void main() {
   float factor = is_surfel ? ((splat.z >> 25 & 1u) == 1u ? 1.0 : ${float(BORDER)}) : 0.0;
 
   // The ellipse's axes in the picture, and the changes of nearness along them.
-  vec2 du = (u.xy - middle * u.z) * over * factor;
-  vec2 dv = (v.xy - middle * v.z) * over * factor;
-  vec2 slope = -vec2(u.z, v.z) * over * over * factor;
+  vec2 du = (u.xy - middle * u.z) * inverse_w * factor;
+  vec2 dv = (v.xy - middle * v.z) * inverse_w * factor;
+  vec2 slope = -vec2(u.z, v.z) * inverse_w * inverse_w * factor;
   float determinant = du.x * dv.y - dv.x * du.y;
   vec2 half_size;
   if (is_surfel) {
@@ -65,12 +65,12 @@ void main() {
     float inverse = is_flat ? 0.0 : 1.0 / determinant;
     v_inverse = is_flat ? vec4(1e9) : vec4(dv.y, -dv.x, -du.y, du.x) * inverse;
     vec4 change = vec4(dv.y, -dv.x, -du.y, du.x) * inverse;
-    v_nearness = vec3(over, slope.x * change.x + slope.y * change.z, slope.x * change.y + slope.y * change.w);
+    v_nearness = vec3(inverse_w, slope.x * change.x + slope.y * change.z, slope.x * change.y + slope.y * change.w);
     half_size = is_flat ? vec2(0.0) : RADIUS * sqrt(vec2(du.x * du.x + dv.x * dv.x, du.y * du.y + dv.y * dv.y));
   } else {
-    vec2 ball = vec2(disc(gradients[0], middle.x, over), disc(gradients[1], middle.y, over));
+    vec2 ball = vec2(half_extent(gradients[0], middle.x, inverse_w), half_extent(gradients[1], middle.y, inverse_w));
     v_inverse = vec4(1.0 / ball.x, 0.0, 0.0, 1.0 / ball.y);
-    v_nearness = vec3(over, 0.0, 0.0);
+    v_nearness = vec3(inverse_w, 0.0, 0.0);
     half_size = RADIUS * ball;
   }
   v_middle = middle;
@@ -81,22 +81,22 @@ void main() {
   vec3 albedo = linear_of(vec3(splat.x & 255u, splat.x >> 8 & 255u, splat.x >> 16 & 255u) / 255.0);
   v_color = albedo * irradiance(normal);
 
-  // Near the eye the derivative at the middle would sweep ellipses across the picture.
-  bool is_shown = function.z - RADIUS * factor * length(vec2(u.z, v.z)) >= view[0].w;
+  // Near the eye the derivatives at the middle would give huge ellipses.
+  bool is_shown = xyw.z - RADIUS * factor * length(vec2(u.z, v.z)) >= view[0].w;
   is_shown = is_shown && all(greaterThanEqual(inside, vec3(0.0))) && all(lessThan(inside, vec3(1.0)));
   is_shown = is_shown && all(lessThan(abs(middle - 0.5 * screen.xy), 0.5 * screen.xy + max(half_size, 0.5)));
   // Points whose centres lie outside are clipped, however large: their centres are moved to the picture's side.
   vec2 start = clamp(middle, vec2(0.0), screen.xy);
   vec2 reach = half_size + abs(start - middle);
   gl_PointSize = clamp(2.0 * max(reach.x, reach.y), 1.0, screen.z);
-  vec2 place = start / screen.xy * 2.0 - 1.0;
-  gl_Position = is_shown ? vec4(place.x, -place.y, 0.0, 1.0) : NOWHERE;
+  vec2 clip = start / screen.xy * 2.0 - 1.0;
+  gl_Position = is_shown ? vec4(clip.x, -clip.y, 0.0, 1.0) : NOWHERE;
 }
 `;
 
 export const SPLAT_FRAGMENT = /* glsl */ `${HEAD}
 uniform vec3 screen;
-// Near distance in metres: depths are this divided by the distance along the axis.
+// Near distance in metres; a depth value is the near distance divided by the distance along the viewing axis.
 uniform float nearest;
 flat in vec4 v_inverse;
 flat in vec2 v_middle;
@@ -105,12 +105,12 @@ flat in vec3 v_color;
 out vec4 shade;
 
 void main() {
-  vec2 at = vec2(gl_FragCoord.x, screen.y - gl_FragCoord.y);
-  vec2 p = at - v_middle;
+  vec2 screen_point = vec2(gl_FragCoord.x, screen.y - gl_FragCoord.y);
+  vec2 p = screen_point - v_middle;
   vec2 q = vec2(dot(v_inverse.xy, p), dot(v_inverse.zw, p));
   bool is_inside = dot(q, q) <= ${float(SQUARED_RADIUS)};
   // The sample that holds a splat's middle always belongs to it.
-  if (!is_inside && any(notEqual(floor(at), floor(v_middle)))) {
+  if (!is_inside && any(notEqual(floor(screen_point), floor(v_middle)))) {
     discard;
   }
   float nearness = v_nearness.x + (is_inside ? dot(v_nearness.yz, p) : 0.0);
@@ -121,7 +121,7 @@ void main() {
 `;
 
 /** Triangle that covers the picture. */
-export const WHOLE_VERTEX = /* glsl */ `${HEAD}
+export const FULL_SCREEN_VERTEX = /* glsl */ `${HEAD}
 void main() {
   gl_Position = vec4(float(gl_VertexID & 1) * 4.0 - 1.0, float(gl_VertexID >> 1) * 4.0 - 1.0, 0.0, 1.0);
 }
@@ -142,11 +142,11 @@ void main() {
   vec3 sum = vec3(0.0);
   for (int row = 0; row < grid; row++) {
     for (int column = 0; column < grid; column++) {
-      ivec2 at = first + ivec2(column, row);
-      vec4 found = texelFetch(samples, at, 0);
-      vec2 place = vec2(float(at.x) + 0.5, screen.y - float(at.y) - 0.5);
-      vec3 ray = rays[0] + place.x * rays[1] + place.y * rays[2];
-      sum += found.a > 0.0 ? found.rgb : background(normalize(ray));
+      ivec2 texel = first + ivec2(column, row);
+      vec4 color = texelFetch(samples, texel, 0);
+      vec2 screen_point = vec2(float(texel.x) + 0.5, screen.y - float(texel.y) - 0.5);
+      vec3 ray = rays[0] + screen_point.x * rays[1] + screen_point.y * rays[2];
+      sum += color.a > 0.0 ? color.rgb : background(normalize(ray));
     }
   }
   shade = vec4(srgb_of(sum / float(grid * grid)), 1.0);

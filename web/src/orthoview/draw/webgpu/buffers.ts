@@ -1,5 +1,5 @@
 /** Buffers of numbers that change with each picture, and pages of views, so that one call draws many of them. */
-import type { Held } from '../drawer';
+import type { GpuResource } from '../drawer';
 
 /** Bytes between two sets of uniforms, because dynamic offsets are aligned. */
 export const SLOT = 256;
@@ -38,7 +38,7 @@ const PAGE = 1 << 23;
 const UNIT = 64;
 
 /** Range of words in a page. */
-export interface Place extends Held {
+export interface Place extends GpuResource {
   readonly page: Page;
   readonly first: number;
   readonly words: number;

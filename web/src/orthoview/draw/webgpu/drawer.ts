@@ -3,7 +3,7 @@ import type { Camera } from '../../cut/camera';
 import type { Piece } from '../../decode/leaf';
 import type { Part, Splats } from '../../decode/pack';
 import type { Layout } from '../../store/layout';
-import { type Drawer, type Drawn, gridOf, type Held, type Item, nearestOf } from '../drawer';
+import { type Drawer, type FrameCounts, gridOf, type GpuResource, type Item, nearDistanceOf } from '../drawer';
 import { type Model, type Projector, projectorOf } from '../sight';
 import { Arena, type Page, type Place, Room, SLOT } from './buffers';
 import { type Called, type Kernels, Numbers } from './kernels';
@@ -13,7 +13,7 @@ import { type Band, bandsOf, Samples, type Targets, tilesOf } from './samples';
 import { type Work, workOf } from './work';
 
 /** Layer of a view on the GPU. */
-export interface Layer extends Held {
+export interface Layer extends GpuResource {
   readonly model: Model;
   readonly parts: readonly Part[];
   readonly page: Page;
@@ -85,10 +85,10 @@ export class WebgpuDrawer implements Drawer<Layer, Mesh> {
     this.meshes.drop(mesh);
   }
 
-  draw(meshes: readonly Mesh[], items: readonly Item<Layer>[], camera: Camera, wanted: number): Drawn {
+  draw(meshes: readonly Mesh[], items: readonly Item<Layer>[], camera: Camera, wanted: number): FrameCounts {
     const grid = gridOf(wanted, camera.width, this.device.limits.maxTextureDimension2D);
     const projector = projectorOf({ ...camera, width: camera.width * grid, height: camera.height * grid });
-    const nearest = nearestOf(items, meshes.length > 0);
+    const nearest = nearDistanceOf(items, meshes.length > 0);
     const work = workOf(items, projector, this.layout, nearest);
     const bands = bandsOf(this.device, projector.width, projector.height, grid);
     const calls = bands.length * (1 + 4 * work.calls.length + work.pages.length);

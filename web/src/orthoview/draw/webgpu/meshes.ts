@@ -2,15 +2,17 @@
 import { ROWS } from '../../../decode/placements';
 import type { Piece } from '../../decode/leaf';
 import type { Triple } from '../../store/layout';
-import type { Held } from '../drawer';
+import type { GpuResource } from '../drawer';
 import { Room, SLOT } from './buffers';
 import { LEVEL, MESHES } from './mesh_shaders';
 
-/** Formats of samples: linear light as 8-bit sRGB, and depths that are greater for nearer points. */
-export const [COLOR, DEPTH] = ['rgba8unorm-srgb', 'depth32float'] as const;
+/** Format of colour samples: linear light as 8-bit sRGB. */
+export const COLOR = 'rgba8unorm-srgb';
+/** Format of depth samples, which are greater for nearer points. */
+export const DEPTH = 'depth32float';
 
 /** Piece of geometry on the GPU. */
-export interface Mesh extends Held {
+export interface Mesh extends GpuResource {
   readonly origin: Triple;
   readonly material: Piece['material'];
   readonly pipeline: GPURenderPipeline;
@@ -19,35 +21,37 @@ export interface Mesh extends Held {
   readonly indices: GPUBuffer;
   readonly format: GPUIndexFormat;
   readonly corners: number;
-  readonly copies: number;
+  readonly instances: number;
   readonly textures: readonly (GPUTexture | null)[];
   readonly group: GPUBindGroup;
 }
 
 /** Formats and strides of the vertex arrays; an array of placements follows them. */
-const ARRAYS = [
+const VERTEX_ARRAYS = [
   { format: 'float32x3', stride: 12 },
   { format: 'float32x3', stride: 12 },
   { format: 'float32x2', stride: 8 },
   { format: 'unorm16x4', stride: 8 },
 ] as const;
-/** Byte offsets of stand-ins for missing arrays: zeros for normals and texture coordinates, then white. */
-const [ZEROS, WHITE] = [0, 12] as const;
+/** Byte offset of zeros, which replace missing normals and texture coordinates. */
+const ZEROS = 0;
+/** Byte offset of white, which replaces missing colours. */
+const WHITE = 12;
 
 export class Meshes {
   readonly #module: GPUShaderModule;
   readonly #texturesLayout: GPUBindGroupLayout;
   readonly #layout: GPUPipelineLayout;
-  readonly #images: Images;
+  readonly #images: Textures;
   readonly #sampler: GPUSampler;
   readonly #standIns: GPUBuffer;
   readonly #pipelines = new Map<string, GPURenderPipeline>();
-  readonly #numbers: Room;
+  readonly #uniforms: Room;
 
   constructor(
     readonly device: GPUDevice,
-    /** Layout of uniforms at a dynamic offset. */
-    readonly numbered: GPUBindGroupLayout,
+    /** Layout of a uniform buffer with a dynamic offset. */
+    readonly uniformLayout: GPUBindGroupLayout,
   ) {
     this.#module = device.createShaderModule({ label: 'meshes', code: MESHES });
     const visibility = GPUShaderStage.FRAGMENT;
@@ -59,9 +63,9 @@ export class Meshes {
       ],
     });
     this.#layout = device.createPipelineLayout({
-      bindGroupLayouts: [numbered, numbered, this.#texturesLayout],
+      bindGroupLayouts: [uniformLayout, uniformLayout, this.#texturesLayout],
     });
-    this.#images = new Images(device);
+    this.#images = new Textures(device);
     this.#sampler = device.createSampler({
       addressModeU: 'repeat',
       addressModeV: 'repeat',
@@ -69,22 +73,22 @@ export class Meshes {
       magFilter: 'linear',
       mipmapFilter: 'linear',
     });
-    this.#standIns = this.#filled(new Uint32Array([0, 0, 0, 0xffffffff, 0xffffffff]), GPUBufferUsage.VERTEX);
-    this.#numbers = new Room(device, 'meshes', GPUBufferUsage.UNIFORM);
+    this.#standIns = this.#bufferOf(new Uint32Array([0, 0, 0, 0xffffffff, 0xffffffff]), GPUBufferUsage.VERTEX);
+    this.#uniforms = new Room(device, 'meshes', GPUBufferUsage.UNIFORM);
     // Compiles now, so that shaders rejected by the browser are reported before anything is drawn.
     this.#pipelineOf(true, true, true, true);
   }
 
   upload(piece: Piece): Mesh {
     const { positions, normals, uvs, colors, placements, indices } = piece;
-    const fill = (data: ArrayBufferView | null): GPUBuffer | null => data && this.#filled(data, GPUBufferUsage.VERTEX);
+    const fill = (data: ArrayBufferView | null): GPUBuffer | null => data && this.#bufferOf(data, GPUBufferUsage.VERTEX);
     const buffers = [positions, normals, uvs, colors, placements].map(fill);
     const images = [piece.image, piece.glow];
-    const arrays = [...buffers, this.#filled(indices, GPUBufferUsage.INDEX)];
+    const arrays = [...buffers, this.#bufferOf(indices, GPUBufferUsage.INDEX)];
     let bytes = arrays.reduce((sum, buffer) => sum + (buffer?.size ?? 0), 0);
     // Mipmaps add a third.
     for (const image of images) bytes += image ? Math.ceil((16 * image.width * image.height) / 3) : 0;
-    const textures = images.map((image) => image && this.#images.of(image));
+    const textures = images.map((image) => image && this.#images.upload(image));
     return {
       origin: piece.origin,
       material: piece.material,
@@ -93,7 +97,7 @@ export class Meshes {
       indices: arrays.at(-1) as GPUBuffer,
       format: indices instanceof Uint16Array ? 'uint16' : 'uint32',
       corners: indices.length,
-      copies: placements.length / ROWS,
+      instances: placements.length / ROWS,
       textures,
       group: this.#groupOf(textures),
       bytes,
@@ -101,16 +105,16 @@ export class Meshes {
   }
 
   drop({ buffers, indices, textures }: Mesh): void {
-    for (const held of [...buffers, indices, ...textures]) held?.destroy();
+    for (const resource of [...buffers, indices, ...textures]) resource?.destroy();
   }
 
   /** Draws meshes for a viewer in a pass whose first group has the call's uniforms; returns the number of triangles. */
   record(pass: GPURenderPassEncoder, meshes: readonly Mesh[], eye: Triple): number {
-    const numbers = new Float32Array((SLOT / 4) * meshes.length);
-    meshes.forEach((mesh, n) => numbers.set(numbersOf(mesh, eye), (SLOT / 4) * n));
-    const resource = { buffer: this.#numbers.with(numbers), size: SLOT };
+    const uniforms = new Float32Array((SLOT / 4) * meshes.length);
+    meshes.forEach((mesh, n) => uniforms.set(uniformsOf(mesh, eye), (SLOT / 4) * n));
+    const resource = { buffer: this.#uniforms.with(uniforms), size: SLOT };
     const group = this.device.createBindGroup({
-      layout: this.numbered,
+      layout: this.uniformLayout,
       entries: [{ binding: 0, resource }],
     });
     return meshes.reduce((sum, mesh, n) => {
@@ -122,8 +126,8 @@ export class Meshes {
         else pass.setVertexBuffer(slot, this.#standIns, slot === 3 ? WHITE : ZEROS);
       });
       pass.setIndexBuffer(mesh.indices, mesh.format);
-      pass.drawIndexed(mesh.corners, mesh.copies);
-      return sum + (mesh.corners / 3) * mesh.copies;
+      pass.drawIndexed(mesh.corners, mesh.instances);
+      return sum + (mesh.corners / 3) * mesh.instances;
     }, 0);
   }
 
@@ -136,22 +140,22 @@ export class Meshes {
     return this.device.createBindGroup({ layout: this.#texturesLayout, entries });
   }
 
-  /** Returns the pipeline for pieces with these arrays. */
-  #pipelineOf(...has: readonly boolean[]): GPURenderPipeline {
-    const name = has.join();
-    const found = this.#pipelines.get(name);
-    if (found) return found;
-    const corners = ARRAYS.map(({ format, stride }, shaderLocation) => ({
+  /** Returns the pipeline for pieces that have these vertex arrays. */
+  #pipelineOf(...hasArray: readonly boolean[]): GPURenderPipeline {
+    const name = hasArray.join();
+    const cached = this.#pipelines.get(name);
+    if (cached) return cached;
+    const vertexBuffers = VERTEX_ARRAYS.map(({ format, stride }, shaderLocation) => ({
       // A stride of 0 gives all vertices the same value.
-      arrayStride: has[shaderLocation] ? stride : 0,
+      arrayStride: hasArray[shaderLocation] ? stride : 0,
       attributes: [{ shaderLocation, offset: 0, format }],
     }));
     const rows = [0, 1, 2].map((row) => ({ shaderLocation: 4 + row, offset: 16 * row, format: 'float32x4' as const }));
-    const copies = { arrayStride: 4 * ROWS, stepMode: 'instance' as const, attributes: rows };
+    const instanceBuffer = { arrayStride: 4 * ROWS, stepMode: 'instance' as const, attributes: rows };
     const pipeline = this.device.createRenderPipeline({
       label: 'meshes',
       layout: this.#layout,
-      vertex: { module: this.#module, buffers: [...corners, copies] },
+      vertex: { module: this.#module, buffers: [...vertexBuffers, instanceBuffer] },
       fragment: { module: this.#module, targets: [{ format: COLOR }] },
       depthStencil: { format: DEPTH, depthWriteEnabled: true, depthCompare: 'greater' },
     });
@@ -159,7 +163,7 @@ export class Meshes {
     return pipeline;
   }
 
-  #filled(data: ArrayBufferView, usage: GPUBufferUsageFlags): GPUBuffer {
+  #bufferOf(data: ArrayBufferView, usage: GPUBufferUsageFlags): GPUBuffer {
     const size = 4 * Math.ceil(Math.max(data.byteLength, 4) / 4);
     const buffer = this.device.createBuffer({ label: 'mesh', size, usage, mappedAtCreation: true });
     new Uint8Array(buffer.getMappedRange()).set(new Uint8Array(data.buffer, data.byteOffset, data.byteLength));
@@ -169,57 +173,57 @@ export class Meshes {
 }
 
 /** Uniforms of a mesh in the layout of the shader. */
-function numbersOf({ origin, material }: Mesh, eye: Triple): number[] {
+function uniformsOf({ origin, material }: Mesh, eye: Triple): number[] {
   const { color, cutoff, emission, isUnlit } = material;
   // In float64: float32 is exact only for points near the eye.
   const offset = [origin[0] - eye[0], origin[1] - eye[1], origin[2] - eye[2]];
   return [...offset, cutoff ?? -1, ...color, ...(emission ?? [0, 0, 0]), isUnlit ? 1 : 0];
 }
 
-const FORMAT: GPUTextureFormat = 'rgba8unorm-srgb';
+const TEXTURE_FORMAT: GPUTextureFormat = 'rgba8unorm-srgb';
 
-class Images {
+class Textures {
   readonly #pipeline: GPURenderPipeline;
   readonly #sampler: GPUSampler;
   /** White texture of one texel, for materials without an image. */
   readonly white: GPUTexture;
 
   constructor(readonly device: GPUDevice) {
-    const module = device.createShaderModule({ label: 'levels of textures', code: LEVEL });
+    const module = device.createShaderModule({ label: 'mipmaps', code: LEVEL });
     this.#pipeline = device.createRenderPipeline({
-      label: 'levels of textures',
+      label: 'mipmaps',
       layout: 'auto',
       vertex: { module },
-      fragment: { module, targets: [{ format: FORMAT }] },
+      fragment: { module, targets: [{ format: TEXTURE_FORMAT }] },
     });
     this.#sampler = device.createSampler({ minFilter: 'linear', magFilter: 'linear' });
-    this.white = this.#empty(1, 1);
+    this.white = this.#createTexture(1, 1);
     device.queue.writeTexture({ texture: this.white }, new Uint8Array([255, 255, 255, 255]), {}, [1, 1]);
   }
 
   /** Creates the texture of an image and closes the image. */
-  of(image: ImageBitmap): GPUTexture {
+  upload(image: ImageBitmap): GPUTexture {
     const { width, height } = image;
-    const texture = this.#empty(width, height);
+    const texture = this.#createTexture(width, height);
     this.device.queue.copyExternalImageToTexture({ source: image }, { texture }, [width, height]);
     image.close();
     const encoder = this.device.createCommandEncoder();
-    for (let level = 1; level < texture.mipLevelCount; level++) this.#fill(encoder, texture, level);
+    for (let level = 1; level < texture.mipLevelCount; level++) this.#drawMipmap(encoder, texture, level);
     this.device.queue.submit([encoder.finish()]);
     return texture;
   }
 
-  #empty(width: number, height: number): GPUTexture {
+  #createTexture(width: number, height: number): GPUTexture {
     return this.device.createTexture({
       label: 'image',
       size: [width, height],
-      format: FORMAT,
+      format: TEXTURE_FORMAT,
       mipLevelCount: 1 + Math.floor(Math.log2(Math.max(width, height))),
       usage: GPUTextureUsage.TEXTURE_BINDING | GPUTextureUsage.COPY_DST | GPUTextureUsage.RENDER_ATTACHMENT,
     });
   }
 
-  #fill(encoder: GPUCommandEncoder, texture: GPUTexture, level: number): void {
+  #drawMipmap(encoder: GPUCommandEncoder, texture: GPUTexture, level: number): void {
     const view = (baseMipLevel: number): GPUTextureView => texture.createView({ baseMipLevel, mipLevelCount: 1 });
     const pass = encoder.beginRenderPass({
       colorAttachments: [{ view: view(level), loadOp: 'clear', storeOp: 'store' }],
