@@ -33,7 +33,10 @@ def test_keywords_replace_fields() -> None:
     assert gather(Exposure, Exposure(1.0, 1.8), {"stops": 2.0}) == Exposure(2.0, 1.8)
     with pytest.raises(ValueError, match=r"^gamma: expected a number above 0"):
         gather(Exposure, Exposure(), {"gamma": 0.0})
-    with pytest.raises(TypeError, match=r"^stop: expected a field of Exposure \(stops, gamma\)"):
+    with pytest.raises(
+        TypeError,
+        match=r"^stop: expected a parameter of the function, or a field of its settings such as Exposure \(stops, gamma\)",
+    ):
         gather(Exposure, None, {"stop": 1.0})
     with pytest.raises(TypeError, match=r"^settings: expected Exposure"):
         gather(Exposure, 1.0, {})

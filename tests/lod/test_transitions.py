@@ -168,7 +168,7 @@ def test_rules_choose_as_keywords_do_and_keywords_replace_them() -> None:
     wrong: dict[str, Any]
     for wrong, message in (
         ({"rules": 0.9}, "rules: expected LodRules"),
-        ({"wide": 1}, "wide: expected a field of Lod"),
+        ({"wide": 1}, "wide: expected a parameter .* such as Lod"),
     ):
         with pytest.raises(TypeError, match=message):
             nf.lod.select(*objects, camera=VIEW, **wrong)

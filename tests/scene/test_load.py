@@ -251,7 +251,7 @@ def test_options_are_made_once_for_many_files(tmp_path: Path) -> None:
     np.testing.assert_array_equal(nf.open_source(path, options).bounds, nf.Scene.load(path, options).bounds)
     with pytest.raises(TypeError, match=r"^options: expected LoadOptions, got dict"):
         nf.Scene.load(path, {"up": "z"})  # type: ignore[arg-type]
-    with pytest.raises(TypeError, match=r"^upwards: expected a field of LoadOptions \(up, scale, "):
+    with pytest.raises(TypeError, match=r"^upwards: expected a parameter .* such as LoadOptions \(up, scale, "):
         nf.Scene.load(path, upwards="z")  # type: ignore[call-arg]
 
 

@@ -34,7 +34,8 @@ def gather(
     """
     names = [field.name for field in fields(kind)]  # type: ignore[arg-type]
     if unknown := sorted(keywords.keys() - set(names)):
-        raise TypeError(f"{unknown[0]}: expected a field of {kind.__name__} ({', '.join(names)})")
+        expected = f"a parameter of the function, or a field of its settings such as {kind.__name__}"
+        raise TypeError(f"{unknown[0]}: expected {expected} ({', '.join(names)})")
     if settings is None:
         return kind(**keywords)
     return replace(check.instance(argument, settings, kind, kind.__name__), **keywords)  # type: ignore[type-var]

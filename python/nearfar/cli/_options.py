@@ -111,7 +111,9 @@ class ZoneOptions(Options):
     r1: Annotated[
         float | None,
         option(
-            "--r1", "METRES", "Radius of the near zone, where geometry stays where it is. By default 30, less in rooms."
+            "--r1",
+            "METRES",
+            "Radius of the near zone, where geometry stays where it is. By default it follows from r2 by the ground.",
         ),
     ] = None
     r2: Annotated[
@@ -120,7 +122,7 @@ class ZoneOptions(Options):
             "--r2",
             "METRES",
             "Radius beyond which a map shows the scene (far zone); between the radii (intermediate zone) geometry is "
-            "moved to meet the map. By default 50, less in rooms.",
+            "moved to meet the map. By default 50, in rooms two thirds of the way to the walls.",
         ),
     ] = None
 
