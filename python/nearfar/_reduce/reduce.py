@@ -40,7 +40,7 @@ def reduce(
     center
         World position O in metres that the map is baked from: an eye's height above the ground, in the middle of the
         users' area. None chooses an open place near the middle of the scene, or in front of a scene that is a single
-        object.
+        object; `nearfar reduce` starts built-in scenes from a view of their own instead.
     r1, r2
         Radii in metres about the vertical axis through O, 0 ≤ r1 < r2. Inside r1 nothing is moved; beyond r2 only the
         map is visible; between the radii the morph interpolates. None chooses a radius as `nearfar reduce` does: r2
