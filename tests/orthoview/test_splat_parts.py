@@ -144,10 +144,10 @@ def test_an_empty_picture_is_sky() -> None:
 
 PICTURES = """
 import hashlib
-from tests.support.splat_cases import CAMERAS, CHANNELS, LARGE, THREE, drawn, splats_of
+from tests.support.splat_cases import CAMERAS, CHANNELS, LARGE, THREE, draw_splats, splats_of
 splats = splats_of(THREE, size=32)
 for name, grid in [("large", 3), ("close", 3), ("parallel", 1), ("cube face 1", 3)]:
-    images = drawn(splats, LARGE if name == "large" else CAMERAS[name], ("color", *CHANNELS), grid)
+    images = draw_splats(splats, LARGE if name == "large" else CAMERAS[name], ("color", *CHANNELS), grid)
     print(name, *(hashlib.sha256(images[channel].tobytes()).hexdigest() for channel in ("color", *CHANNELS)))
     print(images["stats"]["splats"], images["stats"]["splats_seen"])
 """

@@ -17,7 +17,7 @@ export async function sha256(bytes: BufferSource): Promise<string | null> {
 }
 
 /** Concatenates parts. */
-export function joined(parts: readonly Uint8Array[]): Uint8Array<ArrayBuffer> {
+export function concatBytes(parts: readonly Uint8Array[]): Uint8Array<ArrayBuffer> {
   const whole = new Uint8Array(parts.reduce((sum, { length }) => sum + length, 0));
   let place = 0;
   for (const part of parts) {
@@ -52,5 +52,5 @@ export async function inflated(data: Uint8Array<ArrayBuffer>, most: number): Pro
     if (size > most) throw new Error(`more than ${most} bytes`);
     parts.push(part);
   }
-  return joined(parts);
+  return concatBytes(parts);
 }

@@ -1,5 +1,5 @@
 /** WebTransport for frames: a stream for reliable frames, datagrams for those that a later one replaces. */
-import { joined } from '../base/bytes';
+import { concatBytes } from '../base/bytes';
 import { BROKEN_CODE, CLOSE_TIMEOUT, type Datagrams, type Listener, type Socket } from './server';
 
 /** Timeout for a connection, seconds: networks that drop UDP report nothing. */
@@ -85,7 +85,7 @@ export function gatherer(write: (frames: Uint8Array) => void): (frame: Uint8Arra
   let length = 0;
   function flush(): void {
     if (length === 0) return;
-    const all = joined(frames);
+    const all = concatBytes(frames);
     [frames, length] = [[], 0];
     write(all);
   }
@@ -101,7 +101,7 @@ export function gatherer(write: (frames: Uint8Array) => void): (frame: Uint8Arra
 export function splitter(give: (frames: ArrayBuffer) => void): (piece: Uint8Array) => void {
   let rest: Uint8Array = new Uint8Array();
   return (piece) => {
-    const all = joined([rest, piece]);
+    const all = concatBytes([rest, piece]);
     const view = new DataView(all.buffer);
     let whole = 0;
     while (whole + HEAD <= all.length) {

@@ -4,7 +4,7 @@ import { HEAD } from './shaders';
 
 export const MESH_VERTEX = /* glsl */ `${HEAD}
 layout(location = 0) in vec3 position;
-// Of length 0 for flat shading.
+// Zero for flat shading.
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec2 uv;
 layout(location = 3) in vec4 color;

@@ -28,7 +28,7 @@ struct Corner {
 @vertex
 fn corner(
   @location(0) position: vec3<f32>,
-  // Of length 0 for flat shading.
+  // Zero for flat shading.
   @location(1) normal: vec3<f32>,
   @location(2) uv: vec2<f32>,
   @location(3) color: vec4<f32>,
