@@ -9,7 +9,7 @@ import numpy as np
 
 from nearfar._base import check
 from nearfar._scene.scene import Scene
-from nearfar.datasets import _ground as streets, _layout as layout
+from nearfar.datasets import _ground as streets, _layout as layout, _vehicles as vehicles
 from nearfar.datasets._buildings import building
 from nearfar.datasets._dressing import dress
 from nearfar.datasets._furniture import fountain
@@ -17,10 +17,14 @@ from nearfar.datasets._layout import AVENUE, KERB, STREET, Grid, Plot
 from nearfar.datasets._palette import material
 from nearfar.datasets._shapes import boxes
 from nearfar.datasets._stage import Stage, placements
-from nearfar.datasets._traffic import moving_cars
 
 _MAX_BLOCKS = 64
 _SEEDS = 2**63
+# (runs along z, offset from the middle of the avenue in metres, position along it in metres, body, paint).
+_TRAFFIC = (
+    (True, 1.7, -17.0, 0, 3), (True, 4.5, -41.0, 5, 0), (True, -1.7, -28.0, 1, 6), (False, 1.7, 34.0, 2, 4),
+    (True, -4.5, -64.0, 0, 1), (False, -1.7, -23.0, 3, 2), (True, 1.7, 26.0, 4, 7), (False, 4.5, -52.0, 1, 5),
+)  # fmt: skip
 
 
 def city(blocks: int = 12, seed: int = 0, detail: int = 2, *, instanced: bool = True) -> Scene:
@@ -69,7 +73,7 @@ def city(blocks: int = 12, seed: int = 0, detail: int = 2, *, instanced: bool = 
     if detail >= 1:
         _paint(stage, grid)
         dress(stage, grid, plots, seed, detail)
-    return stage.build(dynamic=moving_cars(stage, detail))
+    return stage.build(dynamic=_moving_cars(stage, detail))
 
 
 def street_view() -> tuple[tuple[float, float, float], tuple[float, float, float]]:
@@ -147,3 +151,17 @@ def _paint(stage: Stage, grid: Grid) -> None:
             placements(x3, 0.0, z3, turns),
             f"lanes_{round(2 * half_width)}m_{round(gap)}m",
         )
+
+
+def _moving_cars(stage: Stage, detail: int) -> list[str]:
+    """Add the cars on the two avenues, each an object that can be posed; returns their names."""
+    names = []
+    for number, (along_z, offset, along, body, paint) in enumerate(_TRAFFIC):
+        soup = vehicles.car(vehicles.BODIES[body], vehicles.PAINTS[paint], detail)
+        if along_z:
+            where = placements(offset, 0.0, along, 0.5 if offset > 0 else 0.0)
+        else:
+            where = placements(along, 0.0, offset, 0.25 if offset > 0 else 0.75)
+        names.append(f"car_{number}")
+        stage.many(soup, where, names[-1:], moves=True)
+    return names

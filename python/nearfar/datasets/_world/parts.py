@@ -12,7 +12,7 @@ from nearfar._scene.scene import Scene
 from nearfar.datasets import _palette
 from nearfar.datasets._draw import Floats
 from nearfar.datasets._shapes import Indexed
-from nearfar.datasets._world import ground_texture, lattice, tiles
+from nearfar.datasets._world import lattice, tiles
 from nearfar.datasets._world.tiles import COUNT, Tile
 
 
@@ -23,7 +23,7 @@ class Parts:
         self.low, self.high, self.half = low, high, half
         self._builder = SceneBuilder()
         self._numbers = np.array([self._builder.material(color) for color in _palette.linear_colors()], np.int32)
-        self._ground = self._builder.material((1.0, 1.0, 1.0, 1.0), texture=ground_texture.grain())
+        self._ground = self._builder.material((1.0, 1.0, 1.0, 1.0), texture=tiles.grain())
         self._water = self._builder.material((1.0, 1.0, 1.0, 1.0))
         self._shapes: dict[Hashable, int] = {}
 

@@ -9,14 +9,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nearfar.datasets._draw import Floats
+from nearfar.datasets._textures import image
 from nearfar.datasets._world import climate, lattice, roads, sites
 from nearfar.datasets._world.climate import Cover
+from nearfar.datasets._world.noise import hashed, step
 from nearfar.datasets._world.relief import natural
 
 COUNT = 64
 """Number of cells along a tile's side."""
 TEXTURE = 31.25
 """Side of the tileable ground texture, metres."""
+_PIXELS = 256
+"""Width and height of that texture."""
 
 
 @dataclass(frozen=True)
@@ -101,14 +105,8 @@ def tile(seed: int, level: int, i: int, j: int) -> Tile:
     else:
         height = _fitted(seed, level, i, j, raw)
     rgb = climate.colors(seed, on.cover, on.x, on.z, on.height, on.slope, on.road)[inner, inner]
-    water = _bytes(climate.water_colors(seed, x, z, -height)) if height.min() < 0.0 else None
-    return Tile(level, i, j, height, on.normal[inner, inner], _bytes(rgb), water)
-
-
-def _bytes(rgb: Floats) -> NDArray[np.uint8]:
-    rgba = np.full((*rgb.shape[:2], 4), 255, np.uint8)
-    rgba[..., :3] = np.floor(np.clip(rgb, 0.0, 255.0) + 0.5)
-    return rgba
+    water = image(climate.water_colors(seed, x, z, -height)) if height.min() < 0.0 else None
+    return Tile(level, i, j, height, on.normal[inner, inner], image(rgb), water)
 
 
 def _fitted(seed: int, level: int, i: int, j: int, raw: Floats) -> Floats:
@@ -139,3 +137,25 @@ def foot(seed: int, level: int, x: Floats, z: Floats) -> Floats:
     upper = first + v * (left - first) + u * (last - left)
     found: Floats = np.where(u >= v, lower, upper)
     return found
+
+
+@functools.cache
+def grain() -> NDArray[np.uint8]:
+    """Make a tileable grey texture (256, 256, 4), sRGB, that multiplies colours of the ground: blades and clods."""
+    total = np.zeros((_PIXELS, _PIXELS))
+    for octave, (cells, strength) in enumerate(((8, 8.0), (32, 11.0), (96, 14.0), (256, 15.0))):
+        total = total + strength * (_tileable_noise(octave, cells) - 0.5)
+    return image((236.0 + total)[..., None])
+
+
+def _tileable_noise(channel: int, cells: int) -> Floats:
+    """Tileable value noise (256, 256) in 0 … 1."""
+    position = (np.arange(_PIXELS) + 0.5) * (cells / _PIXELS) - 0.5
+    low = np.floor(position)
+    weight = step(0.0, 1.0, position - low)
+    first, second = low.astype(np.int64) % cells, (low.astype(np.int64) + 1) % cells
+    j, i = np.meshgrid(np.arange(cells), np.arange(cells), indexing="ij")
+    value = hashed(0, 90 + channel, i, j)
+    rows = value[first] + weight[:, None] * (value[second] - value[first])
+    both: Floats = rows[:, first] + weight * (rows[:, second] - rows[:, first])
+    return both
