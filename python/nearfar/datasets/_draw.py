@@ -78,6 +78,12 @@ def turn(fraction: Floats | float) -> tuple[Floats, Floats]:
     return x + 0.0, y + 0.0
 
 
+def step(low: float, high: float, value: Floats) -> Floats:
+    """A smooth step: 0 up to `low`, 1 from `high` on, a cubic in between."""
+    share = np.clip((value - low) / (high - low), 0.0, 1.0)
+    return share * share * (3.0 - 2.0 * share)
+
+
 def xyz(x: ArrayLike, y: ArrayLike, z: ArrayLike) -> Floats:
     """Make points (K, 3) from coordinates, each (K,) or one number for all."""
     return np.stack(np.broadcast_arrays(x, y, z), -1)

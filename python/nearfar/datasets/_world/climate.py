@@ -8,9 +8,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nearfar.datasets._draw import Floats
+from nearfar.datasets._draw import Floats, step
 from nearfar.datasets._world import streets
-from nearfar.datasets._world.noise import hashed, noise, step
+from nearfar.datasets._world.noise import hashed, noise
 from nearfar.datasets._world.sites import Town
 
 FARMED = 1100.0

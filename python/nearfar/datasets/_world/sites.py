@@ -7,8 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from nearfar.datasets._draw import Draw, Floats, turn
-from nearfar.datasets._world.noise import step
+from nearfar.datasets._draw import Draw, Floats, step, turn
 from nearfar.datasets._world.relief import natural
 
 CELL = 3072.0

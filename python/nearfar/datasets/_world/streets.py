@@ -9,11 +9,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nearfar.datasets._buildings import Kind
-from nearfar.datasets._draw import Draw, Floats
+from nearfar.datasets._draw import Draw, Floats, step
 from nearfar.datasets._world import roads
 from nearfar.datasets._world.houses import CHURCH, COTTAGE
 from nearfar.datasets._world.lattice import BUILT
-from nearfar.datasets._world.noise import hashed, step
+from nearfar.datasets._world.noise import hashed
 from nearfar.datasets._world.relief import natural
 from nearfar.datasets._world.sites import Town
 
