@@ -69,6 +69,9 @@ class Warping(abc.ABC):
     ) -> NDArray[Any]:
         """Distort a picture as the lens does, or warp it so that the lens's distortion cancels out.
 
+        ValueError and TypeError for wrong shapes and types, unknown filters, a picture without a field of view, frames
+        without colour, and frames of cameras without a `Fov`.
+
         Parameters
         ----------
         image
@@ -97,12 +100,6 @@ class Warping(abc.ABC):
             The warped picture, in the type of `image`; for a frame its warped colour, (H, W, 3) float32, linear RGB,
             not a `Frame`, because no camera has the rays of its pixels. The position that a pixel is read from has an
             error of at most 5·10⁻¹⁰ of its distance from the axis.
-
-        Raises
-        ------
-        ValueError, TypeError
-            Wrong shapes and types, unknown filters, a picture without a field of view, frames without colour, and
-            frames of cameras without a `Fov`.
         """
         check.choice("filter", filter, get_args(Filter))
         distort = not check.flag("inverse", inverse)
@@ -137,6 +134,9 @@ class Warping(abc.ABC):
     ) -> WarpMesh:
         """Make a mesh with which a runtime warps pictures of one size, and bound its error between vertices.
 
+        ValueError for a tolerance that 2¹⁸ cells do not satisfy, such as near the fold of an inverse; a field of view
+        beyond the lens's domain; a size without a field of view; or a camera without a `Fov`.
+
         Parameters
         ----------
         size
@@ -154,12 +154,6 @@ class Warping(abc.ABC):
         WarpMesh
             The mesh, without cells that reach beyond the lens's domain. For a `ChromaticLens` it has texture
             coordinates for red, green and blue.
-
-        Raises
-        ------
-        ValueError
-            A tolerance that 2¹⁸ cells do not satisfy, such as near the fold of an inverse; a field of view beyond the
-            lens's domain; a size without a field of view; or a camera without a `Fov`.
         """
         distort = not check.flag("inverse", inverse)
         if isinstance(size, Camera | Frame):

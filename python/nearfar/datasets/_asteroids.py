@@ -80,6 +80,9 @@ class Asteroids:
     def query(self, aabb: ArrayLike, detail: SupportsFloat = 0.0) -> Scene:
         """Make the part of the belt that touches a box.
 
+        ValueError for a box with NaN or with a least corner above the greatest, or a negative `detail`; TypeError for
+        values that are not numbers.
+
         Parameters
         ----------
         aabb
@@ -93,13 +96,6 @@ class Asteroids:
         -------
         Scene
             Whole triangles that touch the box, of objects "asteroid_17" and so on; bodies inside it stay instances.
-
-        Raises
-        ------
-        ValueError
-            A box with NaN or with a least corner above the greatest, or a negative `detail`.
-        TypeError
-            Values that are not numbers.
         """
         return self.scene(detail).query(check.box("aabb", aabb))
 
@@ -174,8 +170,7 @@ def asteroids(count: int = 29_264, polygons: int = 97_000, seed: int = 0) -> Ast
 
     The default numbers are those of Chaudhuri, Horn, Hanrahan and Koltun, Image-based exploration of massive online
     environments (2009): 29,264 bodies of about 97,000 polygons, 2.8 thousand million in all. Theirs are not published;
-    here 16 shapes are placed many times, turned and scaled. The same arguments give the same bytes on every run and
-    every platform.
+    here 16 shapes are placed many times, turned and scaled. ValueError for numbers out of range.
 
     Parameters
     ----------
@@ -190,10 +185,5 @@ def asteroids(count: int = 29_264, polygons: int = 97_000, seed: int = 0) -> Ast
     -------
     Asteroids
         A source with `bounds`, `query(aabb, detail)`, and `scene(detail)` for all bodies.
-
-    Raises
-    ------
-    ValueError
-        Numbers out of range.
     """
     return Asteroids(count, polygons, seed)

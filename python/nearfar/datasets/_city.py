@@ -31,9 +31,9 @@ _TRAFFIC = (
 def city(blocks: int = 12, seed: int = 0, detail: int = 2, *, instanced: bool = True) -> Scene:
     """Make a city: a grid of streets with buildings, parks, trees, parked cars and a few moving ones.
 
-    The ground is at y = 0, pavements are 0.15 m higher. Two avenues cross at the origin, and the view along
-    both reaches the horizon: see `street_view`. A park lies towards −x and −z of the crossing, down-town towards −z.
-    The same arguments give the same bytes on every run and every platform.
+    The ground is at y = 0, pavements are 0.15 m higher. Two avenues cross at the origin, and the view along both
+    reaches the horizon: see `street_view`. A park lies towards −x and −z of the crossing, down-town towards −z.
+    ValueError for numbers out of range; TypeError for an `instanced` that is not a bool.
 
     Parameters
     ----------
@@ -55,13 +55,6 @@ def city(blocks: int = 12, seed: int = 0, detail: int = 2, *, instanced: bool = 
     Scene
         Objects are called "ground", "building_12_3" (block and building), "tree_17", "parked_car_4", "lamp_post_9" and
         so on; "car_0" to "car_7" are dynamic.
-
-    Raises
-    ------
-    ValueError
-        Numbers out of range.
-    TypeError
-        An `instanced` that is not a bool.
     """
     blocks = check.integer("blocks", blocks, 1, _MAX_BLOCKS)
     seed = check.integer("seed", seed, 0, _SEEDS - 1)

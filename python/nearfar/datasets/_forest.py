@@ -63,8 +63,8 @@ class Land:
 def forest(trees: int = 6000, seed: int = 0, detail: int = 2) -> Scene:
     """Make a forest on rolling land, with a trail through it, rocks, bushes and grass.
 
-    The origin lies on the trail, and the ground there is at y = 0; the trail runs along z. The same arguments give the
-    same bytes on every run and every platform.
+    The origin lies on the trail, and the ground there is at y = 0; the trail runs along z. ValueError for numbers out
+    of range.
 
     Parameters
     ----------
@@ -81,11 +81,6 @@ def forest(trees: int = 6000, seed: int = 0, detail: int = 2) -> Scene:
     Scene
         Objects are called "land", "spruce_17", "oak_4", "birch_9", "rock_2", "bush_5" and "grass_31"; trees are
         numbered through all kinds. The birches' leaves are cut out of cards by their texture's alpha.
-
-    Raises
-    ------
-    ValueError
-        Numbers out of range.
     """
     trees = check.integer("trees", trees, 1, _MAX_TREES)
     seed = check.integer("seed", seed, 0, 2**63 - 1)

@@ -28,8 +28,8 @@ _TABLE = (1.15, -0.75)
 def room(seed: int = 0, detail: int = 2) -> Scene:
     """Make a furnished room, 6.4 m by 5.2 m, with two windows towards −z, onto a garden with houses behind it.
 
-    The floor is at y = 0 and the origin in the middle of the room: see `room_view`. The floor, the rug and the
-    pictures have textures. The same arguments give the same bytes on every run and every platform.
+    The floor is at y = 0 and the origin in the middle of the room: see `room_view`. The floor, the rug and the pictures
+    have textures. ValueError for numbers out of range.
 
     Parameters
     ----------
@@ -44,11 +44,6 @@ def room(seed: int = 0, detail: int = 2) -> Scene:
     Scene
         Objects are called "walls", "floor", "table", "sofa", "shelf", "lamp", "plant" and so on; "chair_0" to
         "chair_3" are dynamic.
-
-    Raises
-    ------
-    ValueError
-        Numbers out of range.
     """
     seed = check.integer("seed", seed, 0, 2**63 - 1)
     detail = check.integer("detail", detail, 0, 3)

@@ -38,8 +38,8 @@ def beams(count: int = 80, seed: int = 0) -> Scene:
     """Make straight beams that point away from a viewer at the origin, over a floor.
 
     Beams of 8 to 40 m lie at about the viewer's height, from 2 m to beyond 40 m away and within 45° of the forward
-    direction −z: each crosses many depths, so that a kink where stereo ends is visible at once. The same arguments give
-    the same bytes on every run and every platform.
+    direction −z: each crosses many depths, so that a kink where stereo ends is visible at once. ValueError for numbers
+    out of range.
 
     Parameters
     ----------
@@ -52,11 +52,6 @@ def beams(count: int = 80, seed: int = 0) -> Scene:
     -------
     Scene
         Objects "floor" and "beam_0", "beam_1" … of twelve triangles.
-
-    Raises
-    ------
-    ValueError
-        Numbers out of range.
     """
     count, seed = _check_arguments(count, seed, "count")
     stage, draw = Stage(), Draw(seed, 70)
@@ -80,7 +75,7 @@ def spheres(count: int = 1000, seed: int = 0, detail: int = 3) -> Scene:
     """Make spheres at all distances around a viewer at the origin, over a floor.
 
     Their centres are 1.5 to 60 m away, with uniform density over distance; radii are 0.08 to 1 m, smaller near the
-    viewer. The same arguments give the same bytes on every run and every platform.
+    viewer. ValueError for numbers out of range.
 
     Parameters
     ----------
@@ -95,11 +90,6 @@ def spheres(count: int = 1000, seed: int = 0, detail: int = 3) -> Scene:
     -------
     Scene
         Objects "floor" and "sphere_0", "sphere_1" …
-
-    Raises
-    ------
-    ValueError
-        Numbers out of range.
     """
     count, seed = _check_arguments(count, seed, "count")
     detail = check.integer("detail", detail, 0, 7)
@@ -122,7 +112,7 @@ def spheres(count: int = 1000, seed: int = 0, detail: int = 3) -> Scene:
 def landscape(trees: int = 250, seed: int = 0, detail: int = 2) -> Scene:
     """Make open hills up to the horizon, with single trees and rocks, about a viewer at the origin.
 
-    The ground at the origin is at y = 0. The same arguments give the same bytes on every run and every platform.
+    The ground at the origin is at y = 0. ValueError for numbers out of range.
 
     Parameters
     ----------
@@ -137,11 +127,6 @@ def landscape(trees: int = 250, seed: int = 0, detail: int = 2) -> Scene:
     -------
     Scene
         Objects "land", "spruce_17", "oak_4" and "rock_2".
-
-    Raises
-    ------
-    ValueError
-        Numbers out of range.
     """
     trees, seed = _check_arguments(trees, seed, "trees")
     detail = check.integer("detail", detail, 0, 3)

@@ -33,6 +33,8 @@ FORMATS = ("nearfar", "hmdq")
 class Hmd:
     """A headset as its runtime reports it.
 
+    ValueError and TypeError for values that are out of order or not finite.
+
     Parameters
     ----------
     name
@@ -56,11 +58,6 @@ class Hmd:
         Percentage of a view that the runtime's hidden-area mesh covers; None without a mesh.
     sources
         Sources of these data, one sentence each.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Values that are out of order or not finite.
     """
 
     name: str
@@ -150,6 +147,9 @@ class Hmd:
     ) -> Hmd:
         """Return the headset with another lens.
 
+        ValueError and TypeError for a lens with tangential terms, a radius that is not above 0, and a radius or source
+        without a lens.
+
         Parameters
         ----------
         lens
@@ -159,11 +159,6 @@ class Hmd:
             Tangent at which r = 1; None stands for `tan_half_angle`. The generic lens has its own.
         source
             Source of the coefficients, for `sources`; by default "given by the caller".
-
-        Raises
-        ------
-        ValueError, TypeError
-            A lens with tangential terms, a radius that is not above 0, and a radius or source without a lens.
         """
         if lens is None:
             for name, value in (("lens_radius", lens_radius), ("source", source)):

@@ -37,10 +37,7 @@ _RIGHT_EYE = np.array(
 class StereoFrame:
     """The frames of both eyes of a headset, as `render_eyes` and `nearfar.stereo.HybridRig.render` return them.
 
-    Raises
-    ------
-    ValueError, TypeError
-        Frames of different sizes, and other things than frames and a headset.
+    ValueError and TypeError for frames of different sizes, and other things than frames and a headset.
     """
 
     hmd: Hmd | None
@@ -90,7 +87,7 @@ class StereoFrame:
         """Warp both pictures so that the distortion of the headset's lens cancels out, as the panel shows them.
 
         Each is warped about the lens's axis of its own eye. Both have r = 1 at the same tangent, `Hmd.lens_radius` or
-        `Hmd.tan_half_angle`.
+        `Hmd.tan_half_angle`. ValueError for a headset without a lens (see `Hmd.with_lens`), and frames without colour.
 
         Parameters
         ----------
@@ -103,11 +100,6 @@ class StereoFrame:
         -------
         tuple
             Left and right picture, sRGB (H, W, 3) uint8; black where the lens shows no part of the frame.
-
-        Raises
-        ------
-        ValueError
-            A headset without a lens (see `Hmd.with_lens`), and frames without colour.
         """
         hmd = self.hmd
         if hmd is None:
@@ -170,6 +162,8 @@ def render_eyes(
 ) -> StereoFrame:
     """Render a scene, a reduced scene or another `Renderable` for both eyes of a headset.
 
+    ValueError and TypeError for arguments out of range, and for both `size` and `scale`; DeviceError as in `render`.
+
     Parameters
     ----------
     source
@@ -202,13 +196,6 @@ def render_eyes(
     -------
     StereoFrame
         The frames of both eyes, equal to those of `render` for `hmd.camera("left", …)` and "right".
-
-    Raises
-    ------
-    ValueError, TypeError
-        Arguments out of range, and both `size` and `scale`.
-    DeviceError
-        As in `render`.
     """
     check.instance("hmd", hmd, Hmd, "an Hmd such as nearfar.hmd.QUEST_2")
     pixels = _size(hmd, size, scale)

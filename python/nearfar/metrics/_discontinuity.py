@@ -21,7 +21,8 @@ def discontinuity(
 
     Each pixel's scene point is projected to the true picture. The neighbours of a pixel are the pixels whose points
     project within ε (`epsilon`) of its own. Its discontinuity is the mean over the neighbours of the ratio (distance in
-    this picture) / (distance in the truth), minus 1.
+    this picture) / (distance in the truth), minus 1. ValueError and TypeError for frames without positions, a
+    `truth_camera` of another size, and arguments out of range. Source: Popescu, Lee, Choi, Fahmy (2022), Eq. 5–6.
 
     Parameters
     ----------
@@ -42,15 +43,6 @@ def discontinuity(
         (H, W) float32: 0 for no tear, 1 if neighbours are twice as far apart, negative if they are closer together. NaN
         for pixels without a surface, behind the truth's camera, more than 10⁷ pixels outside its picture, or without
         neighbours. For the truth itself it is 0 up to the rounding of positions.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Frames without positions, a `truth_camera` of another size, and arguments out of range.
-
-    References
-    ----------
-    Popescu, Lee, Choi, Fahmy (2022), Eq. 5–6.
     """
     check.instance("frame", frame, Frame)
     camera = truth_view(frame.camera, truth_camera)
@@ -87,7 +79,7 @@ def boundary_mask(
 
     Near pixels show points at a horizontal distance ρ ≤ `radius` from the axis through the centre. The boundary is
     between a near pixel with ρ ≥ 0.98 `radius` and a neighbour with ρ > `radius`; the lower limit excludes silhouettes
-    of nearer objects.
+    of nearer objects. ValueError and TypeError for frames without positions and arguments out of range.
 
     Parameters
     ----------
@@ -108,11 +100,6 @@ def boundary_mask(
     -------
     NDArray
         (H, W) bool, true along the boundary.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Frames without positions and arguments out of range.
     """
     check.instance("frame", frame, Frame)
     middle, end = np.array(check.vector("center", center)), check.positive("radius", radius)

@@ -41,6 +41,10 @@ def ssim(
 ) -> Similarity:
     """Compute the structural similarity (SSIM) of two pictures.
 
+    Errors as in `psnr`, and for windows, sizes and masks out of range, and three axes whose last is neither 1 nor 3
+    long without `channel_axis`. In masked pictures only pixels within windows must be within `data_range`. Sources:
+    Wang, Bovik, Sheikh, Simoncelli (2004), Eq. 13; masked windows: Knutsson, Westin (1993).
+
     Parameters
     ----------
     reference, test
@@ -70,16 +74,6 @@ def ssim(
         scikit-image's by less than 1e-12 and 1e-10. Other types are computed in float32 about local means and differ
         from float64's results by less than 1e-6 and 1e-5. Parts of pictures whose range of values would lose digits are
         computed in float64, or window by window.
-
-    Raises
-    ------
-    ValueError, TypeError
-        As in `psnr`; windows, sizes and masks out of range; and three axes whose last is neither 1 nor 3 long without
-        `channel_axis`. In masked pictures only pixels within windows must be within `data_range`.
-
-    References
-    ----------
-    Wang, Bovik, Sheikh, Simoncelli (2004), Eq. 13. Masked windows: Knutsson, Westin (1993).
     """
     chosen = gather(SsimSettings, settings, keywords)
     chosen._require_mask(mask)
@@ -110,6 +104,8 @@ def ssim_pairs(
 ) -> NDArray[np.float64]:
     """Compute the structural similarity of many pairs of small pictures at once.
 
+    Errors as in `ssim`, and for axes that do not broadcast.
+
     Parameters
     ----------
     references, tests
@@ -126,11 +122,6 @@ def ssim_pairs(
     -------
     NDArray
         (...) float64, equal to `ssim` of each pair; NaN if no pixel of a mask counts.
-
-    Raises
-    ------
-    ValueError, TypeError
-        As in `ssim`, and for axes that do not broadcast.
     """
     chosen = gather(SsimSettings, settings, keywords)
     chosen._require_mask(masks)
@@ -186,6 +177,8 @@ def ms_ssim(
 ) -> float:
     """Compute the structural similarity at several scales (MS-SSIM), each half as large as the one before.
 
+    Errors as in `ssim`, and for pictures that are too small. Source: Wang, Simoncelli, Bovik (2003), Eq. 7.
+
     Parameters
     ----------
     reference, test, data_range, channel_axis, settings, keywords
@@ -199,15 +192,6 @@ def ms_ssim(
     float
         Product over the scales of mean^weight. The mean is that of contrast times structure, and at the coarsest scale
         that of the whole similarity; negative means count as 0. Channels are averaged. Exactly 1 for equal pictures.
-
-    Raises
-    ------
-    ValueError, TypeError
-        As in `ssim`, and for pictures that are too small.
-
-    References
-    ----------
-    Wang, Simoncelli, Bovik (2003), Eq. 7.
     """
     chosen = gather(SsimSettings, settings, keywords)
     chosen._require_mask(None)
@@ -235,6 +219,8 @@ def visual_continuity(
 ) -> Iterator[float]:
     """Compute the similarity of each picture of a sequence to the next one; 1 means that nothing changes.
 
+    Errors as in `ssim`. Source: CloVR (2024): visual continuity.
+
     Parameters
     ----------
     frames
@@ -248,15 +234,6 @@ def visual_continuity(
     ------
     float
         For each picture except the first, its SSIM with the previous picture, in one window over the whole picture.
-
-    Raises
-    ------
-    ValueError, TypeError
-        As in `ssim`.
-
-    References
-    ----------
-    CloVR (2024): visual continuity.
     """
     current: NDArray[Any]
     last: NDArray[Any] | None = None

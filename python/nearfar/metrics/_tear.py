@@ -26,7 +26,9 @@ def tear(frame: Frame, truth_camera: Camera | None = None, *, epsilon: float = E
     Each pixel's scene point is projected to the true picture. The pixels whose points project within ε (`epsilon`) of a
     pixel's own, and the pixel itself, are its neighbourhood. The best affine map from positions in the truth to those
     in this picture removes translation, scale, rotation and shear. The tear is the root mean square of the residual
-    distances, divided by 0.264, the residual of a disc that is torn by one pixel.
+    distances, divided by 0.264, the residual of a disc that is torn by one pixel. ValueError and TypeError for frames
+    without positions, a `truth_camera` of another size, and arguments out of range. The
+    published measure, `discontinuity`, counts shear, too.
 
     Parameters
     ----------
@@ -42,15 +44,6 @@ def tear(frame: Frame, truth_camera: Camera | None = None, *, epsilon: float = E
         torn by T pixels along a line through its middle. A bend, where the slope changes by s, has s ε / 2 at any
         resolution, while the pixels of a tear grow with it. NaN for pixels without a surface, behind the truth's
         camera, more than 10⁷ pixels outside its picture, or without neighbours.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Frames without positions, a `truth_camera` of another size, and arguments out of range.
-
-    See Also
-    --------
-    discontinuity : The published measure, which counts shear, too.
     """
     check.instance("frame", frame, Frame)
     near = check.in_range("epsilon", epsilon, *EPSILONS)
@@ -79,7 +72,8 @@ def boundary_tear(
     """Measure the tear of a picture of a reduced scene along the boundary of its near part.
 
     Tears should be compared at the density of a headset, some 20 pixels per degree: at a lower one the change of slope
-    that every morph has at its radii counts as much as the tear itself.
+    that every morph has at its radii counts as much as the tear itself. ValueError and TypeError for frames without
+    positions and arguments out of range.
 
     Parameters
     ----------
@@ -94,11 +88,6 @@ def boundary_tear(
         Means over the pixels of `boundary_mask` whose neighbourhood within ε lies on both sides of `radius`. With T the
         tear for ε, and T₂ that for 2 ε, the kink is √((T₂² − T²) / 3), at most T: a tear has the same value for both, a
         kink twice its value for the second.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Frames without positions and arguments out of range.
     """
     edge = boundary_mask(frame, center=center, radius=radius, surfaces=surfaces)
     middle, end = np.array(check.vector("center", center)), check.positive("radius", radius)

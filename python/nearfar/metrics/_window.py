@@ -25,6 +25,8 @@ _CONSTANTS = (1e-140, 1e140)
 class SsimSettings:
     """Windows, constants and conventions of the structural similarity.
 
+    ValueError and TypeError for settings out of range, and masked windows with "skimage" or "wang-downsampled".
+
     Parameters
     ----------
     window
@@ -42,11 +44,6 @@ class SsimSettings:
         "wang": windows that lie within the picture, as in Wang's ssim_index.m. "skimage": the same with sample
         covariances (N/(N − 1)), scikit-image's default. "full": all windows, with the picture mirrored at its borders.
         "wang-downsampled": "wang" after downsampling to about 256 pixels, as in Wang's ssim.m.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Settings out of range, and masked windows with "skimage" or "wang-downsampled".
     """
 
     window: Window = "gaussian"

@@ -96,8 +96,7 @@ def world(km: int = 10, seed: int = 0) -> World:
 
     Continents, mountains, valleys with rivers, coasts; forests by climate, slope and water; a town in most squares of
     3 km, with fields around it and roads to its neighbours. A town lies at the origin. Water is at y = 0. Parts are
-    generated on demand, and are the same in every query. The same arguments give the same bytes on every run and every
-    platform.
+    generated on demand, and are the same in every query. ValueError for numbers out of range.
 
     Parameters
     ----------
@@ -111,10 +110,5 @@ def world(km: int = 10, seed: int = 0) -> World:
     -------
     World
         A source with `bounds` and `query(aabb, detail)`.
-
-    Raises
-    ------
-    ValueError
-        Numbers out of range.
     """
     return World(km, seed)
