@@ -193,8 +193,8 @@ def corrected_solid_angle(
 
     Let σ be a sphere's solid angle, μ its angular radius, and α the angle of its centre from the axis. Then
     α± = atan(tan ω · f⁻¹(tan(α ± μ) / tan ω)) and the corrected solid angle is σ′ = σ (α⁺ − α⁻) / 2μ. f and ω are
-    those of `RadialLens`. ValueError and TypeError for wrong shapes, numbers that are not finite, radii below 0, and cameras
-    without a `Fov`. Source: Liebisch (2021), Eq. 4.10–4.12.
+    those of `RadialLens`. ValueError and TypeError for wrong shapes, numbers that are not finite, radii below 0, and
+    cameras without a `Fov`. Source: Liebisch (2021), Eq. 4.10–4.12.
 
     Parameters
     ----------

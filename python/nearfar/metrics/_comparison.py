@@ -65,8 +65,8 @@ def compare(reference: Frame, test: Frame, *, center: ArrayLike, radius: float) 
         Results of `ssim`, `psnr`, `rmse` and `discontinuity` with default settings, and the discontinuity within the
         `boundary_mask`.
     """
-    for name, frame in (("reference", reference), ("test", test)):
-        check.instance(name, frame, Frame)
+    check.instance("reference", reference, Frame)
+    check.instance("test", test, Frame)
     torn = discontinuity(test)
     defined = torn[~np.isnan(torn)]
     edge = boundary_mask(test, center=center, radius=radius) & ~np.isnan(torn)

@@ -7,8 +7,8 @@ from dataclasses import replace
 from nearfar import _core
 from nearfar._render.frame import Frame
 from nearfar._render.ranged import motion_of, ranged
-from nearfar.metrics._result import Similarity
 from nearfar.metrics._similarity import ssim
+from nearfar.metrics._window import Similarity
 
 
 def motion_ssim(earlier: Frame, later: Frame, *, full: bool = False) -> Similarity:

@@ -43,8 +43,8 @@ def rmse(reference: ArrayLike | Frame, test: ArrayLike | Frame) -> float:
 def psnr(reference: ArrayLike | Frame, test: ArrayLike | Frame, *, data_range: float | None = None) -> float:
     """Compute the peak signal-to-noise ratio of two pictures in decibels.
 
-    Errors as in `rmse`, and for arrays without a positive `data_range` or with values that differ by more, and for frames
-    with one.
+    Errors as in `rmse`, and for arrays without a positive `data_range` or with values that differ by more, and for
+    frames with one.
 
     Parameters
     ----------
@@ -95,11 +95,10 @@ def object_completion(reference_ids: ArrayLike, test_ids: ArrayLike) -> tuple[fl
 def _mean_squared_error(pair: inputs.Pair, *, ranges: bool) -> tuple[float, float, float]:
     """Mean of the squared differences, and with `ranges` the least and the greatest value of both pictures."""
     inputs.refuse_alpha(pair.reference.shape, "give numbers that are no colours as two axes")
-    rows = [_rows(picture) for picture in (pair.reference, pair.test)]
-    found = _core.mean_squared_errors(*rows, ranges=ranges)[0]
-    if not math.isfinite(found[0]):
-        raise pair.refuse()
-    return found
+    result = _core.mean_squared_errors(_rows(pair.reference), _rows(pair.test), ranges=ranges)[0]
+    if not math.isfinite(result[0]):
+        raise pair.flaw()
+    return result
 
 
 def _rows(picture: NDArray[Any]) -> NDArray[Any]:

@@ -11,11 +11,10 @@ from nearfar import _core
 from nearfar._base import check, progress
 from nearfar._camera.camera import Camera, Fov
 from nearfar._render.frame import Frame
-from nearfar.metrics._discontinuity import boundary_mask, truth_view
+from nearfar.metrics._discontinuity import boundary_mask, distances, truth_view
 
 EPSILON = 4.0
 """Radius of a neighbourhood in pixels of the truth."""
-
 EPSILONS = (1e-6, 10_000.0)
 """Least and greatest radius; time grows with its square."""
 
@@ -27,8 +26,8 @@ def tear(frame: Frame, truth_camera: Camera | None = None, *, epsilon: float = E
     pixel's own, and the pixel itself, are its neighbourhood. The best affine map from positions in the truth to those
     in this picture removes translation, scale, rotation and shear. The tear is the root mean square of the residual
     distances, divided by 0.264, the residual of a disc that is torn by one pixel. ValueError and TypeError for frames
-    without positions, a `truth_camera` of another size, and arguments out of range. The
-    published measure, `discontinuity`, counts shear, too.
+    without positions, a `truth_camera` of another size, and arguments out of range. The published measure,
+    `discontinuity`, counts shear, too.
 
     Parameters
     ----------
@@ -46,8 +45,8 @@ def tear(frame: Frame, truth_camera: Camera | None = None, *, epsilon: float = E
         camera, more than 10⁷ pixels outside its picture, or without neighbours.
     """
     check.instance("frame", frame, Frame)
-    near = check.in_range("epsilon", epsilon, *EPSILONS)
-    return _tears(frame, truth_view(frame.camera, truth_camera), near)[0]
+    radius = check.in_range("epsilon", epsilon, *EPSILONS)
+    return _tears(frame, truth_view(frame.camera, truth_camera), radius)[0]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -90,40 +89,31 @@ def boundary_tear(
         kink twice its value for the second.
     """
     edge = boundary_mask(frame, center=center, radius=radius, surfaces=surfaces)
-    middle, end = np.array(check.vector("center", center)), check.positive("radius", radius)
-    near = check.in_range("epsilon", epsilon, EPSILONS[0], EPSILONS[1] / 2)
-    away = frame.require("position").astype(np.float64) + np.array(frame.origin) - middle
-    beyond = np.hypot(away[..., 0], away[..., 2]) > end
-    torn, both = _tears(frame, frame.camera, near, side=beyond, wanted=edge)
+    epsilon = check.in_range("epsilon", epsilon, EPSILONS[0], EPSILONS[1] / 2)
+    is_far = distances(frame, check.vector("center", center)) > check.positive("radius", radius)
+    torn, both = _tears(frame, frame.camera, epsilon, side=is_far, wanted=edge)
     defined = edge & ~np.isnan(torn)
     counted = defined & both
-    wide, _ = _tears(frame, frame.camera, 2.0 * near, wanted=counted)
-    here, around = (values[counted].astype(np.float64) for values in (torn, wide))
-    kink = np.minimum(np.sqrt(np.maximum(around**2 - here**2, 0.0) / 3.0), here)
+    torn_wide, _ = _tears(frame, frame.camera, 2.0 * epsilon, wanted=counted)
+    tears, wide_tears = (values[counted].astype(np.float64) for values in (torn, torn_wide))
+    kink = np.minimum(np.sqrt(np.maximum(wide_tears**2 - tears**2, 0.0) / 3.0), tears)
+    fov = frame.camera.fov
     return BoundaryTear(
         pixels=int(defined.sum()),
         shared=float(counted.sum() / defined.sum()) if defined.any() else None,
         tear=float(torn[counted].mean()) if counted.any() else None,
         kink=float(kink.mean()) if counted.any() else None,
-        pixels_per_degree=_density(frame.camera),
+        pixels_per_degree=(
+            float(np.radians(frame.camera.size[0] / (fov.right - fov.left))) if isinstance(fov, Fov) else None
+        ),
     )
 
 
-def _density(camera: Camera) -> float | None:
-    """Pixels per degree around the axis of a view."""
-    fov = camera.fov
-    return float(np.radians(camera.size[0] / (fov.right - fov.left))) if isinstance(fov, Fov) else None
-
-
 def _tears(
-    frame: Frame,
-    truth: Camera,
-    epsilon: float,
-    *,
-    side: NDArray[np.bool_] | None = None,
+    frame: Frame, truth: Camera, epsilon: float, *, side: NDArray[np.bool_] | None = None,
     wanted: NDArray[np.bool_] | None = None,
-) -> tuple[NDArray[np.float32], NDArray[np.bool_]]:
-    """Tears (H, W), and, if `side` tells each pixel's side of a border, whether both sides are in its neighbourhood."""
+) -> tuple[NDArray[np.float32], NDArray[np.bool_]]:  # fmt: skip
+    """Tears (H, W), and, if `side` is each pixel's side of a border, whether both sides are in its neighbourhood."""
     position = np.ascontiguousarray(frame.require("position"), np.float32)
     with progress.bar("measuring tears") as report:
         torn, both = _core.tear(
