@@ -34,8 +34,8 @@ def main() -> None:
     arguments = start(__doc__, "--quick", "--plots")
     directions = dict(list(DIRECTIONS.items())[:1]) if arguments.quick else DIRECTIONS
     readings = {
-        name: np.array([[measure(*case, tear, angle) for tear in TEARS] for angle in directions.values()])
-        for name, *case in CASES
+        name: np.array([[measure(kind, shear, bent, tear, angle) for tear in TEARS] for angle in directions.values()])
+        for name, kind, shear, bent in CASES
     }
     rows = [[name, *zip(values.min(axis=0), values.max(axis=0), strict=True)] for name, values in readings.items()]
     header = ["picture", *(f"tear of {tear:g} px {{:.3g}} to {{:.3g}}" for tear in TEARS)]

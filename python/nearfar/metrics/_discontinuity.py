@@ -110,7 +110,7 @@ def boundary_mask(
 def distances(frame: Frame, center: tuple[float, float, float]) -> NDArray[np.float64]:
     """Horizontal distances (H, W) of a frame's positions from the vertical axis through a centre, metres."""
     offsets = frame.require("position").astype(np.float64) + np.array(frame.origin) - np.array(center)
-    return np.hypot(offsets[..., 0], offsets[..., 2])
+    return np.asarray(np.hypot(offsets[..., 0], offsets[..., 2]))
 
 
 def _edge(rho: NDArray[np.float64], end: float, farthest: float, grow: int) -> NDArray[np.bool_]:

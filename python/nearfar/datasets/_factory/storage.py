@@ -27,8 +27,8 @@ def rack(seed: int, variant: int, detail: int) -> Soup:
         for z in (-0.5 * _DEEP, 0.5 * _DEEP - 0.05):
             soups.append(boxes([0.05, level - 0.13, z], [WIDE - 0.05, level, z + 0.05], orange))
         if detail >= 2:
-            x, z = grid([0.045, WIDE - 0.065], [-0.5 * _DEEP - 0.006, 0.5 * _DEEP - 0.056], indexing="ij")
-            soups.append(bars(xyz(x, level - 0.16, z), [0.02, 0.2, 0.062], orange))
+            end_x, end_z = grid([0.045, WIDE - 0.065], [-0.5 * _DEEP - 0.006, 0.5 * _DEEP - 0.056], indexing="ij")
+            soups.append(bars(xyz(end_x, level - 0.16, end_z), [0.02, 0.2, 0.062], orange))
     for level in _LEVELS:
         for x in (0.74, 2.06):
             if draw.chance(0.12):

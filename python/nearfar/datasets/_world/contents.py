@@ -75,7 +75,8 @@ def add_plants(parts: Parts, accuracy: Accuracy) -> None:
             continue
         feet = xyz(plants.x, tiles.foot(accuracy.seed, accuracy.level, plants.x, plants.z), plants.z)
         near = near[parts.near(feet[near], plants.reach[near])]
-        transforms = placements(*feet[near].T, plants.turn[near], plants.size[near])
+        x, y, z = feet[near].T
+        transforms = placements(x, y, z, plants.turn[near], plants.size[near])
         keys = 16 * plants.kind[near] + plants.variant[near]
         for key in np.unique(keys).tolist():
             of_shape = np.flatnonzero(keys == key)
@@ -106,10 +107,9 @@ def add_towns(parts: Parts, accuracy: Accuracy) -> None:
             shape, detail = _shape(accuracy, name, variant)
             number, x, z, turn, size = np.array(rows).T
             reach = float(length(shape.positions.astype(np.float64)).max()) * size
-            feet = xyz(x, town.height, z)
-            near = np.flatnonzero(parts.near(feet, reach) & (reach > accuracy.budget))
+            near = np.flatnonzero(parts.near(xyz(x, town.height, z), reach) & (reach > accuracy.budget))
             names = [f"{name}_{town.name}_{k}" for k in number[near].astype(int).tolist()]
-            transforms = placements(*feet[near].T, turn[near], size[near])
+            transforms = placements(x[near], town.height, z[near], turn[near], size[near])
             parts.many((name, variant, detail), shape, transforms, names)
 
 

@@ -31,8 +31,8 @@ class Parts:
     def near(self, feet: Floats, reach: Floats | float) -> NDArray[np.bool_]:
         """Whether spheres around feet (N, 3) touch the box, and lie entirely in the world."""
         outside = np.maximum(self.low - feet, 0.0) + np.maximum(feet - self.high, 0.0)
-        touches: NDArray[np.bool_] = (outside * outside).sum(1) <= np.square(reach)
-        return touches & (np.abs(feet[:, [0, 2]]).max(1) < self.half - np.asarray(reach))
+        touches = (outside * outside).sum(1) <= np.square(reach)
+        return np.asarray(touches & (np.abs(feet[:, [0, 2]]).max(1) < self.half - np.asarray(reach)))
 
     def many(self, key: Hashable, shape: Indexed, transforms: Floats, names: Sequence[str]) -> None:
         """Place a shape by transforms (K, 4, 4); shapes with the same key share a mesh."""
@@ -80,10 +80,10 @@ class Parts:
         # The surface is flat, so fine grids are replaced by squares of four cells.
         wide = max(1, 4 >> of.level)
         count = COUNT // wide
-        wet, inside = (flags.reshape(count, wide, count, wide).any((1, 3)) for flags in (wet, inside))
-        if (wet & inside).any():
+        cells = np.logical_and(*(flags.reshape(count, wide, count, wide).any((1, 3)) for flags in (wet, inside)))
+        if cells.any():
             line = wide * lattice.spacing(of.level) * np.arange(count + 1.0)
-            vertices, faces, points = _compact(wet & inside, line, np.zeros((count + 1, count + 1)))
+            vertices, faces, points = _compact(cells, line, np.zeros((count + 1, count + 1)))
             colors = colors[::wide, ::wide].reshape(-1, 4)[vertices]
             mesh = self._builder.mesh(points, faces, material=self._water, colors=colors)
             self._place(mesh, of.corner, f"water_{of.name}")
@@ -95,7 +95,8 @@ class Parts:
     def _overlaps(self, line: Floats, axis: int) -> NDArray[np.bool_]:
         """Whether intervals between neighbours on a line along an axis touch the box and lie in the world."""
         start, end = line[:-1], line[1:]
-        return (start <= self.high[axis]) & (end >= self.low[axis]) & (start >= -self.half) & (end <= self.half)
+        touches = (start <= self.high[axis]) & (end >= self.low[axis])
+        return np.asarray(touches & (start >= -self.half) & (end <= self.half))
 
     def scene(self) -> Scene:
         """Build the scene."""
