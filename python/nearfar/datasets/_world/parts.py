@@ -80,7 +80,8 @@ class Parts:
         # The surface is flat, so fine grids are replaced by squares of four cells.
         wide = max(1, 4 >> of.level)
         count = COUNT // wide
-        cells = np.logical_and(*(flags.reshape(count, wide, count, wide).any((1, 3)) for flags in (wet, inside)))
+        squares = [np.asarray(flags.reshape(count, wide, count, wide).any((1, 3))) for flags in (wet, inside)]
+        cells = squares[0] & squares[1]
         if cells.any():
             line = wide * lattice.spacing(of.level) * np.arange(count + 1.0)
             vertices, faces, points = _compact(cells, line, np.zeros((count + 1, count + 1)))
