@@ -34,7 +34,7 @@ def choice(name: str, value: str, options: Collection[Option]) -> Option:
 
 
 def text(name: str, value: str) -> str:
-    """Check a text that files can hold; ValueError for a lone surrogate; TypeError for anything but a string."""
+    """Check a text that files can hold; ValueError for a lone surrogate, TypeError for anything but a string."""
     if not isinstance(value, str):
         raise TypeError(f"{name}: expected a string, got {type_and_value(value)}")
     try:
@@ -46,7 +46,7 @@ def text(name: str, value: str) -> str:
 
 
 def path(name: str, value: str | os.PathLike[str]) -> Path:
-    """Check a path that the file system can hold; ValueError otherwise; TypeError for anything but text or a path."""
+    """Check a path that the file system can hold; ValueError otherwise, TypeError for anything but text or a path."""
     written = os.fspath(value) if isinstance(value, str | os.PathLike) else None
     if not isinstance(written, str):
         raise TypeError(f"{name}: expected a string or a path, got {type_and_value(value)}")
