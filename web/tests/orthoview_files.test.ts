@@ -42,7 +42,8 @@ test('a server that fails, does not answer or is too slow is distinguished from 
     mock.restoreAll();
   }
   const { files } = createAnsweringFiles(async () => new Response(null, { status: 404 }));
-  assert.equal(await files.read({ path: 'b/c' }), null);
+  const missing = 'there is no such tree';
+  await assert.rejects(files.read({ path: 'b/c', missing }), (error) => failing('gone', missing)(error));
 });
 
 test('parts of files and whole files are marked as such', async () => {
@@ -101,7 +102,8 @@ test('a tree without its documents is missing, and one with damaged documents is
     const files: Files = {
       read: async ({ path }) => {
         const text = texts[path];
-        return text === undefined ? null : { bytes: new TextEncoder().encode(text), isWhole: true };
+        if (text === undefined) throw new StoreError('gone', path);
+        return { bytes: new TextEncoder().encode(text), isWhole: true };
       },
     };
     await assert.rejects(openRecords(files), (error) => failing(kind, word)(error), `${kind} ${word}`);

@@ -5,7 +5,7 @@ import { contentOf, pictureOf } from './files';
 import { entries, entryAt, type Glb, openGlb } from './glb';
 import type { FileData, GeometryRequest, Piece, Triangles } from './messages';
 import { splitIntoPieces } from './pieces';
-import { concatPlacements, isIdentity, placementsOf, ROWS } from './placements';
+import { concatPlacements, isIdentity, originOf, type PlacedNode, placedByMesh, ROWS } from './placements';
 import { splitPlaced } from './split/placed';
 import { createRule, NO_GROWTH, type Rule, TOLERANCE } from './split/rule';
 import { type Budget, splitArrays } from './split/triangles';
@@ -102,12 +102,6 @@ async function imagesOf(
   return images;
 }
 
-/** Placements of a mesh: static nodes that show it form one group, dynamic ones stay separate. */
-interface Placed {
-  readonly name: string;
-  readonly rows: Float64Array[];
-}
-
 /** A primitive and its placements; without placements it lies in the frame of the nodes. */
 interface Surface {
   readonly arrays: Arrays;
@@ -117,20 +111,15 @@ interface Surface {
 
 async function surfacesOf(glb: Glb, { glb: file, center, isDynamic }: GeometryRequest): Promise<[Surface[], Point]> {
   const [root, ...nodes] = entries(glb.document.nodes, 'nodes');
-  const offset = offsetOf(root?.translation, center);
-  const byMesh = new Map<number, Placed[]>();
-  for (const node of nodes) {
-    if (node.mesh === undefined) continue;
-    const rows = await placementsOf(glb, node);
-    const groups = byMesh.get(node.mesh) ?? [];
-    byMesh.set(node.mesh, groups);
-    const last = groups.at(-1);
-    if (last && !isDynamic) last.rows.push(rows);
-    else groups.push({ name: typeof node.name === 'string' ? node.name : '', rows: [rows] });
-  }
+  const [x, y, z] = originOf(root?.translation);
+  // Vector from the centre to the origin of the nodes' frame, metres.
+  const offset = [x - center[0], y - center[1], z - center[2]] as const;
   const surfaces: Surface[] = [];
-  for (const [mesh, groups] of byMesh) {
-    const placed = groups.map(({ name, rows }) => {
+  for (const [mesh, meshNodes] of await placedByMesh(glb, nodes)) {
+    // Static nodes of a mesh form one group; dynamic ones stay separate.
+    const groups = isDynamic ? meshNodes.map((node) => [node]) : [meshNodes];
+    const placed = groups.map((group) => {
+      const [{ name }, rows] = [group[0] as PlacedNode, group.map((node) => node.rows)];
       const isPlain = !isDynamic && rows.length === 1 && rows.every(isIdentity);
       return { name, placements: isPlain ? null : concatPlacements(rows, offset) };
     });
@@ -170,14 +159,6 @@ function piecesOf(surfaces: readonly Surface[], offset: Point, rule: Rule, budge
     }
   }
   return pieces;
-}
-
-/** Vector from the centre to the origin of the nodes' frame, metres. */
-function offsetOf(translation: readonly number[] | undefined, center: Point): Point {
-  const [x, y, z] = translation ?? [0, 0, 0];
-  const offset = [Number(x) - center[0], Number(y) - center[1], Number(z) - center[2]] as const;
-  if (!offset.every(Number.isFinite)) throw new Error('expected an origin of three numbers');
-  return offset;
 }
 
 /** Sums are computed in float64 and rounded once. */

@@ -115,7 +115,8 @@ export function contentsOf({ bands, pieces }: Part): Transferable[] {
   return [...new Set(buffers), ...bands.map(({ rows }) => rows)];
 }
 
-function arraysOf({ positions, normals, uvs, colors, indices, placements }: Piece): (Float32Array | Uint16Array | Uint32Array)[] {
+export function arraysOf(piece: Omit<Arrays, 'material'> & Pick<Piece, 'placements'>) {
+  const { positions, normals, uvs, colors, indices, placements } = piece;
   return [positions, normals, uvs, colors, indices, placements].filter((array) => array !== null);
 }
 

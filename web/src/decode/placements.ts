@@ -11,8 +11,34 @@ export function isIdentity(rows: Float64Array): boolean {
   return rows.length === ROWS && rows.every((value, n) => value === IDENTITY[n]);
 }
 
+/** Position of a root node. */
+export function originOf(translation: readonly number[] | undefined): Point {
+  const [x, y, z] = translation ?? [0, 0, 0];
+  const origin = [Number(x), Number(y), Number(z)] as const;
+  if (!origin.every(Number.isFinite)) throw new Error('expected an origin of three numbers');
+  return origin;
+}
+
+/** Name and placements of a node. */
+export interface PlacedNode {
+  readonly name: string;
+  readonly rows: Float64Array;
+}
+
+/** Nodes by their mesh. */
+export async function placedByMesh(glb: Glb, nodes: readonly Node[]): Promise<Map<number, PlacedNode[]>> {
+  const byMesh = new Map<number, PlacedNode[]>();
+  for (const node of nodes) {
+    if (node.mesh === undefined) continue;
+    const placed = byMesh.get(node.mesh) ?? [];
+    byMesh.set(node.mesh, placed);
+    placed.push({ name: typeof node.name === 'string' ? node.name : '', rows: await placementsOf(glb, node) });
+  }
+  return byMesh;
+}
+
 /** Placements of a node in the root's frame: its matrix, or its instancing attributes. */
-export async function placementsOf(glb: Glb, node: Node): Promise<Float64Array> {
+async function placementsOf(glb: Glb, node: Node): Promise<Float64Array> {
   const rows = node.extensions?.EXT_mesh_gpu_instancing ? await instancesOf(glb, node) : matrixOf(node);
   if (!rows.every(Number.isFinite)) throw new Error('expected placements of finite numbers');
   return rows;

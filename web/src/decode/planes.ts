@@ -127,8 +127,7 @@ export function createScale(step: number): Scale {
       const range = distance / nearness;
       let from = Math.max(guess - NEARBY, 0);
       let to = guess + NEARBY;
-      const isWithin =
-        to < last && (from === 0 || (ends[from - 1] as number) <= range) && range < (ends[to] as number);
+      const isWithin = to < last && (from === 0 || (ends[from - 1] as number) <= range) && range < (ends[to] as number);
       if (!isWithin) [from, to] = [0, last];
       // Binary search for the number of bounds up to the range.
       while (from < to) {

@@ -49,10 +49,7 @@ function main(): void {
   let problems: readonly Failure[] = [];
   const show = (now: readonly Failure[]): void => {
     problems = now;
-    showProblems(
-      problems.map(({ message }) => message),
-      retry,
-    );
+    showProblems(problems.map(({ message }) => message), retry);
   };
   const viewer = new Viewer(canvas, {
     base: folderOf(new URL(query.get('store') ?? '.', location.href)),

@@ -140,8 +140,7 @@ function createMesh(arrays: Arrays, rule: Rule) {
       for (let part = pending.pop(); part; part = pending.pop()) {
         const [a, b, c, depth] = part;
         const edges = ([[a, b, c], [b, c, a], [c, a, b]] as const).map(([i, j, k]) => ({ i, j, k, middle: cut(i, j) }));
-        const [longest] = edges
-          .filter(({ middle }) => middle >= 0 && depth < MAX_DEPTH)
+        const [longest] = edges.filter(({ middle }) => middle >= 0 && depth < MAX_DEPTH)
           .sort((e, f) => squaredDistance(point(f.i), point(f.j)) - squaredDistance(point(e.i), point(e.j)));
         const interior = longest ? -1 : addInteriorVertex([a, b, c]);
         if (longest) {

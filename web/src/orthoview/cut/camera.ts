@@ -114,12 +114,7 @@ export function frustumOf(camera: Camera): readonly Plane[] {
     const turned: Triple = dot(own, toward) < 0 ? [-own[0], -own[1], -own[2]] : own;
     return { normal: turned, offset: -dot(turned, through) };
   };
-  const places = [
-    [0, 0],
-    [width, 0],
-    [width, height],
-    [0, height],
-  ] as const;
+  const places = [[0, 0], [width, 0], [width, height], [0, height]] as const;
   const corners = places.map(([x, y]) => directionAt(camera, x, y));
   const corner = (n: number): Triple => corners[n % 4] as Triple;
   const sides = [0, 1, 2, 3].map((n) => plane(cross(corner(n), corner(n + 1)), position));

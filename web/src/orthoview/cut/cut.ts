@@ -125,13 +125,9 @@ function towardOf(eye: Triple, center: Triple): Triple {
  * zenith; then those nearest to the viewer's own direction count; of equally near ones the first.
  */
 function nearest(units: readonly Triple[], raised: Triple, toward: Triple, mask: number, most: number): number[] {
-  const shown = units
-    .map((axis, number) => ({ number, cosine: dot(axis, raised), own: dot(axis, toward) }))
+  const shown = units.map((axis, number) => ({ number, cosine: dot(axis, raised), own: dot(axis, toward) }))
     .filter(({ number }) => (mask >>> number) & 1);
-  return shown
-    .sort((a, b) => b.cosine - a.cosine || b.own - a.own)
-    .slice(0, most)
-    .map(({ number }) => number);
+  return shown.sort((a, b) => b.cosine - a.cosine || b.own - a.own).slice(0, most).map(({ number }) => number);
 }
 
 /** Number of views of a non-empty cell: the requested number, if available. */

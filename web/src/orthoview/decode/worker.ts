@@ -32,10 +32,7 @@ async function read(id: number, wanted: Wanted): Promise<void> {
       return;
     }
     const layers = await reader.read(wanted, control.signal);
-    post(
-      { kind: 'view', id, layers },
-      layers.map(({ words }) => words.buffer),
-    );
+    post({ kind: 'view', id, layers }, layers.map(({ words }) => words.buffer));
   } catch (reason) {
     if (control.signal.aborted) post({ kind: 'cancelled', id });
     else post({ kind: 'failed', id, failure: failureOf(reason) });

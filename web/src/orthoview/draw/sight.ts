@@ -39,10 +39,8 @@ export function modelOf(layout: Layout, level: number, place: Triple, direction:
   const [right, up, toward] = frame.axes;
   const start = corner.map(
     (low, axis) =>
-      low +
-      side / 2 +
-      (-(right[axis] as number) * extents[0] +
-        (up[axis] as number) * extents[1] +
+      low + side / 2 +
+      (-(right[axis] as number) * extents[0] + (up[axis] as number) * extents[1] +
         (toward[axis] as number) * extents[2]) /
         2,
   ) as unknown as Triple;
@@ -137,9 +135,7 @@ export function seenOf(
       (corner >> axis) & 1 ? (high[axis] as number) + (margin[axis] as number) : lowest - (margin[axis] as number),
     );
     const value = (of: 0 | 1 | 2): number =>
-      start[of] +
-      (at[0] as number) * steps[0][of] +
-      (at[1] as number) * steps[1][of] +
+      start[of] + (at[0] as number) * steps[0][of] + (at[1] as number) * steps[1][of] +
       (at[2] as number) * steps[2][of];
     const [x, y, w] = [value(0), value(1), value(2)];
     // One pixel of margin for that of a splat's centre. Products keep the comparison right for corners behind the eye.

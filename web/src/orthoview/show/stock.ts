@@ -42,20 +42,10 @@ export function stockOf<Layer extends GpuResource, Mesh extends GpuResource>(
   return {
     addView(level, place, direction, layers) {
       const model = modelOf(layout, level, place, direction);
-      views.add(
-        level,
-        place,
-        direction,
-        layers.map((splats) => drawer.upload(model, splats)),
-      );
+      views.add(level, place, direction, layers.map((splats) => drawer.upload(model, splats)));
     },
     addLeaf(place, pieces) {
-      leaves.add(
-        0,
-        place,
-        GEOMETRY,
-        pieces.map((piece) => drawer.uploadMesh(piece)),
-      );
+      leaves.add(0, place, GEOMETRY, pieces.map((piece) => drawer.uploadMesh(piece)));
     },
     there: (level, place) => views.there(level, place),
     hasLeaf: (place) => leaves.there(0, place).length > 0,
@@ -106,10 +96,7 @@ export class Resident<Layer extends { readonly bytes: number }> {
   #picture = 0;
   bytes = 0;
 
-  constructor(
-    readonly drop: (layer: Layer) => void,
-    readonly most: number,
-  ) {}
+  constructor(readonly drop: (layer: Layer) => void, readonly most: number) {}
 
   get count(): number {
     return this.#views.size;

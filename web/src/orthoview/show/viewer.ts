@@ -74,10 +74,7 @@ export class Viewer {
   #isDrawing = false;
   #facts: Omit<Facts, 'unhidden'> = NOTHING;
 
-  constructor(
-    readonly canvas: HTMLCanvasElement,
-    settings: ViewerSettings,
-  ) {
+  constructor(readonly canvas: HTMLCanvasElement, settings: ViewerSettings) {
     this.#settings = settings;
     this.#cutter = new Worker(settings.scripts.cutter, { type: 'module' });
     this.#cutter.onmessage = ({ data }: MessageEvent<FromCutter>): void => this.#hear(data);

@@ -30,10 +30,7 @@ export class WebglDrawer implements Drawer<Layer, Mesh> {
   #fence: WebGLSync | null = null;
   readonly unhidden = null;
 
-  constructor(
-    readonly canvas: HTMLCanvasElement | OffscreenCanvas,
-    readonly layout: Layout,
-  ) {
+  constructor(readonly canvas: HTMLCanvasElement | OffscreenCanvas, readonly layout: Layout) {
     const gl = canvas.getContext('webgl2', { alpha: false, antialias: false, depth: false });
     if (!gl) throw new Error('this browser has no WebGL 2');
     this.#gl = gl as WebGL2RenderingContext;

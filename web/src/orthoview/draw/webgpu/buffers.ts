@@ -8,11 +8,7 @@ export const SLOT = 256;
 export class Room {
   #buffer: GPUBuffer | null = null;
 
-  constructor(
-    readonly device: GPUDevice,
-    readonly label: string,
-    readonly usage: GPUBufferUsageFlags,
-  ) {}
+  constructor(readonly device: GPUDevice, readonly label: string, readonly usage: GPUBufferUsageFlags) {}
 
   /** Returns a buffer of at least this many bytes; growth loses its content. */
   ofSize(bytes: number): GPUBuffer {

@@ -113,10 +113,7 @@ export class Meshes {
     const uniforms = new Float32Array((SLOT / 4) * meshes.length);
     meshes.forEach((mesh, n) => uniforms.set(uniformsOf(mesh, eye), (SLOT / 4) * n));
     const resource = { buffer: this.#uniforms.with(uniforms), size: SLOT };
-    const group = this.device.createBindGroup({
-      layout: this.uniformLayout,
-      entries: [{ binding: 0, resource }],
-    });
+    const group = this.device.createBindGroup({ layout: this.uniformLayout, entries: [{ binding: 0, resource }] });
     return meshes.reduce((sum, mesh, n) => {
       pass.setPipeline(mesh.pipeline);
       pass.setBindGroup(1, group, [SLOT * n]);
@@ -229,10 +226,7 @@ class Textures {
       colorAttachments: [{ view: view(level), loadOp: 'clear', storeOp: 'store' }],
     });
     pass.setPipeline(this.#pipeline);
-    const entries = [
-      { binding: 0, resource: view(level - 1) },
-      { binding: 1, resource: this.#sampler },
-    ];
+    const entries = [{ binding: 0, resource: view(level - 1) }, { binding: 1, resource: this.#sampler }];
     pass.setBindGroup(0, this.device.createBindGroup({ layout: this.#pipeline.getBindGroupLayout(0), entries }));
     pass.draw(3);
     pass.end();
