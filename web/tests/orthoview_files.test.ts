@@ -116,8 +116,7 @@ test('a small limit keeps the leaves of the picture', () => {
   const drawer: Drawer<GpuResource, GpuResource & { readonly number: number }> = {
     upload: () => ({ bytes: 1 }),
     drop: () => undefined,
-    uploadMesh: ({ origin }) => ({ bytes: 1000, number: origin[0] }),
-    dropMesh: () => undefined,
+    meshes: { upload: ({ origin }) => ({ bytes: 1000, number: origin[0] }), drop: () => undefined },
     draw: (meshes) => {
       drawn = meshes.map(({ number }) => number);
       return { splats: 0, triangles: 0, calls: 0 };

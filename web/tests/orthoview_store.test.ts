@@ -5,7 +5,7 @@ import { test } from 'node:test';
 import type { Camera } from '../src/orthoview/cut/camera';
 import { Cells } from '../src/orthoview/cut/cells';
 import { type Cut, cut } from '../src/orthoview/cut/cut';
-import { createReader, type Wanted } from '../src/orthoview/decode/reader';
+import { createReader, type ViewRequest } from '../src/orthoview/decode/reader';
 import { type Kind, StoreError } from '../src/orthoview/store/error';
 import { createFiles } from '../src/orthoview/store/files';
 import {
@@ -109,7 +109,7 @@ async function checkCuts(store: Opened, cases: readonly Case[]): Promise<void> {
   }
 }
 
-function wantedOf({ records, cells, shards, leafFiles }: Opened, [level, place, direction]: View): Wanted {
+function wantedOf({ records, cells, shards, leafFiles }: Opened, [level, place, direction]: View): ViewRequest {
   const { layout } = records;
   const generation = cells.at(level, place)?.generation ?? 0;
   const named =

@@ -20,7 +20,7 @@ export interface Cell {
   readonly generation: number;
 }
 
-const NOTHING: Cell = { mask: 0, generation: 0 };
+const EMPTY: Cell = { mask: 0, generation: 0 };
 
 export class Cells {
   readonly #subtrees = new Map<string, Subtree>();
@@ -43,14 +43,14 @@ export class Cells {
 
   /** A cell; null if its subtree has not been added. */
   at(level: number, place: Triple): Cell | null {
-    const { tier, place: own } = subtreeOf(this.layout, level, place);
-    const subtree = this.#subtrees.get(nameOf(tier, own));
+    const { tier, place: subtreePlace } = subtreeOf(this.layout, level, place);
+    const subtree = this.#subtrees.get(nameOf(tier, subtreePlace));
     if (!subtree) return null;
     const side = shardSide(this.layout, level);
-    const [x, y, z] = place.map((number, axis) => number - (own[axis] as number) * side) as [number, number, number];
-    const at = (x * side + y) * side + z;
-    const number = level % this.layout.subtree;
-    const [mask, generation] = [subtree.masks[number]?.[at], subtree.generations[number]?.[at]];
-    return mask === undefined || generation === undefined ? NOTHING : { mask, generation };
+    const [x, y, z] = place;
+    const index = ((x % side) * side + (y % side)) * side + (z % side);
+    const levelInTier = level % this.layout.subtree;
+    const [mask, generation] = [subtree.masks[levelInTier]?.[index], subtree.generations[levelInTier]?.[index]];
+    return mask === undefined || generation === undefined ? EMPTY : { mask, generation };
   }
 }

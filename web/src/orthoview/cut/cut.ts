@@ -1,8 +1,8 @@
 /** Cuts through the octree: the cells, levels and directions that a viewer needs, and the messages of their worker. */
 import type { Failure } from '../store/error';
-import { cornerOf, type Layout, sideAt, subtreeOf, type Triple } from '../store/layout';
-import type { Shard, Subtree } from '../store/records';
-import { type Camera, dot, frameOf, frustumOf, pixelSize, type Side, sideOf, unit, widest } from './camera';
+import { type CellKey, cornerOf, sideAt, subtreeOf, type Triple } from '../store/layout';
+import type { Records, Subtree } from '../store/records';
+import { type Camera, type Containment, containmentOf, dot, frameOf, frustumOf, pixelSize, unit, widest } from './camera';
 import { type Cells, childrenOf } from './cells';
 
 export interface Settings {
@@ -19,9 +19,7 @@ export interface Settings {
 }
 
 /** A drawn cell. */
-export interface Drawn {
-  readonly level: number;
-  readonly place: Triple;
+export interface Drawn extends CellKey {
   /** Distance of its nearest point, metres. */
   readonly distance: number;
   readonly isInPicture: boolean;
@@ -52,24 +50,24 @@ export function cut(cells: Cells, camera: Camera, settings: Settings): Cut {
   const hasGeometry = settings.geometry && layout.geometry;
   const unknown = new Map<string, { tier: number; place: Triple }>();
 
-  function visit(level: number, place: Triple, mask: number, above: Side): void {
+  function visit(level: number, place: Triple, mask: number, ofParent: Containment): void {
     const side = sideAt(layout, level);
     const corner = cornerOf(layout, level, place);
     const center: Triple = [corner[0] + side / 2, corner[1] + side / 2, corner[2] + side / 2];
-    const lies = above === 'across' ? sideOf(planes, center, side) : above;
-    if (mask === 0 || (lies === 'outside' && !settings.isAround)) return;
+    const containment = ofParent === 'across' ? containmentOf(planes, center, side) : ofParent;
+    if (mask === 0 || (containment === 'outside' && !settings.isAround)) return;
     const distance = distanceOf(camera.position, corner, side);
-    const found = { level, place, distance, isInPicture: lies !== 'outside' };
     const draw = (list: Drawn[]): void => {
-      const toward = towardOf(camera.position, center);
-      list.push({ ...found, directions: nearest(units, raise(toward), toward, mask, settings.views) });
+      const [x, y, z] = camera.position;
+      const toViewer = unit([x - center[0], y - center[1], z - center[2]]);
+      const directions = nearestDirections(units, raise(toViewer), toViewer, mask, settings.views);
+      list.push({ level, place, distance, isInPicture: containment !== 'outside', directions });
     };
-    if (distance >= reach * 2 ** level) draw(drawn);
-    else if (level === 0 && hasGeometry) {
+    const isFine = distance >= reach * 2 ** level;
+    if (!isFine && level === 0 && hasGeometry) {
       draw(leaves);
       requireGuests(place);
-    } else if (level === 0) draw(drawn);
-    else if (!refine(level - 1, place, lies)) draw(drawn);
+    } else if (isFine || level === 0 || !refine(level - 1, place, containment)) draw(drawn);
   }
 
   /** Requires the records of a leaf's guests, which locate their geometry. */
@@ -81,21 +79,18 @@ export function cut(cells: Cells, camera: Camera, settings: Settings): Cut {
   }
 
   /** Visits the children of a cell; false if they are unknown. */
-  function refine(level: number, parent: Triple, lies: Side): boolean {
+  function refine(level: number, parent: Triple, containment: Containment): boolean {
     const children = childrenOf(parent).map((place) => ({ place, cell: cells.at(level, place) }));
-    for (const { place, cell } of children) {
-      if (cell) continue;
-      // All children of a cell lie in one subtree.
-      addUnknown(level, place);
-      return false;
-    }
-    for (const { place, cell } of children) if (cell) visit(level, place, cell.mask, lies);
-    return true;
+    // All children of a cell lie in one subtree.
+    const unknownChild = children.find(({ cell }) => !cell);
+    if (unknownChild) addUnknown(level, unknownChild.place);
+    else for (const { place, cell } of children) visit(level, place, cell?.mask ?? 0, containment);
+    return !unknownChild;
   }
 
   function addUnknown(level: number, place: Triple): void {
-    const found = subtreeOf(layout, level, place);
-    unknown.set(`${found.tier}/${found.place}`, found);
+    const subtree = subtreeOf(layout, level, place);
+    unknown.set(`${subtree.tier}/${subtree.place}`, subtree);
   }
 
   const top = layout.levels - 1;
@@ -108,49 +103,47 @@ export function cut(cells: Cells, camera: Camera, settings: Settings): Cut {
 
 /** Distance of a cube's nearest point. */
 function distanceOf(eye: Triple, corner: Triple, side: number): number {
-  const along = eye.map((at, axis) => {
+  const offset = eye.map((coordinate, axis) => {
     const low = corner[axis] as number;
-    return at - Math.min(Math.max(at, low), low + side);
+    return coordinate - Math.min(Math.max(coordinate, low), low + side);
   }) as unknown as Triple;
-  return Math.sqrt(dot(along, along));
-}
-
-/** Direction from a cell's centre to the viewer. */
-function towardOf(eye: Triple, center: Triple): Triple {
-  return unit([eye[0] - center[0], eye[1] - center[1], eye[2] - center[2]]);
+  return Math.sqrt(dot(offset, offset));
 }
 
 /**
- * Directions of a mask that are nearest to the raised direction. Equally high directions are equally near to the
- * zenith; then those nearest to the viewer's own direction count; of equally near ones the first.
+ * Numbers of the directions of a mask that are nearest to the raised direction to the viewer. If it is the zenith, equally
+ * high directions are equally near to it; of these, the nearest to the direction before it was raised come first, then
+ * those with the least numbers.
  */
-function nearest(units: readonly Triple[], raised: Triple, toward: Triple, mask: number, most: number): number[] {
-  const shown = units.map((axis, number) => ({ number, cosine: dot(axis, raised), own: dot(axis, toward) }))
-    .filter(({ number }) => (mask >>> number) & 1);
-  return shown.sort((a, b) => b.cosine - a.cosine || b.own - a.own).slice(0, most).map(({ number }) => number);
+function nearestDirections(units: readonly Triple[], raised: Triple, toViewer: Triple, mask: number, count: number) {
+  return units.map((axis, number) => ({ number, cosine: dot(axis, raised), unraised: dot(axis, toViewer) }))
+    .filter(({ number }) => (mask >>> number) & 1)
+    .sort((a, b) => b.cosine - a.cosine || b.unraised - a.unraised)
+    .slice(0, count)
+    .map(({ number }) => number);
 }
 
 /** Number of views of a non-empty cell: the requested number, if available. */
 export function countOf(mask: number, { views }: Pick<Settings, 'views'>): number {
-  let [count, left] = [0, mask];
-  for (; left !== 0; left &= left - 1) count += 1;
+  let count = 0;
+  for (let bits = mask; bits !== 0; bits &= bits - 1) count += 1;
   return Math.min(count, views);
 }
 
-/** Sine of the angle from straight down within which a direction cannot be raised to a side. */
-const STRAIGHT = 1e-9;
+/** Horizontal part of a unit vector below which it has no side to be raised to. */
+const MIN_HORIZONTAL = 1e-9;
 
 /** Function that rotates unit vectors by an angle in degrees towards +y, at most to +y. Straight down stays. */
-export function liftOf(degrees: number): (way: Triple) => Triple {
+export function liftOf(degrees: number): (direction: Triple) => Triple {
   const angle = (degrees * Math.PI) / 180;
   const [sine, cosine] = [Math.sin(angle), Math.cos(angle)];
-  return (way) => {
-    const [x, y, z] = way;
-    const flat = Math.hypot(x, z);
-    if (sine === 0 || (flat < STRAIGHT && y < 0)) return way;
-    const across = flat * cosine - y * sine;
-    if (across <= 0) return [0, 1, 0];
-    return [(x / flat) * across, y * cosine + flat * sine, (z / flat) * across];
+  return (direction) => {
+    const [x, y, z] = direction;
+    const horizontal = Math.hypot(x, z);
+    if (sine === 0 || (horizontal < MIN_HORIZONTAL && y < 0)) return direction;
+    const raised = horizontal * cosine - y * sine;
+    if (raised <= 0) return [0, 1, 0];
+    return [(x / horizontal) * raised, y * cosine + horizontal * sine, (z / horizontal) * raised];
   };
 }
 
@@ -161,18 +154,14 @@ export type ToCutter =
   /** Retries failed reads. */
   | { readonly kind: 'retry' };
 
+/** Content of a store's records that the viewer needs. */
+export type Opened = Pick<Records, 'layout' | 'shards' | 'geometry'>;
+
 export type FromCutter =
-  | {
-      readonly kind: 'opened';
-      readonly layout: Layout;
-      readonly generation: number;
-      readonly shards: readonly Shard[];
-      readonly geometry: readonly Shard[];
-    }
-  | { readonly kind: 'learned'; readonly subtree: Subtree }
-  | { readonly kind: 'cut'; readonly cut: Cut }
-  /** Coarse cells all around the viewer, which are few: shown first when a viewer turns. */
-  | { readonly kind: 'base'; readonly cut: Cut }
+  | ({ readonly kind: 'opened' } & Opened)
+  | { readonly kind: 'subtree'; readonly subtree: Subtree }
+  /** The base has coarse cells all around the viewer, which are few: shown first when a viewer turns. */
+  | { readonly kind: 'cut'; readonly cut: Cut; readonly base: Cut }
   | { readonly kind: 'received'; readonly bytes: number }
   /** `isFatal` if nothing can be shown. */
   | { readonly kind: 'failed'; readonly failure: Failure; readonly isFatal: boolean };

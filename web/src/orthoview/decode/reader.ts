@@ -10,7 +10,7 @@ import { pack, type Splats } from './pack';
 import { Shards } from './shards';
 
 /** A requested view or, with the direction `GEOMETRY`, a leaf's geometry. */
-export interface Wanted extends ViewKey {
+export interface ViewRequest extends ViewKey {
   readonly generation: number;
   /** Shards with its chunks, including those of a second layer if there is one; or the files of geometry. */
   readonly shards: readonly Shard[];
@@ -20,8 +20,8 @@ type Values = Uint8Array | Uint16Array | Uint32Array;
 
 export interface Reader {
   /** Splats of a view's layers; empty layers are omitted. */
-  read(wanted: Wanted, signal: AbortSignal): Promise<Splats[]>;
-  leaf(wanted: Wanted, signal: AbortSignal): Promise<Piece[]>;
+  read(request: ViewRequest, signal: AbortSignal): Promise<Splats[]>;
+  leaf(request: ViewRequest, signal: AbortSignal): Promise<Piece[]>;
 }
 
 export function createReader(base: URL, layout: Layout, receive: (bytes: number) => void): Reader {
@@ -75,7 +75,7 @@ export function createReader(base: URL, layout: Layout, receive: (bytes: number)
 
 export type ToReader =
   | { readonly kind: 'open'; readonly base: string; readonly layout: Layout }
-  | { readonly kind: 'read'; readonly id: number; readonly wanted: Wanted }
+  | { readonly kind: 'read'; readonly id: number; readonly request: ViewRequest }
   | { readonly kind: 'cancel'; readonly id: number };
 
 export type FromReader =

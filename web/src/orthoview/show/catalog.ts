@@ -1,6 +1,6 @@
 /** Shards and geometry files that the records list so far, and the requests for views that need them. */
 import type { Cells } from '../cut/cells';
-import type { Wanted } from '../decode/reader';
+import type { ViewRequest } from '../decode/reader';
 import {
   arrayOf,
   channelsOf,
@@ -10,6 +10,7 @@ import {
   type Layout,
   shardOf,
   type Triple,
+  type ViewKey,
 } from '../store/layout';
 import type { Shard } from '../store/records';
 
@@ -37,14 +38,15 @@ export class Catalog {
   }
 
   /** Request for a view or, with the direction `GEOMETRY`, for a leaf's geometry. */
-  request(cells: Cells, level: number, place: Triple, direction: number): Wanted {
+  request(cells: Cells, view: ViewKey): ViewRequest {
     const { layout } = cells;
-    if (direction === GEOMETRY) return { level, place, direction, generation: 0, shards: this.filesOf(layout, place) };
+    const { level, place, direction } = view;
+    if (direction === GEOMETRY) return { ...view, generation: 0, shards: this.filesOf(layout, place) };
     const generation = cells.at(level, place)?.generation ?? 0;
     const shards = channelsOf(layout).map((channel) => {
       const array = arrayOf(layout, level, direction, channel);
       return this.#shards.get(generationFolder(generation) + shardOf(layout, level, place, array));
     });
-    return { level, place, direction, generation, shards: shards.filter((shard) => shard !== undefined) };
+    return { ...view, generation, shards: shards.filter((shard) => shard !== undefined) };
   }
 }

@@ -4,20 +4,17 @@ import type { Choice } from './stand_in';
 import type { Graphics } from './start';
 import type { Stock } from './stock';
 
-export interface Facts {
+export interface Facts extends FrameCounts {
   /** Views in the picture; stand-ins among them; outstanding requests. */
   readonly views: number;
   readonly standIns: number;
   readonly waiting: number;
   /** Number of cells for which nothing is loaded. */
   readonly holes: number;
-  /** Splats of parts within the picture, and the unoccluded ones in the last finished picture. */
-  readonly splats: number;
+  /** Splats of unoccluded parts in the last finished picture; null if it is unknown. */
   readonly unhidden: number | null;
-  /** Leaves drawn as geometry, with their guests; their triangles. */
+  /** Leaves drawn as geometry, with their guests. */
   readonly leaves: number;
-  readonly triangles: number;
-  readonly calls: number;
   /** Bytes on the GPU; number of views. */
   readonly bytes: number;
   readonly kept: number;
@@ -43,18 +40,7 @@ export const NOTHING: Omit<Facts, 'unhidden'> = {
 };
 
 /** Facts of a picture that do not depend on requests. */
-export function factsOf(
-  { shown, near, holes }: Choice,
-  drawn: FrameCounts,
-  stock: Stock,
-): Omit<Facts, 'unhidden' | 'waiting' | 'isComplete' | 'graphics'> {
-  return {
-    views: shown.length,
-    standIns: shown.filter(({ box }) => box !== null).length,
-    holes,
-    ...drawn,
-    leaves: near.length,
-    bytes: stock.bytes,
-    kept: stock.views,
-  };
+export function factsOf({ shown, near, holes }: Choice, counts: FrameCounts, { bytes, views: kept }: Stock) {
+  const standIns = shown.filter(({ box }) => box !== null).length;
+  return { views: shown.length, standIns, holes, ...counts, leaves: near.length, bytes, kept };
 }

@@ -4,83 +4,63 @@ import type { Piece } from '../decode/leaf';
 import type { Splats } from '../decode/pack';
 import type { Drawer, FrameCounts, GpuResource, Item } from '../draw/drawer';
 import { modelOf } from '../draw/sight';
-import { GEOMETRY, type Layout, nameOf, type Triple } from '../store/layout';
+import { GEOMETRY, type Layout, nameOf, type Triple, type ViewKey, viewName } from '../store/layout';
 import type { Choice } from './stand_in';
 
 /** Cells and leaves that are evicted last although the picture does not show them. */
-export interface Kept {
+export interface EvictedLast {
   /** Names of cells. */
   readonly cells: ReadonlySet<string>;
   readonly leaves: ReadonlySet<string>;
 }
 
 /** Views and geometry on the GPU, independent of the back end. */
-export interface Stock {
-  addView(level: number, place: Triple, direction: number, layers: readonly Splats[]): void;
-  addLeaf(place: Triple, pieces: readonly Piece[]): void;
-  /** Directions of a cell's loaded views, the latest one last. */
-  there(level: number, place: Triple): readonly number[];
-  /** Whether a leaf's geometry is loaded. */
-  hasLeaf(place: Triple): boolean;
-  draw(choice: Choice, camera: Camera, grid: number, kept: Kept): FrameCounts;
-  /** Bytes on the GPU; number of views. */
-  readonly bytes: number;
-  readonly views: number;
-  readonly isDone: boolean;
-  finish(): Promise<void>;
-  readonly unhidden: number | null;
-}
+export type Stock = ReturnType<typeof stockOf>;
 
 /** Creates a stock that is limited to this many bytes of views and a quarter as many of geometry. */
 export function stockOf<Layer extends GpuResource, Mesh extends GpuResource>(
   layout: Layout,
   drawer: Drawer<Layer, Mesh>,
   bytes: number,
-): Stock {
+) {
   const views = new Resident<Layer>((layer) => drawer.drop(layer), bytes);
-  const leaves = new Resident<Mesh>((mesh) => drawer.dropMesh(mesh), bytes / 4);
+  const leaves = new Resident<Mesh>((mesh) => drawer.meshes.drop(mesh), bytes / 4);
   return {
-    addView(level, place, direction, layers) {
+    drawer: drawer as Pick<Drawer<Layer, Mesh>, 'isDone' | 'finish' | 'unhidden'>,
+    addView({ level, place, direction }: ViewKey, layers: readonly Splats[]): void {
       const model = modelOf(layout, level, place, direction);
       views.add(level, place, direction, layers.map((splats) => drawer.upload(model, splats)));
     },
-    addLeaf(place, pieces) {
-      leaves.add(0, place, GEOMETRY, pieces.map((piece) => drawer.uploadMesh(piece)));
+    addLeaf(place: Triple, pieces: readonly Piece[]): void {
+      leaves.add(0, place, GEOMETRY, pieces.map((piece) => drawer.meshes.upload(piece)));
     },
-    there: (level, place) => views.there(level, place),
-    hasLeaf: (place) => leaves.there(0, place).length > 0,
-    draw({ near, shown }, camera, grid, kept) {
+    /** Directions of a cell's loaded views, the latest one last. */
+    directionsOf: (level: number, place: Triple): readonly number[] => views.directionsOf(level, place),
+    hasLeaf: (place: Triple): boolean => leaves.directionsOf(0, place).length > 0,
+    draw({ near, shown }: Choice, camera: Camera, grid: number, evictedLast: EvictedLast): FrameCounts {
       views.begin();
       leaves.begin();
       const meshes = near.flatMap((place) => leaves.use(0, place, GEOMETRY));
       const items = shown.flatMap(({ level, place, direction, box }): Item<Layer>[] =>
         views.use(level, place, direction).map((layer) => ({ layer, box })),
       );
-      const drawn = drawer.draw(meshes, items, camera, grid);
-      views.trim((level, place) => kept.cells.has(nameOf(level, place)));
-      leaves.trim((level, place) => kept.leaves.has(nameOf(level, place)));
-      return drawn;
+      const counts = drawer.draw(meshes, items, camera, grid);
+      views.trim((level, place) => evictedLast.cells.has(nameOf(level, place)));
+      leaves.trim((level, place) => evictedLast.leaves.has(nameOf(level, place)));
+      return counts;
     },
-    get bytes() {
+    /** Bytes on the GPU. */
+    get bytes(): number {
       return views.bytes + leaves.bytes;
     },
-    get views() {
+    /** Number of views. */
+    get views(): number {
       return views.count;
-    },
-    get isDone() {
-      return drawer.isDone;
-    },
-    finish: () => drawer.finish(),
-    get unhidden() {
-      return drawer.unhidden;
     },
   };
 }
 
-interface Entry<Layer> {
-  readonly level: number;
-  readonly place: Triple;
-  readonly direction: number;
+interface Entry<Layer> extends ViewKey {
   readonly layers: readonly Layer[];
   readonly bytes: number;
   /** Index of the picture that last used it. */
@@ -96,23 +76,23 @@ export class Resident<Layer extends { readonly bytes: number }> {
   #picture = 0;
   bytes = 0;
 
-  constructor(readonly drop: (layer: Layer) => void, readonly most: number) {}
+  constructor(readonly drop: (layer: Layer) => void, readonly maxBytes: number) {}
 
   get count(): number {
     return this.#views.size;
   }
 
   add(level: number, place: Triple, direction: number, layers: readonly Layer[]): void {
-    const name = `${nameOf(level, place)}/${direction}`;
+    const name = viewName({ level, place, direction });
     this.#remove(name);
     const bytes = layers.reduce((sum, layer) => sum + layer.bytes, 0);
     this.#views.set(name, { level, place, direction, layers, bytes, used: this.#picture });
-    this.#directions.set(nameOf(level, place), [...this.there(level, place), direction]);
+    this.#directions.set(nameOf(level, place), [...this.directionsOf(level, place), direction]);
     this.bytes += bytes;
   }
 
   /** Directions of a cell's loaded views, the latest one last. */
-  there(level: number, place: Triple): readonly number[] {
+  directionsOf(level: number, place: Triple): readonly number[] {
     return this.#directions.get(nameOf(level, place)) ?? [];
   }
 
@@ -123,7 +103,7 @@ export class Resident<Layer extends { readonly bytes: number }> {
 
   /** Returns the layers of a view and marks it as used by the current picture. */
   use(level: number, place: Triple, direction: number): readonly Layer[] {
-    const name = `${nameOf(level, place)}/${direction}`;
+    const name = viewName({ level, place, direction });
     const view = this.#views.get(name);
     if (!view) return [];
     if (view.used !== this.#picture) {
@@ -137,7 +117,7 @@ export class Resident<Layer extends { readonly bytes: number }> {
   /** Evicts least recently used views, except those that the picture uses or `isKept` selects. */
   trim(isKept: (level: number, place: Triple) => boolean): void {
     for (const [name, view] of this.#views) {
-      if (this.bytes <= this.most) break;
+      if (this.bytes <= this.maxBytes) break;
       if (view.used === this.#picture || isKept(view.level, view.place)) continue;
       this.#remove(name);
     }
@@ -151,8 +131,8 @@ export class Resident<Layer extends { readonly bytes: number }> {
     this.#views.delete(name);
     this.bytes -= bytes;
     const cell = nameOf(level, place);
-    const left = this.there(level, place).filter((each) => each !== direction);
-    if (left.length > 0) this.#directions.set(cell, left);
+    const remaining = this.directionsOf(level, place).filter((each) => each !== direction);
+    if (remaining.length > 0) this.#directions.set(cell, remaining);
     else this.#directions.delete(cell);
   }
 }

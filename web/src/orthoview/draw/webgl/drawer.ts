@@ -1,6 +1,5 @@
 /** Draws views by WebGL 2: splats as points into a sample buffer, which is then resolved to the canvas. */
 import type { Camera } from '../../cut/camera';
-import type { Piece } from '../../decode/leaf';
 import { type Part, type Splats, WORDS } from '../../decode/pack';
 import type { Layout } from '../../store/layout';
 import { type Drawer, type FrameCounts, gridOf, type Item, nearDistanceOf } from '../drawer';
@@ -22,7 +21,7 @@ export class WebglDrawer implements Drawer<Layer, Mesh> {
   readonly #gl: WebGL2RenderingContext;
   readonly #splats: Program;
   readonly #resolve: Program;
-  readonly #meshes: Meshes;
+  readonly meshes: Meshes;
   readonly #numbers = new Float32Array(4 * VECTORS);
   readonly #largest: number;
   readonly #longest: number;
@@ -36,7 +35,7 @@ export class WebglDrawer implements Drawer<Layer, Mesh> {
     this.#gl = gl as WebGL2RenderingContext;
     this.#splats = programOf(this.#gl, SPLAT_VERTEX, SPLAT_FRAGMENT);
     this.#resolve = programOf(this.#gl, FULL_SCREEN_VERTEX, RESOLVE_FRAGMENT);
-    this.#meshes = new Meshes(this.#gl);
+    this.meshes = new Meshes(this.#gl);
     this.#largest = (this.#gl.getParameter(this.#gl.ALIASED_POINT_SIZE_RANGE) as Float32Array)[1] ?? 1;
     this.#longest = this.#gl.getParameter(this.#gl.MAX_TEXTURE_SIZE) as number;
   }
@@ -58,14 +57,6 @@ export class WebglDrawer implements Drawer<Layer, Mesh> {
     this.#gl.deleteBuffer(buffer);
   }
 
-  uploadMesh(piece: Piece): Mesh {
-    return this.#meshes.upload(piece);
-  }
-
-  dropMesh(mesh: Mesh): void {
-    this.#meshes.drop(mesh);
-  }
-
   draw(meshes: readonly Mesh[], items: readonly Item<Layer>[], camera: Camera, wanted: number): FrameCounts {
     const gl = this.#gl;
     const grid = gridOf(wanted, Math.max(camera.width, camera.height), this.#longest);
@@ -80,11 +71,11 @@ export class WebglDrawer implements Drawer<Layer, Mesh> {
     gl.clearDepth(0);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
     const nearest = nearDistanceOf(items, meshes.length > 0);
-    const { triangles, calls: before } = this.#meshes.draw(meshes, projector, nearest);
+    const triangles = this.meshes.draw(meshes, projector, nearest);
     gl.useProgram(this.#splats.program);
     this.#setCamera(this.#splats, projector);
     gl.uniform1f(this.#splats.at('nearest'), nearest);
-    let [splats, calls] = [0, before];
+    let [splats, calls] = [0, meshes.length];
     for (const item of items) {
       const found = this.#drawItem(item, projector);
       splats += found.splats;

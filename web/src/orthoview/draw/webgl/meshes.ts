@@ -20,11 +20,6 @@ export interface Mesh {
   readonly bytes: number;
 }
 
-export interface Drawn {
-  readonly triangles: number;
-  readonly calls: number;
-}
-
 export class Meshes {
   readonly #gl: WebGL2RenderingContext;
   readonly #program: Program;
@@ -90,8 +85,11 @@ export class Meshes {
     for (const texture of textures) this.#gl.deleteTexture(texture);
   }
 
-  /** Draws meshes into the bound samples; depths are `nearest` divided by distance along the axis. */
-  draw(meshes: readonly Mesh[], { eye, rows, width, height }: Projector, nearest: number): Drawn {
+  /**
+   * Draws meshes into the bound samples, whose depths are `nearest` divided by the distance along the axis; returns the
+   * number of triangles.
+   */
+  draw(meshes: readonly Mesh[], { eye, rows, width, height }: Projector, nearest: number): number {
     const [gl, { at, program }] = [this.#gl, this.#program];
     gl.useProgram(program);
     gl.uniform3fv(at('gradients'), rows.flat());
@@ -120,7 +118,7 @@ export class Meshes {
       triangles += (corners / 3) * copies;
     }
     gl.bindVertexArray(null);
-    return { triangles, calls: meshes.length };
+    return triangles;
   }
 
   #textureOf(image: ImageBitmap): WebGLTexture {

@@ -1,6 +1,5 @@
 /** Draws views with WebGPU: compute shaders raise the depths of samples, and the nearest splats set their colours. */
 import type { Camera } from '../../cut/camera';
-import type { Piece } from '../../decode/leaf';
 import type { Part, Splats } from '../../decode/pack';
 import type { Layout } from '../../store/layout';
 import { type Drawer, type FrameCounts, gridOf, type GpuResource, type Item, nearDistanceOf } from '../drawer';
@@ -75,14 +74,6 @@ export class WebgpuDrawer implements Drawer<Layer, Mesh> {
 
   drop({ place }: Layer): void {
     this.#arena.free(place);
-  }
-
-  uploadMesh(piece: Piece): Mesh {
-    return this.meshes.upload(piece);
-  }
-
-  dropMesh(mesh: Mesh): void {
-    this.meshes.drop(mesh);
   }
 
   draw(meshes: readonly Mesh[], items: readonly Item<Layer>[], camera: Camera, wanted: number): FrameCounts {
