@@ -4,7 +4,7 @@ import { test } from 'node:test';
 import { cameraOf } from '../src/orthoview/cut/camera';
 import { liftOf } from '../src/orthoview/cut/cut';
 import type { Part } from '../src/orthoview/decode/pack';
-import { type Model, modelOf, type Projector, projectorOf, seenOf, sightOf } from '../src/orthoview/draw/sight';
+import { type Model, modelOf, type Projector, projectorOf, boundsOf, sightOf } from '../src/orthoview/draw/sight';
 import { Arena, type Place, SLOT } from '../src/orthoview/draw/webgpu/buffers';
 import { Numbers } from '../src/orthoview/draw/webgpu/kernels';
 import { bandsOf } from '../src/orthoview/draw/webgpu/samples';
@@ -72,7 +72,7 @@ test('points of a part lie within its bounds, and no nearer', () => {
   for (let turn = 0; turn < 400; turn++) {
     const [projector, view] = [cameraAt(random), viewOf(random, 1)];
     const sight = sightOf(view.model, projector);
-    const seen = seenOf(sight, view.part, projector.width, projector.height);
+    const seen = boundsOf(sight, view.part, projector.width, projector.height);
     unseen += seen ? 0 : 1;
     for (let n = 0; n < 40; n++) {
       const [x, y, w] = randomSplatPoint(view, projector, random);

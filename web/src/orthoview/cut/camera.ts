@@ -55,6 +55,10 @@ export function pixelSize({ fov, width, height }: Camera): number {
   return Math.sqrt(((fov.right - fov.left) * (fov.up - fov.down)) / (width * height));
 }
 
+export function subtract(a: Triple, b: Triple): Triple {
+  return [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+}
+
 export function dot(a: Triple, b: Triple): number {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }

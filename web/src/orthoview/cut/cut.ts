@@ -2,7 +2,18 @@
 import type { Failure } from '../store/error';
 import { type CellKey, cornerOf, sideAt, subtreeOf, type Triple } from '../store/layout';
 import type { Records, Subtree } from '../store/records';
-import { type Camera, type Containment, containmentOf, dot, frameOf, frustumOf, pixelSize, unit, widest } from './camera';
+import {
+  type Camera,
+  type Containment,
+  containmentOf,
+  dot,
+  frameOf,
+  frustumOf,
+  pixelSize,
+  subtract,
+  unit,
+  widest,
+} from './camera';
 import { type Cells, childrenOf } from './cells';
 
 export interface Settings {
@@ -58,8 +69,7 @@ export function cut(cells: Cells, camera: Camera, settings: Settings): Cut {
     if (mask === 0 || (containment === 'outside' && !settings.isAround)) return;
     const distance = distanceOf(camera.position, corner, side);
     const draw = (list: Drawn[]): void => {
-      const [x, y, z] = camera.position;
-      const toViewer = unit([x - center[0], y - center[1], z - center[2]]);
+      const toViewer = unit(subtract(camera.position, center));
       const directions = nearestDirections(units, raise(toViewer), toViewer, mask, settings.views);
       list.push({ level, place, distance, isInPicture: containment !== 'outside', directions });
     };

@@ -3,7 +3,7 @@ import type { Camera } from '../../cut/camera';
 import { type Part, type Splats, WORDS } from '../../decode/pack';
 import type { Layout } from '../../store/layout';
 import { type Drawer, type FrameCounts, gridOf, type Item, nearDistanceOf } from '../drawer';
-import { isIn, type Model, type Projector, projectorOf, rowsOf, seenOf, sightOf, VECTORS, writeView } from '../sight';
+import { mayLieIn, type Model, type Projector, projectorOf, rowsOf, boundsOf, sightOf, VECTORS, writeView } from '../sight';
 import { type Program, programOf, type Target, targetOf } from './gl';
 import { type Mesh, Meshes } from './meshes';
 import { RESOLVE_FRAGMENT, SPLAT_FRAGMENT, SPLAT_VERTEX, FULL_SCREEN_VERTEX } from './shaders';
@@ -23,8 +23,8 @@ export class WebglDrawer implements Drawer<Layer, Mesh> {
   readonly #resolve: Program;
   readonly meshes: Meshes;
   readonly #numbers = new Float32Array(4 * VECTORS);
-  readonly #largest: number;
-  readonly #longest: number;
+  readonly #maxPointSize: number;
+  readonly #maxTextureSize: number;
   #target: Target | null = null;
   #fence: WebGLSync | null = null;
   readonly unhidden = null;
@@ -36,8 +36,8 @@ export class WebglDrawer implements Drawer<Layer, Mesh> {
     this.#splats = programOf(this.#gl, SPLAT_VERTEX, SPLAT_FRAGMENT);
     this.#resolve = programOf(this.#gl, FULL_SCREEN_VERTEX, RESOLVE_FRAGMENT);
     this.meshes = new Meshes(this.#gl);
-    this.#largest = (this.#gl.getParameter(this.#gl.ALIASED_POINT_SIZE_RANGE) as Float32Array)[1] ?? 1;
-    this.#longest = this.#gl.getParameter(this.#gl.MAX_TEXTURE_SIZE) as number;
+    this.#maxPointSize = (this.#gl.getParameter(this.#gl.ALIASED_POINT_SIZE_RANGE) as Float32Array)[1] ?? 1;
+    this.#maxTextureSize = this.#gl.getParameter(this.#gl.MAX_TEXTURE_SIZE) as number;
   }
 
   upload(model: Model, { words, parts }: Splats): Layer {
@@ -57,9 +57,9 @@ export class WebglDrawer implements Drawer<Layer, Mesh> {
     this.#gl.deleteBuffer(buffer);
   }
 
-  draw(meshes: readonly Mesh[], items: readonly Item<Layer>[], camera: Camera, wanted: number): FrameCounts {
+  draw(meshes: readonly Mesh[], items: readonly Item<Layer>[], camera: Camera, maxGrid: number): FrameCounts {
     const gl = this.#gl;
-    const grid = gridOf(wanted, Math.max(camera.width, camera.height), this.#longest);
+    const grid = gridOf(maxGrid, Math.max(camera.width, camera.height), this.#maxTextureSize);
     const sampled = { ...camera, width: camera.width * grid, height: camera.height * grid };
     const projector = projectorOf(sampled);
     const target = this.#targetOf(sampled.width, sampled.height);
@@ -77,9 +77,9 @@ export class WebglDrawer implements Drawer<Layer, Mesh> {
     gl.uniform1f(this.#splats.at('nearest'), nearest);
     let [splats, calls] = [0, meshes.length];
     for (const item of items) {
-      const found = this.#drawItem(item, projector);
-      splats += found.splats;
-      calls += found.calls;
+      const drawn = this.#drawItem(item, projector);
+      splats += drawn.splats;
+      calls += drawn.calls;
     }
     gl.bindVertexArray(null);
     this.#show(target, projector, camera, grid);
@@ -102,19 +102,19 @@ export class WebglDrawer implements Drawer<Layer, Mesh> {
     const gl = this.#gl;
     const sight = sightOf(layer.model, projector);
     const rows = rowsOf(layer.model, this.layout, box);
-    const seen = layer.parts.filter(
-      (part) => seenOf(sight, part, projector.width, projector.height) && (!box || isIn(rows, part)),
-    );
-    if (seen.length === 0) return { splats: 0, calls: 0 };
+    const { width, height } = projector;
+    const inBox = box ? layer.parts.filter((part) => mayLieIn(rows, part)) : layer.parts;
+    const visible = inBox.filter((part) => boundsOf(sight, part, width, height));
+    if (visible.length === 0) return { splats: 0, calls: 0 };
     writeView(this.#numbers, layer.model, sight, rows);
     gl.uniform4fv(this.#splats.at('view'), this.#numbers);
     gl.bindVertexArray(layer.array);
     let [splats, calls] = [0, 0];
-    for (let n = 0; n < seen.length;) {
-      const { first } = seen[n] as Part;
+    for (let n = 0; n < visible.length;) {
+      const { first } = visible[n] as Part;
       let end = first;
       // Contiguous parts of the buffer are drawn by one call.
-      for (; seen[n]?.first === end; n++) end += (seen[n] as Part).count;
+      for (; visible[n]?.first === end; n++) end += (visible[n] as Part).count;
       gl.drawArrays(gl.POINTS, first, end - first);
       splats += end - first;
       calls += 1;
@@ -126,7 +126,7 @@ export class WebglDrawer implements Drawer<Layer, Mesh> {
     const gl = this.#gl;
     gl.uniform3fv(program.at('gradients'), rows.flat());
     gl.uniform3fv(program.at('rays'), rays.flat());
-    gl.uniform3f(program.at('screen'), width, height, this.#largest);
+    gl.uniform3f(program.at('screen'), width, height, this.#maxPointSize);
   }
 
   #show(target: Target, projector: Projector, { width, height }: Camera, grid: number): void {

@@ -5,7 +5,7 @@ import type { GpuResource } from '../drawer';
 export const SLOT = 256;
 
 /** Buffer that grows as needed. */
-export class Room {
+export class GrowingBuffer {
   #buffer: GPUBuffer | null = null;
 
   constructor(readonly device: GPUDevice, readonly label: string, readonly usage: GPUBufferUsageFlags) {}

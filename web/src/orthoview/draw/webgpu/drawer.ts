@@ -4,7 +4,7 @@ import type { Part, Splats } from '../../decode/pack';
 import type { Layout } from '../../store/layout';
 import { type Drawer, type FrameCounts, gridOf, type GpuResource, type Item, nearDistanceOf } from '../drawer';
 import { type Model, type Projector, projectorOf } from '../sight';
-import { Arena, type Page, type Place, Room, SLOT } from './buffers';
+import { Arena, type Page, type Place, GrowingBuffer, SLOT } from './buffers';
 import { type Called, type Kernels, Numbers } from './kernels';
 import { COLOR, type Mesh, type Meshes } from './meshes';
 import { GROUP, ROW } from './sample_shaders';
@@ -40,15 +40,15 @@ interface Picture {
 export class WebgpuDrawer implements Drawer<Layer, Mesh> {
   readonly #arena: Arena;
   readonly #samples: Samples;
-  readonly #numbers: Room;
-  readonly #views: Room;
-  readonly #parts: Room;
-  readonly #listed: Room;
+  readonly #uniforms: GrowingBuffer;
+  readonly #views: GrowingBuffer;
+  readonly #parts: GrowingBuffer;
+  readonly #listed: GrowingBuffer;
   /** Placeholder for the geometry of pictures without any. */
   readonly #nothing: GPUTexture;
   #done: Promise<void> = Promise.resolve();
   /** Number of submitted pictures that are not finished. */
-  #coming = 0;
+  #unfinished = 0;
   unhidden: number | null = null;
 
   constructor(
@@ -61,9 +61,9 @@ export class WebgpuDrawer implements Drawer<Layer, Mesh> {
   ) {
     this.#arena = new Arena(device);
     this.#samples = new Samples(device);
-    this.#numbers = new Room(device, 'calls', GPUBufferUsage.UNIFORM);
-    const room = (label: string): Room => new Room(device, label, GPUBufferUsage.STORAGE);
-    [this.#views, this.#parts, this.#listed] = [room('views'), room('parts'), room('listed')];
+    this.#uniforms = new GrowingBuffer(device, 'calls', GPUBufferUsage.UNIFORM);
+    const storage = (label: string): GrowingBuffer => new GrowingBuffer(device, label, GPUBufferUsage.STORAGE);
+    [this.#views, this.#parts, this.#listed] = [storage('views'), storage('parts'), storage('listed')];
     this.#nothing = device.createTexture({ size: [1, 1], format: COLOR, usage: GPUTextureUsage.TEXTURE_BINDING });
   }
 
@@ -76,8 +76,8 @@ export class WebgpuDrawer implements Drawer<Layer, Mesh> {
     this.#arena.free(place);
   }
 
-  draw(meshes: readonly Mesh[], items: readonly Item<Layer>[], camera: Camera, wanted: number): FrameCounts {
-    const grid = gridOf(wanted, camera.width, this.device.limits.maxTextureDimension2D);
+  draw(meshes: readonly Mesh[], items: readonly Item<Layer>[], camera: Camera, maxGrid: number): FrameCounts {
+    const grid = gridOf(maxGrid, camera.width, this.device.limits.maxTextureDimension2D);
     const projector = projectorOf({ ...camera, width: camera.width * grid, height: camera.height * grid });
     const nearest = nearDistanceOf(items, meshes.length > 0);
     const work = workOf(items, projector, this.layout, nearest);
@@ -90,7 +90,7 @@ export class WebgpuDrawer implements Drawer<Layer, Mesh> {
       rows: bands[0]?.rows ?? 0,
       work,
       numbers: new Numbers({ projector, grid, nearest, parts: work.listed.length }, calls),
-      bound: { buffer: this.#numbers.ofSize(SLOT * calls), size: SLOT },
+      bound: { buffer: this.#uniforms.ofSize(SLOT * calls), size: SLOT },
       views: this.#views.with(work.views),
       parts: this.#parts.with(work.parts),
       listed: this.#listed.with(work.listed),
@@ -99,14 +99,14 @@ export class WebgpuDrawer implements Drawer<Layer, Mesh> {
     const encoder = this.device.createCommandEncoder();
     let triangles = 0;
     for (const band of bands) triangles = this.#drawBand(encoder, picture, band);
-    this.#numbers.with(picture.numbers.all);
+    this.#uniforms.with(picture.numbers.all);
     this.#submit(encoder, bands);
     const drawn = 2 * work.calls.length + work.pages.length + meshes.length;
     return { splats: work.splats, triangles, calls: bands.length * drawn };
   }
 
   get isDone(): boolean {
-    return this.#coming === 0;
+    return this.#unfinished === 0;
   }
 
   finish(): Promise<void> {
@@ -125,16 +125,17 @@ export class WebgpuDrawer implements Drawer<Layer, Mesh> {
     let triangles = 0;
     if (targets) {
       triangles = this.#drawMeshes(encoder, picture, band, slot, targets);
-      const group = this.#group(this.kernels.beginLayout, [picture.bound, targets.depth.createView(), { buffer: orders }]);
+      const resources = [picture.bound, targets.depth.createView(), { buffer: orders }];
       const pass = encoder.beginComputePass({ label: 'begin' });
       pass.setPipeline(this.kernels.begin);
-      pass.setBindGroup(0, group, [slot]);
+      pass.setBindGroup(0, this.#createGroup(this.kernels.beginLayout, resources), [slot]);
       dispatch(pass, Math.ceil((projector.width * band.rows) / GROUP));
       pass.end();
     } else encoder.clearBuffer(orders, 0, bytes);
     this.#drawSplats(encoder, picture, band, [{ buffer: tiles }, { buffer: orders }, { buffer: colors }]);
-    const found = [picture.bound, (targets?.color ?? this.#nothing).createView(), { buffer: orders }, { buffer: colors }];
-    this.#show(encoder, picture, band, slot, this.#group(this.kernels.resolveLayout, found));
+    const geometry = (targets?.color ?? this.#nothing).createView();
+    const resources = [picture.bound, geometry, { buffer: orders }, { buffer: colors }];
+    this.#show(encoder, picture, band, slot, this.#createGroup(this.kernels.resolveLayout, resources));
     return triangles;
   }
 
@@ -145,18 +146,14 @@ export class WebgpuDrawer implements Drawer<Layer, Mesh> {
     slot: number,
     { color, depth }: Targets,
   ): number {
+    const view = depth.createView();
     const pass = encoder.beginRenderPass({
       label: 'meshes',
       colorAttachments: [{ view: color.createView(), loadOp: 'clear', storeOp: 'store' }],
-      depthStencilAttachment: {
-        view: depth.createView(),
-        depthClearValue: 0,
-        depthLoadOp: 'clear',
-        depthStoreOp: 'store',
-      },
+      depthStencilAttachment: { view, depthClearValue: 0, depthLoadOp: 'clear', depthStoreOp: 'store' },
     });
     pass.setViewport(0, 0, projector.width, rows, 0, 1);
-    pass.setBindGroup(0, this.#group(this.kernels.numbered, [bound]), [slot]);
+    pass.setBindGroup(0, this.#createGroup(this.kernels.uniformLayout, [bound]), [slot]);
     const triangles = this.meshes.record(pass, meshes, projector.eye);
     pass.end();
     return triangles;
@@ -172,7 +169,7 @@ export class WebgpuDrawer implements Drawer<Layer, Mesh> {
     const groups = new Map<Page, GPUBindGroup>();
     for (const page of work.pages) {
       const given = [views, parts, listed, page.buffer].map((buffer) => ({ buffer }));
-      groups.set(page, this.#group(this.kernels.splatLayout, [bound, ...given, ...found]));
+      groups.set(page, this.#createGroup(this.kernels.splatLayout, [bound, ...given, ...found]));
     }
     const pass = encoder.beginComputePass({ label: 'splats' });
     const call = (pipeline: GPUComputePipeline, page: Page, count: number, called: Called): void => {
@@ -200,11 +197,8 @@ export class WebgpuDrawer implements Drawer<Layer, Mesh> {
     slot: number,
     group: GPUBindGroup,
   ): void {
-    const loadOp = number === 0 ? 'clear' : 'load';
-    const pass = encoder.beginRenderPass({
-      label: 'show',
-      colorAttachments: [{ view: target, loadOp, storeOp: 'store' }],
-    });
+    const attachment = { view: target, loadOp: number === 0 ? 'clear' : 'load', storeOp: 'store' } as const;
+    const pass = encoder.beginRenderPass({ label: 'show', colorAttachments: [attachment] });
     pass.setPipeline(this.kernels.resolve);
     pass.setBindGroup(0, group, [slot]);
     pass.setScissorRect(0, first / grid, projector.width / grid, rows / grid);
@@ -216,16 +210,16 @@ export class WebgpuDrawer implements Drawer<Layer, Mesh> {
     const count = this.device.createBuffer({ size: 4, usage: GPUBufferUsage.MAP_READ | GPUBufferUsage.COPY_DST });
     if (bands.length > 0) encoder.copyBufferToBuffer(this.#samples.counts, 0, count, 0, 4);
     this.device.queue.submit([encoder.finish()]);
-    this.#coming += 1;
+    this.#unfinished += 1;
     const read = (): void => {
       this.unhidden = new Uint32Array(count.getMappedRange())[0] ?? 0;
       count.destroy();
     };
     // The device reports its loss itself.
-    this.#done = count.mapAsync(GPUMapMode.READ).then(read, () => undefined).finally(() => (this.#coming -= 1));
+    this.#done = count.mapAsync(GPUMapMode.READ).then(read, () => undefined).finally(() => (this.#unfinished -= 1));
   }
 
-  #group(layout: GPUBindGroupLayout, resources: readonly GPUBindingResource[]): GPUBindGroup {
+  #createGroup(layout: GPUBindGroupLayout, resources: readonly GPUBindingResource[]): GPUBindGroup {
     const entries = resources.map((resource, binding) => ({ binding, resource }));
     return this.device.createBindGroup({ layout, entries });
   }

@@ -3,10 +3,10 @@ import { ROWS } from '../../../decode/placements';
 import type { Piece } from '../../decode/leaf';
 import type { Triple } from '../../store/layout';
 import type { GpuResource } from '../drawer';
-import { Room, SLOT } from './buffers';
+import { GrowingBuffer, SLOT } from './buffers';
 import { LEVEL, MESHES } from './mesh_shaders';
 
-/** Format of colour samples: linear light as 8-bit sRGB. */
+/** Format of textures and of colour samples: linear light as 8-bit sRGB. */
 export const COLOR = 'rgba8unorm-srgb';
 /** Format of depth samples, which are greater for nearer points. */
 export const DEPTH = 'depth32float';
@@ -46,7 +46,7 @@ export class Meshes {
   readonly #sampler: GPUSampler;
   readonly #standIns: GPUBuffer;
   readonly #pipelines = new Map<string, GPURenderPipeline>();
-  readonly #uniforms: Room;
+  readonly #uniforms: GrowingBuffer;
 
   constructor(
     readonly device: GPUDevice,
@@ -55,16 +55,11 @@ export class Meshes {
   ) {
     this.#module = device.createShaderModule({ label: 'meshes', code: MESHES });
     const visibility = GPUShaderStage.FRAGMENT;
-    this.#texturesLayout = device.createBindGroupLayout({
-      entries: [
-        { binding: 0, visibility, texture: {} },
-        { binding: 1, visibility, texture: {} },
-        { binding: 2, visibility, sampler: {} },
-      ],
-    });
-    this.#layout = device.createPipelineLayout({
-      bindGroupLayouts: [uniformLayout, uniformLayout, this.#texturesLayout],
-    });
+    const resources = [{ texture: {} }, { texture: {} }, { sampler: {} }];
+    const entries = resources.map((resource, binding) => ({ binding, visibility, ...resource }));
+    this.#texturesLayout = device.createBindGroupLayout({ entries });
+    const bindGroupLayouts = [uniformLayout, uniformLayout, this.#texturesLayout];
+    this.#layout = device.createPipelineLayout({ bindGroupLayouts });
     this.#images = new Textures(device);
     this.#sampler = device.createSampler({
       addressModeU: 'repeat',
@@ -74,15 +69,16 @@ export class Meshes {
       mipmapFilter: 'linear',
     });
     this.#standIns = this.#bufferOf(new Uint32Array([0, 0, 0, 0xffffffff, 0xffffffff]), GPUBufferUsage.VERTEX);
-    this.#uniforms = new Room(device, 'meshes', GPUBufferUsage.UNIFORM);
+    this.#uniforms = new GrowingBuffer(device, 'meshes', GPUBufferUsage.UNIFORM);
     // Compiles now, so that shaders rejected by the browser are reported before anything is drawn.
     this.#pipelineOf(true, true, true, true);
   }
 
   upload(piece: Piece): Mesh {
     const { positions, normals, uvs, colors, placements, indices } = piece;
-    const fill = (data: ArrayBufferView | null): GPUBuffer | null => data && this.#bufferOf(data, GPUBufferUsage.VERTEX);
-    const buffers = [positions, normals, uvs, colors, placements].map(fill);
+    const buffers = [positions, normals, uvs, colors, placements].map((array) => {
+      return array && this.#bufferOf(array, GPUBufferUsage.VERTEX);
+    });
     const images = [piece.image, piece.glow];
     const arrays = [...buffers, this.#bufferOf(indices, GPUBufferUsage.INDEX)];
     let bytes = arrays.reduce((sum, buffer) => sum + (buffer?.size ?? 0), 0);
@@ -129,11 +125,8 @@ export class Meshes {
   }
 
   #groupOf(textures: readonly (GPUTexture | null)[]): GPUBindGroup {
-    const images = textures.map((texture, binding) => ({
-      binding,
-      resource: (texture ?? this.#images.white).createView(),
-    }));
-    const entries = [...images, { binding: 2, resource: this.#sampler }];
+    const images = textures.map((texture) => (texture ?? this.#images.white).createView());
+    const entries = [...images, this.#sampler].map((resource, binding) => ({ binding, resource }));
     return this.device.createBindGroup({ layout: this.#texturesLayout, entries });
   }
 
@@ -177,8 +170,6 @@ function uniformsOf({ origin, material }: Mesh, eye: Triple): number[] {
   return [...offset, cutoff ?? -1, ...color, ...(emission ?? [0, 0, 0]), isUnlit ? 1 : 0];
 }
 
-const TEXTURE_FORMAT: GPUTextureFormat = 'rgba8unorm-srgb';
-
 class Textures {
   readonly #pipeline: GPURenderPipeline;
   readonly #sampler: GPUSampler;
@@ -191,7 +182,7 @@ class Textures {
       label: 'mipmaps',
       layout: 'auto',
       vertex: { module },
-      fragment: { module, targets: [{ format: TEXTURE_FORMAT }] },
+      fragment: { module, targets: [{ format: COLOR }] },
     });
     this.#sampler = device.createSampler({ minFilter: 'linear', magFilter: 'linear' });
     this.white = this.#createTexture(1, 1);
@@ -214,7 +205,7 @@ class Textures {
     return this.device.createTexture({
       label: 'image',
       size: [width, height],
-      format: TEXTURE_FORMAT,
+      format: COLOR,
       mipLevelCount: 1 + Math.floor(Math.log2(Math.max(width, height))),
       usage: GPUTextureUsage.TEXTURE_BINDING | GPUTextureUsage.COPY_DST | GPUTextureUsage.RENDER_ATTACHMENT,
     });
@@ -222,9 +213,8 @@ class Textures {
 
   #drawMipmap(encoder: GPUCommandEncoder, texture: GPUTexture, level: number): void {
     const view = (baseMipLevel: number): GPUTextureView => texture.createView({ baseMipLevel, mipLevelCount: 1 });
-    const pass = encoder.beginRenderPass({
-      colorAttachments: [{ view: view(level), loadOp: 'clear', storeOp: 'store' }],
-    });
+    const attachment = { view: view(level), loadOp: 'clear', storeOp: 'store' } as const;
+    const pass = encoder.beginRenderPass({ colorAttachments: [attachment] });
     pass.setPipeline(this.#pipeline);
     const entries = [{ binding: 0, resource: view(level - 1) }, { binding: 1, resource: this.#sampler }];
     pass.setBindGroup(0, this.device.createBindGroup({ layout: this.#pipeline.getBindGroupLayout(0), entries }));

@@ -1,5 +1,5 @@
 /** Storage of a picture's samples: for all of them at once, or for bands of rows if they are too many. */
-import { Room } from './buffers';
+import { GrowingBuffer } from './buffers';
 import { COLOR, DEPTH } from './meshes';
 import { TILE } from './sample_shaders';
 
@@ -37,14 +37,15 @@ export interface Targets {
 }
 
 export class Samples {
-  readonly #orders: Room;
-  readonly #colors: Room;
-  readonly #tiles: Room;
+  readonly #orders: GrowingBuffer;
+  readonly #colors: GrowingBuffer;
+  readonly #tiles: GrowingBuffer;
   #targets: Targets | null = null;
 
   constructor(readonly device: GPUDevice) {
-    const room = (label: string): Room => new Room(device, label, GPUBufferUsage.STORAGE | GPUBufferUsage.COPY_SRC);
-    [this.#orders, this.#colors, this.#tiles] = [room('orders'), room('colors'), room('tiles')];
+    const usage = GPUBufferUsage.STORAGE | GPUBufferUsage.COPY_SRC;
+    const storage = (label: string): GrowingBuffer => new GrowingBuffer(device, label, usage);
+    [this.#orders, this.#colors, this.#tiles] = [storage('orders'), storage('colors'), storage('tiles')];
   }
 
   /** Buffer that begins with the number of splats of unoccluded parts. */
@@ -66,9 +67,9 @@ export class Samples {
     found?.color.destroy();
     found?.depth.destroy();
     const usage = GPUTextureUsage.RENDER_ATTACHMENT | GPUTextureUsage.TEXTURE_BINDING;
-    const made = (format: GPUTextureFormat): GPUTexture =>
+    const create = (format: GPUTextureFormat): GPUTexture =>
       this.device.createTexture({ label: 'samples', size: [width, rows], format, usage });
-    this.#targets = { color: made(COLOR), depth: made(DEPTH) };
+    this.#targets = { color: create(COLOR), depth: create(DEPTH) };
     return this.#targets;
   }
 }

@@ -19,7 +19,7 @@ export async function start(
   const format = navigator.gpu.getPreferredCanvasFormat();
   device.pushErrorScope('validation');
   const kernels = kernelsOf(device, format);
-  const meshes = new Meshes(device, kernels.numbered);
+  const meshes = new Meshes(device, kernels.uniformLayout);
   const error = await device.popErrorScope();
   if (error) throw new Error(error.message);
   const context = canvas.getContext('webgpu');
