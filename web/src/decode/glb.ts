@@ -68,10 +68,10 @@ interface View {
 const [MAGIC, VERSION] = [0x46546c67, 2];
 const [JSON_CHUNK, BIN_CHUNK] = [0x4e4f534a, 0x004e4942];
 const WIDTHS: Readonly<Record<string, number>> = { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4 };
-/**
- * Greatest number of rows of an array, and of bytes of all arrays of a file; the largest rings have a fraction of them.
- */
-const [MAX_ROWS, MAX_BYTES] = [2 ** 26, 2 ** 30] as const;
+/** Greatest number of rows of an array; the largest rings have a fraction of it. */
+const MAX_ROWS = 2 ** 26;
+/** Greatest number of bytes of all arrays of a file; the largest rings have a fraction of it. */
+const MAX_BYTES: number = 2 ** 30;
 
 const TYPES = {
   5120: Int8Array,
@@ -83,20 +83,10 @@ const TYPES = {
 } as const;
 export type Numbers = InstanceType<(typeof TYPES)[keyof typeof TYPES]>;
 
-export interface Glb {
-  readonly document: Document;
-  /** Rows of an accessor, tightly packed; `width` is the required number of columns. */
-  read(accessor: number | undefined, width: number): Promise<Numbers>;
-  /** File and position of an accessor's content; the file is '' for the GLB itself. */
-  placeOf(accessor: number): string;
-}
+export type Glb = ReturnType<typeof openGlb>;
 
-/** Opens a GLB. `parts` are the files that it refers to, by their URIs; its arrays may take at most `most` bytes. */
-export function openGlb(
-  bytes: Uint8Array<ArrayBuffer>,
-  parts: ReadonlyMap<string, Uint8Array>,
-  most: number = MAX_BYTES,
-): Glb {
+/** Opens a GLB. `parts` are the files that it refers to, by their URIs; its arrays may take at most `maxBytes`. */
+export function openGlb(bytes: Uint8Array<ArrayBuffer>, parts: ReadonlyMap<string, Uint8Array>, maxBytes = MAX_BYTES) {
   const { document, chunk } = chunksOf(bytes);
   const decoded = new Map<number, Promise<Uint8Array>>();
   let spent = 0;
@@ -104,7 +94,7 @@ export function openGlb(
   /** Limits the total size, because many entries of a damaged document can describe the same bytes. */
   function spend(size: number): void {
     spent += size;
-    if (spent > most) throw new Error(`the arrays take more than ${most} bytes`);
+    if (spent > maxBytes) throw new Error(`the arrays take more than ${maxBytes} bytes`);
   }
 
   function bufferOf(number: number): Uint8Array {
@@ -126,7 +116,8 @@ export function openGlb(
 
   return {
     document,
-    async read(number, width) {
+    /** Rows of an accessor, tightly packed; `width` is the required number of columns. */
+    async read(number: number | undefined, width: number): Promise<Numbers> {
       const accessor = entryAt(document.accessors, number, 'accessor');
       const { count, byteOffset: start = 0 } = accessor;
       const Type = TYPES[accessor.componentType as keyof typeof TYPES];
@@ -134,14 +125,11 @@ export function openGlb(
         throw new Error(`accessor ${number}: expected rows of ${width} columns, got ${accessor.type}`);
       }
       const view = entryAt(document.bufferViews, accessor.bufferView, 'view');
-      let whole = decoded.get(accessor.bufferView);
-      if (!whole) {
-        whole = viewOf(accessor.bufferView);
-        decoded.set(accessor.bufferView, whole);
-      }
+      const decoding = decoded.get(accessor.bufferView) ?? viewOf(accessor.bufferView);
+      decoded.set(accessor.bufferView, decoding);
       const row = width * Type.BYTES_PER_ELEMENT;
       const stride = view.byteStride ?? view.extensions?.EXT_meshopt_compression?.byteStride ?? row;
-      const data = await whole;
+      const data = await decoding;
       if (!isCount(stride) || stride < row) throw new Error(`accessor ${number}: expected rows of ${row} bytes`);
       if (count > 0 && start + (count - 1) * stride + row > data.length) {
         throw new Error(`accessor ${number} reaches beyond its array`);
@@ -149,14 +137,11 @@ export function openGlb(
       spend(count * row);
       const packed = new Uint8Array(count * row);
       if (stride === row) packed.set(data.subarray(start, start + packed.length));
-      else {
-        for (let n = 0, place = start; n < count; n++, place += stride) {
-          packed.set(data.subarray(place, place + row), n * row);
-        }
-      }
+      else for (let n = 0; n < count; n++) packed.set(data.subarray(start + n * stride, start + n * stride + row), n * row);
       return new Type(packed.buffer);
     },
-    placeOf(number) {
+    /** File and position of an accessor's content; the file is '' for the GLB itself. */
+    placeOf(number: number): string {
       const { bufferView, byteOffset = 0, count } = entryAt(document.accessors, number, 'accessor');
       const view = entryAt(document.bufferViews, bufferView, 'view');
       const { buffer, byteOffset: start = 0 } = view.extensions?.EXT_meshopt_compression ?? view;

@@ -1,20 +1,21 @@
 /** Maps of a region: the whole map of ring 0, then the changes of each ring. */
 import { messageOf } from '../base/errors';
 import { inflatedFile, pixelsOf } from './files';
-import type { FileData, FirstMapRequest, MapUpdate, NextMapRequest } from './messages';
+import { type FileData, type FirstMapRequest, type MapUpdate, type NextMapRequest, tileAt } from './messages';
 import { decodeRanges } from './ranges';
 
 const FACES = 6;
 /** Greatest number of texels along a face. */
 const MAX_SIDE = 4096;
-/** Size limits of a range file: nine lengths, then per texel at most two flags, a pair of bits, a byte and a word. */
-const [HEAD, MAX_BYTES, PLANES] = [36, 4, 9] as const;
+/** Size of the head of a range file, bytes: nine lengths. */
+const HEAD_BYTES = 36;
+/** Greatest size of a texel in a range file, bytes: two flags, a pair of bits, a byte and a word. */
+const MAX_TEXEL_BYTES = 4;
+/** Bytes by which the bits of the nine planes may be padded. */
+const PADDING_BYTES = 9;
 
 /** Applies the changes of rings; keeps the last ring's map. */
-export interface Maps {
-  first(request: FirstMapRequest): Promise<MapUpdate>;
-  next(request: NextMapRequest): Promise<MapUpdate>;
-}
+export type Maps = ReturnType<typeof createMaps>;
 
 interface State {
   readonly size: number;
@@ -29,10 +30,10 @@ interface State {
   readonly changed: number[][];
 }
 
-export function createMaps(): Maps {
+export function createMaps() {
   let state: State | null = null;
   return {
-    async first({ faceSize: size, tile, across, step, color }) {
+    async first({ faceSize: size, tile, across, step, color }: FirstMapRequest): Promise<MapUpdate> {
       checkLayout(size, tile, across);
       if (color.length !== FACES) throw new Error(`map: expected six pictures, got ${color.length}`);
       const whole = new Uint8Array(4 * FACES * size * size);
@@ -41,7 +42,7 @@ export function createMaps(): Maps {
       state = { size, tile, across, step, color: whole, codes: null, changed: [] };
       return wholeMap(state);
     },
-    async next(request) {
+    async next(request: NextMapRequest): Promise<MapUpdate> {
       if (!state) throw new Error('map: a ring was requested before the first map');
       const { since, ring } = request;
       if (since !== null && !(Number.isInteger(since) && since >= 0 && since <= ring)) {
@@ -94,7 +95,7 @@ async function firstCodes(state: State, tiles: readonly number[], range: readonl
   const changed = new Uint8Array(FACES * area);
   await Promise.all(
     range.map(async (file, face) => {
-      const raw = await inflatedFile(file, HEAD + PLANES + MAX_BYTES * area);
+      const raw = await inflatedFile(file, HEAD_BYTES + PADDING_BYTES + MAX_TEXEL_BYTES * area);
       const own = tiles.filter((number) => Math.floor(number / perFace) === face).map((number) => number % perFace);
       const place = codes.subarray(face * area, (face + 1) * area);
       changed.set(withFileName(file, () => decodeRanges(raw, place, null, own, state)), face * area);
@@ -116,7 +117,7 @@ async function laterCodes(
     throw new Error(`map: expected ranges exactly where tiles change, got ${range.length} files`);
   }
   if (!file) return { codes: before, changed: new Uint8Array(before.length) };
-  const raw = await inflatedFile(file, HEAD + PLANES + MAX_BYTES * tiles.length * tile * tile);
+  const raw = await inflatedFile(file, HEAD_BYTES + PADDING_BYTES + MAX_TEXEL_BYTES * tiles.length * tile * tile);
   const codes = before.slice();
   return { codes, changed: withFileName(file, () => decodeRanges(raw, codes, before, tiles, state)) };
 }
@@ -133,17 +134,14 @@ function withFileName<T>(file: FileData, work: () => T): T {
 /** Copies changed texels, and their eight neighbours on the same face, from a tile sheet to the map. */
 function putChanges(state: State, sheet: Uint8Array, changed: Uint8Array, tiles: readonly number[]): void {
   const { size, tile, across } = state;
-  const side = size / tile;
   tiles.forEach((number, order) => {
-    const face = Math.floor(number / (side * side));
-    const [column, row] = [number % side, Math.floor(number / side) % side];
-    const [fromX, fromY] = [(order % across) * tile, Math.floor(order / across) * tile];
+    const { face, x: left, y: top } = tileAt(number, size / tile, tile);
+    const [sheetLeft, sheetTop] = [(order % across) * tile, Math.floor(order / across) * tile];
     for (let y = 0; y < tile; y++) {
       for (let x = 0; x < tile; x++) {
-        const [faceX, faceY] = [column * tile + x, row * tile + y];
-        if (!isNear(changed, face * size * size, faceX, faceY, size)) continue;
-        const to = 4 * (face * size * size + faceY * size + faceX);
-        const from = 4 * ((fromY + y) * across * tile + fromX + x);
+        if (!isNear(changed, face * size * size, left + x, top + y, size)) continue;
+        const to = 4 * (face * size * size + (top + y) * size + left + x);
+        const from = 4 * ((sheetTop + y) * across * tile + sheetLeft + x);
         for (let channel = 0; channel < 3; channel++) state.color[to + channel] = sheet[from + channel] as number;
       }
     }
@@ -175,7 +173,6 @@ function changedTiles(state: State, since: number, ring: number): MapUpdate {
   const { size, tile, color, codes } = state;
   if (!codes) throw new Error('map: a ring has no ranges');
   const tiles = Int32Array.from(new Set(state.changed.slice(since, ring).flat())).sort();
-  const side = size / tile;
   const update = {
     whole: false as const,
     tiles,
@@ -183,10 +180,9 @@ function changedTiles(state: State, since: number, ring: number): MapUpdate {
     codes: new Uint16Array(tiles.length * tile * tile),
   };
   tiles.forEach((number, order) => {
-    const face = Math.floor(number / (side * side));
-    const [column, row] = [number % side, Math.floor(number / side) % side];
+    const { face, x, y: top } = tileAt(number, size / tile, tile);
     for (let y = 0; y < tile; y++) {
-      const from = face * size * size + (row * tile + y) * size + column * tile;
+      const from = face * size * size + (top + y) * size + x;
       const to = (order * tile + y) * tile;
       update.color.set(color.subarray(4 * from, 4 * (from + tile)), 4 * to);
       update.codes.set(codes.subarray(from, from + tile), to);

@@ -188,6 +188,12 @@ export type MapUpdate =
       readonly codes: Uint16Array;
     };
 
+/** Face and least coordinates of a tile, in texels; a face has `perSide` × `perSide` tiles. */
+export function tileAt(number: number, perSide: number, tile: number): { face: number; x: number; y: number } {
+  const [column, row] = [number % perSide, Math.floor(number / perSide) % perSide];
+  return { face: Math.floor(number / perSide ** 2), x: column * tile, y: row * tile };
+}
+
 export type Answer =
   | { readonly id: number; readonly result: Result }
   | { readonly id: number; readonly error: string };

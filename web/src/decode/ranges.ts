@@ -1,5 +1,5 @@
 /** Decodes the ranges of a map: docs/stream.md, "Files of ranges". All decoders yield bit-identical codes. */
-import { createScale, damaged, NOTHING, type Planes, readPlanes, type Scale, TRUST } from './planes';
+import { createScale, damaged, NOTHING, type Planes, readPlanes, type Scale, TRUST, type Trust } from './planes';
 
 /** Division of a map. */
 export interface Layout {
@@ -140,7 +140,7 @@ function texel(
   const byColumn = m > 0 ? scale.code(next(columns, x), distance, neighbour) : -1;
   if (isNew) {
     let guess = neighbour;
-    let trust: (typeof TRUST)[keyof typeof TRUST] =
+    let trust: Trust =
       left !== NOTHING && above !== NOTHING && Math.abs(left - above) <= CALM ? TRUST.calm : TRUST.low;
     if (n >= MIN && m >= MIN) {
       if (Math.abs(byRow - byColumn) <= FIT) {

@@ -55,17 +55,9 @@ export interface Holding {
   readonly kept: readonly WorkerMemory[];
 }
 
-export interface Atlas extends Regions {
-  find(region: number): OpenRegion | null;
-  /** Advances a region by some seconds; radii smaller than `least` would fold. */
-  advance(region: number, seconds: number, least: number): Shown | null;
-  /** Reloads what failed. */
-  retry(): void;
-  readonly holding: Holding;
-  dispose(): void;
-}
+export type Atlas = ReturnType<typeof createAtlas>;
 
-export function createAtlas({ world, loading, manner, failed }: AtlasSettings): Atlas {
+export function createAtlas({ world, loading, manner, failed }: AtlasSettings) {
   const { renderer, store } = loading;
   const { nearShare } = world;
   const opens = new Map<number, OpenRegion>();
@@ -199,8 +191,7 @@ export function createAtlas({ world, loading, manner, failed }: AtlasSettings): 
     return open;
   }
 
-  return {
-    find: (region) => opens.get(region) ?? null,
+  const regions: Regions = {
     open(region) {
       if (!opens.has(region) && !pendings.has(region)) request(region);
     },
@@ -232,8 +223,13 @@ export function createAtlas({ world, loading, manner, failed }: AtlasSettings): 
       open?.stage.leave();
       if (open) open.shown = null;
     },
-    grown: (region): MorphState | null => opens.get(region)?.shown?.grown ?? null,
-    advance(region, seconds, least) {
+    grown: (region) => opens.get(region)?.shown?.grown ?? null,
+  };
+  return {
+    ...regions,
+    find: (region: number): OpenRegion | null => opens.get(region) ?? null,
+    /** Advances a region by some seconds; radii smaller than `least` would fold. */
+    advance(region: number, seconds: number, least: number): Shown | null {
       const open = opens.get(region);
       // Its manifest is not loaded yet.
       if (!open) return null;
@@ -243,7 +239,8 @@ export function createAtlas({ world, loading, manner, failed }: AtlasSettings): 
       if (ring > before) markTimeline('shown', region, ring);
       return open.shown;
     },
-    retry() {
+    /** Reloads what failed. */
+    retry(): void {
       for (const open of [...opens.values()].filter(({ state }) => state === 'failed')) {
         const { grown } = open.shown ?? {};
         end(open);
@@ -253,12 +250,12 @@ export function createAtlas({ world, loading, manner, failed }: AtlasSettings): 
         if (hasFailed) reopen(number, from);
       }
     },
-    get holding() {
+    get holding(): Holding {
       const isWaiting = [...pendings.values()].some(({ hasFailed }) => !hasFailed);
       const areLoading = [...opens.values()].some(({ state }) => state === 'loading');
       return { regions: [...opens.keys(), ...pendings.keys()], isLoading: isWaiting || areLoading, kept };
     },
-    dispose() {
+    dispose(): void {
       for (const { stop } of pendings.values()) stop.abort();
       pendings.clear();
       for (const open of [...opens.values()]) end(open);

@@ -2,23 +2,17 @@
 import type { RegionEntry } from '../bundle/manifest';
 import type { Bounds } from '../control/limit';
 import type { Triangles } from '../decode/messages';
-import type { Atlas, Holding } from './atlas';
+import type { Atlas, Holding, OpenRegion } from './atlas';
 import type { Store } from './buffers';
 import type { Journey, Leg } from './journey';
 import { trianglesShown } from './region';
-import type { Shown } from './stage';
 
-export interface Facts extends Holding {
+export interface Facts extends Holding, Readonly<Pick<OpenRegion, 'shown' | 'arrived' | 'received' | 'expected'>> {
   readonly region: number;
   /** Entry of the region; null before its manifest is loaded. */
   readonly entry: RegionEntry | null;
   /** Region that the user is moving to; null for none. */
   readonly goal: number | null;
-  readonly shown: Shown | null;
-  readonly arrived: number;
-  /** Received bytes of the region's files, and bytes of all of them. */
-  readonly received: number;
-  readonly expected: number;
   readonly triangles: Triangles;
   /** Milliseconds spent on uploads and answers of workers in the last frame. */
   readonly upload: number;

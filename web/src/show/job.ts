@@ -43,7 +43,7 @@ export interface RegionLoading {
 }
 
 export interface Job extends Loading, RegionLoading {
-  readonly ahead: Prefetch;
+  readonly prefetch: Prefetch;
   /** Names of parts that the region has requested, or shares with other regions. */
   readonly requested: Set<string>;
 }
@@ -53,49 +53,45 @@ export function filesOf(job: Job, names: string | readonly string[] | null): Pro
   return Promise.all(list.map((name) => fileOf(job, name)));
 }
 
-export async function fileOf({ ahead, manifest, signal }: Job, name: string): Promise<FileData> {
+export async function fileOf({ prefetch, manifest, signal }: Job, name: string): Promise<FileData> {
   const described: FileEntry | undefined = manifest.files[name];
   if (!described) throw new Error(`${name} is not listed in the manifest`);
-  return { name, data: await ahead.fetch(name, signal), bytes: described.bytes, sha256: described.sha256 };
+  return { name, data: await prefetch.fetch(name, signal), bytes: described.bytes, sha256: described.sha256 };
 }
 
 /** Greatest number of prefetched bytes that are not requested yet. */
 const MAX_PREFETCH_BYTES = 16 * 2 ** 20;
 
 /** Prefetched files, so that the network does not wait for decoding and uploads. */
-export interface Prefetch {
-  /** Returns the content of a file, possibly prefetched. */
-  readonly fetch: Fetch;
-  /** Prefetches files that will be requested next. */
-  want(names: readonly string[], signal: AbortSignal): void;
-  /** Number of prefetched bytes. */
-  readonly bytes: number;
-}
+export type Prefetch = ReturnType<typeof createPrefetch>;
 
 /** Creates the prefetcher; `sizeOf` returns the bytes of a file. */
-export function createPrefetch(fetch: Fetch, sizeOf: (name: string) => number, most: number = MAX_PREFETCH_BYTES): Prefetch {
+export function createPrefetch(fetch: Fetch, sizeOf: (name: string) => number, maxBytes = MAX_PREFETCH_BYTES) {
   const prefetched = new Map<string, Promise<ArrayBuffer>>();
   let bytes = 0;
 
   return {
-    fetch(name, signal) {
-      const found = prefetched.get(name);
-      if (!found) return fetch(name, signal);
+    /** Returns the content of a file, possibly prefetched. */
+    fetch(name: string, signal: AbortSignal): Promise<ArrayBuffer> {
+      const content = prefetched.get(name);
+      if (!content) return fetch(name, signal);
       prefetched.delete(name);
       bytes -= sizeOf(name);
-      return found;
+      return content;
     },
-    want(names, signal) {
+    /** Prefetches files that will be requested next. */
+    begin(names: readonly string[], signal: AbortSignal): void {
       for (const name of names) {
-        if (prefetched.has(name) || bytes + sizeOf(name) > most) continue;
-        const coming = fetch(name, signal);
+        if (prefetched.has(name) || bytes + sizeOf(name) > maxBytes) continue;
+        const content = fetch(name, signal);
         // A request for the file reports the error.
-        coming.catch(() => undefined);
-        prefetched.set(name, coming);
+        content.catch(() => undefined);
+        prefetched.set(name, content);
         bytes += sizeOf(name);
       }
     },
-    get bytes() {
+    /** Number of prefetched bytes. */
+    get bytes(): number {
       return bytes;
     },
   };

@@ -59,23 +59,9 @@ export interface Leg {
   readonly leaving: { readonly region: number; readonly pose: Pose | null; readonly share: number } | null;
 }
 
-export interface Journey {
-  /** Advances by some seconds with the user's pose. */
-  advance(seconds: number, user: Pose): Leg;
-  /** Moves to another place when its region can be shown. */
-  go(target: Pose): void;
-  /** Stops waiting for a region whose loading has failed. */
-  failed(region: number): void;
-  /** Area where the user may be. */
-  readonly bounds: Bounds;
-  readonly region: number;
-  /** Region that the user is moving to; null for none. */
-  readonly goal: number | null;
-  /** Least radius of the region's morph that does not fold at the user's position. */
-  readonly least: number;
-}
+export type Journey = ReturnType<typeof createJourney>;
 
-export function createJourney(settings: JourneySettings, regions: Regions, first: number): Journey {
+export function createJourney(settings: JourneySettings, regions: Regions, first: number) {
   let current = first;
   let ahead: number | null = null;
   let leaving: { region: number; pose: Pose | null; since: number } | null = null;
@@ -175,7 +161,8 @@ export function createJourney(settings: JourneySettings, regions: Regions, first
   regions.enter(first, NOTHING_NEAR);
 
   return {
-    advance(seconds, pose) {
+    /** Advances by some seconds with the user's pose. */
+    advance(seconds: number, pose: Pose): Leg {
       user = pose;
       if (leaving) {
         leaving.since += seconds;
@@ -193,30 +180,35 @@ export function createJourney(settings: JourneySettings, regions: Regions, first
       const share = leaving && settings.fade > 0 ? leaving.since / settings.fade : 1;
       return { region: current, leaving: leaving && { region: leaving.region, pose: leaving.pose, share } };
     },
-    go(target) {
+    /** Moves to another place when its region can be shown. */
+    go(target: Pose): void {
       const region = places.nearest(target.position);
       const here = limitOf(current, regions.grown(current));
       // Near the centre the current region serves at once; a nearer one takes over later.
       const isHere = marginAt(here, target.position) >= HERE_SHARE * here.metres;
       going = { region: isHere ? current : region, target };
     },
-    failed(region) {
+    /** Stops waiting for a region whose loading has failed. */
+    failed(region: number): void {
       if (going?.region === region && region !== current && regions.offer(region, NOTHING_NEAR) === null) going = null;
     },
-    get bounds() {
+    /** Area where the user may be. */
+    get bounds(): Bounds {
       const here = limitOf(current, regions.grown(current));
       // A picture with its own pose stays there.
       const shown = leaving && !leaving.pose ? [here, limitOf(leaving.region, regions.grown(leaving.region))] : [here];
       const offer = !leaving && ahead !== null ? offerOf(ahead) : null;
       return { shown, open: offer && ahead !== null ? [here, limitOf(ahead, offer)] : [here] };
     },
-    get region() {
+    get region(): number {
       return current;
     },
-    get goal() {
+    /** Region that the user is moving to; null for none. */
+    get goal(): number | null {
       return going?.region ?? null;
     },
-    get least() {
+    /** Least radius of the region's morph that does not fold at the user's position. */
+    get least(): number {
       const { center, fold_margin } = places.of(current);
       const away = user ? distance(user.position, { center, metres: fold_margin }) : 0;
       return (ROUNDED * Math.min(away + SLACK, fold_margin)) / settings.marginShare;

@@ -12,7 +12,7 @@ export async function loadRegion(loading: Loading, course: RegionLoading): Promi
   const { manifest, region, received, signal, turn } = course;
   const sizeOf = (name: string): number => manifest.files[name]?.bytes ?? 0;
   const fetch: Fetch = (name, own) => loading.fetch(name, own, received);
-  const job: Job = { ...loading, ...course, ahead: createPrefetch(fetch, sizeOf), requested: new Set() };
+  const job: Job = { ...loading, ...course, prefetch: createPrefetch(fetch, sizeOf), requested: new Set() };
   const { rings } = region.entry;
   const { map } = await turn(0, signal);
   if (map) await loadFirstMap(job, map);
@@ -28,7 +28,7 @@ export async function loadRegion(loading: Loading, course: RegionLoading): Promi
     // Requested after the files of this ring.
     const next = rings[ring + 1];
     const isNew = (name: string): boolean => !isLoaded(loading, name) && !job.requested.has(name);
-    if (next) job.ahead.want(filesOfRing(next).filter(isNew), signal);
+    if (next) job.prefetch.begin(filesOfRing(next).filter(isNew), signal);
     await Promise.all(jobs);
     course.arrived(ring);
   }

@@ -95,24 +95,21 @@ export function nearMaterial(piece: Piece, textures: Textures, shared: Shared, c
 }
 
 /** Materials of a region; pieces that look alike share one, because three.js spends time on each. */
-export interface Materials {
-  of(piece: Piece, textures: Textures, cut: number): RawShaderMaterial;
-  dispose(): void;
-}
+export type Materials = ReturnType<typeof createMaterials>;
 
-export function createMaterials(shared: Shared): Materials {
-  const made = new Map<string, RawShaderMaterial>();
+export function createMaterials(shared: Shared) {
+  const materials = new Map<string, RawShaderMaterial>();
   return {
-    of(piece, textures, cut) {
+    of(piece: Piece, textures: Textures, cut: number): RawShaderMaterial {
       const kind = Object.keys(definesOf(piece, textures));
       const look = JSON.stringify([kind, piece.material, String(cut)]);
-      const found = made.get(look) ?? nearMaterial(piece, textures, shared, cut);
-      made.set(look, found);
-      return found;
+      const material = materials.get(look) ?? nearMaterial(piece, textures, shared, cut);
+      materials.set(look, material);
+      return material;
     },
-    dispose() {
-      for (const material of made.values()) material.dispose();
-      made.clear();
+    dispose(): void {
+      for (const material of materials.values()) material.dispose();
+      materials.clear();
     },
   };
 }

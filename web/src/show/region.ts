@@ -3,25 +3,15 @@ import { Group, type WebGLRenderer } from 'three';
 import type { RegionEntry } from '../bundle/manifest';
 import type { Part, Piece, Triangles } from '../decode/messages';
 import type { Store } from './buffers';
-import { createMaterials, type Materials, type Shared, texturesOf } from './materials';
+import { createMaterials, type Shared, texturesOf } from './materials';
 import { disposeMesh, type MeshResources, type PieceMesh, prepare, type Prepared } from './pieces';
 import { createCube, type Cube, type Pictures } from './textures';
 import type { Step } from './uploads';
 
 /** Meshes per step: three.js takes about 0.1 ms to begin a picture, and half as long for each mesh. */
-const TOGETHER = 4;
+const MESHES_PER_STEP = 4;
 
-export interface Region {
-  readonly entry: RegionEntry;
-  /** Groups by ring, invisible until complete; the group of ring 0 has the dynamic objects of all pictures. */
-  readonly groups: readonly Group[];
-  readonly materials: Materials;
-  /** Triangles of each complete group. */
-  readonly triangles: Triangles[];
-  /** Two cubes in alternation: that of the visible ring, and that of the ring being loaded. */
-  readonly cubes: [Cube, Cube];
-  dispose(): void;
-}
+export type Region = ReturnType<typeof createRegion>;
 
 export function createRegion(
   renderer: WebGLRenderer,
@@ -29,18 +19,21 @@ export function createRegion(
   faceSize: number,
   store: Store,
   shared: Shared,
-): Region {
+) {
+  /** Groups by ring, invisible until complete; the group of ring 0 has the dynamic objects of all pictures. */
   const groups = entry.rings.map(() => Object.assign(new Group(), { visible: false }));
   const materials = createMaterials(shared);
   const make = (): Cube => createCube(renderer, faceSize, entry.range);
-  const cubes: Region['cubes'] = [make(), make()];
+  /** Two cubes in alternation: that of the visible ring, and that of the ring being loaded. */
+  const cubes: [Cube, Cube] = [make(), make()];
   return {
     entry,
     groups,
     materials,
-    triangles: entry.rings.map(() => ({ own: 0, drawn: 0 })),
+    /** Triangles of each complete group. */
+    triangles: entry.rings.map((): Triangles => ({ own: 0, drawn: 0 })),
     cubes,
-    dispose() {
+    dispose(): void {
       for (const group of groups) {
         for (const mesh of meshesOf(group)) disposeMesh(mesh, store);
         group.clear();
@@ -88,12 +81,9 @@ export function complete(region: Region, ring: number, triangles: Triangles): vo
 
 /** Number of triangles in a picture with all rings up to one. */
 export function trianglesShown(region: Region, ring: number): Triangles {
-  const sum = { own: 0, drawn: 0 };
-  for (const { own, drawn } of region.triangles.slice(0, ring + 1)) {
-    sum.own += own;
-    sum.drawn += drawn;
-  }
-  return sum;
+  return region.triangles.slice(0, ring + 1).reduce((sum, { own, drawn }) => {
+    return { own: sum.own + own, drawn: sum.drawn + drawn };
+  }, { own: 0, drawn: 0 });
 }
 
 /** Steps that upload a part of a file's geometry and add it to the group of its ring. */
@@ -122,7 +112,7 @@ export function* partSteps(
       const prepared = prepare(piece, resources);
       ready.push({ piece, prepared });
       yield* prepared.steps();
-      if (ready.length === TOGETHER || number === pieces.length - 1) yield { kind: 'mesh', bytes: 0, run: make };
+      if (ready.length === MESHES_PER_STEP || number === pieces.length - 1) yield { kind: 'mesh', bytes: 0, run: make };
     }
   } finally {
     for (const { prepared } of ready) prepared.free();

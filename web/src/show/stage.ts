@@ -22,22 +22,9 @@ export interface Shown {
   readonly fading: { readonly ring: number; readonly share: number } | null;
 }
 
-export interface Stage {
-  /** Records that a ring is loaded; rings arrive in order. Until the stage is entered, each replaces the one before. */
-  arrive(ring: number): void;
-  /** Returns the first state after a transition from another region; null before ring 0. */
-  offer(from: MorphState): MorphState | null;
-  /** Shows the region from now on, in a state as similar to the other region's as the loaded rings allow. */
-  enter(from: MorphState): void;
-  /** Stops showing it. */
-  leave(): void;
-  /** Advances by some seconds; radii smaller than `least` would fold. */
-  advance(seconds: number, least?: number): Shown | null;
-  /** Resolves when the map of ring `ring` − 2 is no longer shown, so that the map of `ring` may replace it. */
-  replaceable(ring: number): Promise<void>;
-}
+export type Stage = ReturnType<typeof createStage>;
 
-export function createStage(settings: GrowthSettings & { readonly fade: number }, { isSmooth, isWhole }: Manner): Stage {
+export function createStage(settings: GrowthSettings & { readonly fade: number }, { isSmooth, isWhole }: Manner) {
   let arrived = -1;
   let ring = -1;
   let since = 0;
@@ -50,6 +37,7 @@ export function createStage(settings: GrowthSettings & { readonly fade: number }
     return ring >= (isWhole ? settings.radii.length : 0);
   }
 
+  /** Returns the first state after a transition from another region; null before ring 0. */
   function offer(from: MorphState): MorphState | null {
     const [first, last] = [settings.radii[0], settings.radii[ring - 1]];
     if (!isShowable()) return null;
@@ -76,23 +64,27 @@ export function createStage(settings: GrowthSettings & { readonly fade: number }
   }
 
   return {
-    arrive(next) {
+    /** Records that a ring is loaded; rings arrive in order. Until the stage is entered, each replaces the one before. */
+    arrive(next: number): void {
       arrived = next;
       if (isEntered && isSmooth && ring >= 0) return;
       ring = next;
       release();
     },
     offer,
-    enter(from) {
+    /** Shows the region from now on, in a state as similar to the other region's as the loaded rings allow. */
+    enter(from: MorphState): void {
       grown = offer(from) ?? NOTHING_NEAR;
       isEntered = true;
     },
-    leave() {
+    /** Stops showing it. */
+    leave(): void {
       isEntered = isFading = false;
       ring = arrived;
       release();
     },
-    advance(seconds, least = 0) {
+    /** Advances by some seconds; radii smaller than `least` would fold. */
+    advance(seconds: number, least = 0): Shown | null {
       if (!isShowable()) return null;
       grown = isSmooth ? grow(grown, ring, isFading ? 0 : seconds, settings, least) : immediate(least);
       if (!isFading && arrived > ring) {
@@ -109,12 +101,12 @@ export function createStage(settings: GrowthSettings & { readonly fade: number }
       release();
       return { ring, grown, fading: null };
     },
-    replaceable(next) {
-      return new Promise((done) => {
-        if (isFree(next)) done();
-        else waiting.push({ ring: next, done });
-      });
-    },
+    /** Resolves when the map of ring `next` − 2 is no longer shown, so that the map of `next` may replace it. */
+    replaceable: (next: number): Promise<void> =>
+      new Promise((done) => {
+        waiting.push({ ring: next, done });
+        release();
+      }),
   };
 }
 
@@ -143,8 +135,9 @@ const MIN_SHARE = 0.05;
 export const NOTHING_NEAR: MorphState = { radius: 0, strength: 0 };
 
 /**
- * Advances the growth by some seconds, with the rings up to `ring`; the inverse of the radius falls linearly. Pictures with a radius below `least` would fold:
- * until a ring reaches it, the strength stays 0, which gives the same picture at any radius.
+ * Advances the growth by some seconds, with the rings up to `ring`; the inverse of the radius falls linearly. Pictures
+ * with a radius below `least` would fold: until a ring reaches it, the strength stays 0, which gives the same picture at
+ * any radius.
  */
 export function grow(now: MorphState, ring: number, seconds: number, settings: GrowthSettings, least = 0): MorphState {
   const goal = settings.radii[ring - 1];

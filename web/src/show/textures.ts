@@ -1,7 +1,7 @@
 /** Textures on the GPU that are uploaded in steps: cube maps with range codes, and images in bands of rows. */
 import { CubeTexture, ExternalTexture, type Texture, type WebGLRenderer } from 'three';
 import type { MapLayout, RangeScale } from '../bundle/manifest';
-import type { Band, MapUpdate } from '../decode/messages';
+import { type Band, type MapUpdate, tileAt } from '../decode/messages';
 import { type Step, STEP_BYTES } from './uploads';
 
 export interface Cube {
@@ -86,15 +86,11 @@ export function* cubeSteps(
     }
     cube.hasRange = update.codes !== null;
   } else {
-    const across = size / tile;
     const area = tile * tile;
-    for (let i = 0; i < update.tiles.length; i++) {
-      const number = update.tiles[i] ?? 0;
-      const face = Math.floor(number / (across * across));
-      const place = number % (across * across);
-      const box = { face, x: (place % across) * tile, y: Math.floor(place / across) * tile, width: tile, height: tile };
-      yield* boxSteps(renderer, gl, cube.color, box, update.color.subarray(4 * i * area, 4 * (i + 1) * area));
-      yield* boxSteps(renderer, gl, cube.codes, box, update.codes.subarray(i * area, (i + 1) * area));
+    for (const [index, number] of update.tiles.entries()) {
+      const box = { ...tileAt(number, size / tile, tile), width: tile, height: tile };
+      yield* boxSteps(renderer, gl, cube.color, box, update.color.subarray(4 * index * area, 4 * (index + 1) * area));
+      yield* boxSteps(renderer, gl, cube.codes, box, update.codes.subarray(index * area, (index + 1) * area));
     }
   }
   cube.holds = ring;
@@ -151,17 +147,12 @@ function put(
   state.pixelStorei(gl.UNPACK_ALIGNMENT, 4);
 }
 
-export interface Pictures {
-  /** Steps that upload a band, and finish the texture after its last band. */
-  steps(band: Band): Generator<Step>;
-  /** Frees incomplete textures. */
-  dispose(): void;
-}
+export type Pictures = ReturnType<typeof createPictures>;
 
-/** Collects bands while a file is loaded; `whole` is called with complete textures. */
-export function createPictures(renderer: WebGLRenderer, whole: (name: string, texture: Texture) => void): Pictures {
+/** Collects bands while a file is loaded; `finished` is called with complete textures. */
+export function createPictures(renderer: WebGLRenderer, finished: (name: string, texture: Texture) => void) {
   const gl = renderer.getContext() as WebGL2RenderingContext;
-  const coming = new Map<string, WebGLTexture>();
+  const incomplete = new Map<string, WebGLTexture>();
 
   function bind(texture: WebGLTexture): void {
     renderer.state.activeTexture(gl.TEXTURE0);
@@ -170,7 +161,7 @@ export function createPictures(renderer: WebGLRenderer, whole: (name: string, te
 
   function begin({ name, width, height }: Band): WebGLTexture {
     const texture = gl.createTexture();
-    coming.set(name, texture);
+    incomplete.set(name, texture);
     bind(texture);
     const levels = 1 + Math.floor(Math.log2(Math.max(width, height)));
     gl.texStorage2D(gl.TEXTURE_2D, levels, gl.SRGB8_ALPHA8, width, height);
@@ -182,7 +173,7 @@ export function createPictures(renderer: WebGLRenderer, whole: (name: string, te
   }
 
   function send(band: Band): void {
-    bind(coming.get(band.name) ?? begin(band));
+    bind(incomplete.get(band.name) ?? begin(band));
     const { state } = renderer;
     state.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, false);
     state.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false);
@@ -192,26 +183,28 @@ export function createPictures(renderer: WebGLRenderer, whole: (name: string, te
   }
 
   function finish(name: string): void {
-    const handle = coming.get(name);
+    const handle = incomplete.get(name);
     if (!handle) return;
-    coming.delete(name);
+    incomplete.delete(name);
     bind(handle);
     gl.generateMipmap(gl.TEXTURE_2D);
     const texture = new ExternalTexture(handle);
     texture.addEventListener('dispose', () => gl.deleteTexture(handle));
-    whole(name, texture);
+    finished(name, texture);
   }
 
   return {
-    *steps(band) {
+    /** Steps that upload a band, and finish the texture after its last band. */
+    *steps(band: Band): Generator<Step> {
       const { name, y, rows, height } = band;
       const isLast = y + rows.height === height;
       yield { kind: 'picture', bytes: 4 * rows.width * rows.height, run: () => send(band) };
       if (isLast) yield { kind: 'picture', bytes: 0, run: () => finish(name) };
     },
-    dispose() {
-      for (const texture of coming.values()) gl.deleteTexture(texture);
-      coming.clear();
+    /** Frees incomplete textures. */
+    dispose(): void {
+      for (const texture of incomplete.values()) gl.deleteTexture(texture);
+      incomplete.clear();
     },
   };
 }
