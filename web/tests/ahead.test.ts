@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import type { Texture } from 'three';
 import { createStore, type MeshArrays } from '../src/show/buffers';
-import { createPrefetch } from '../src/show/job';
+import { createPrefetch } from '../src/show/loader';
 import { createUploads, type Step } from '../src/show/uploads';
 
 const SIZES: Readonly<Record<string, number>> = { a: 10, b: 20, c: 30 };

@@ -3,8 +3,7 @@ import { test } from 'node:test';
 import { readManifest } from '../src/bundle/parse';
 import { createStore } from '../src/show/buffers';
 import type { Decoder } from '../src/show/decoder';
-import type { RegionLoading, Loading } from '../src/show/job';
-import { loadRegion } from '../src/show/loader';
+import { type Loading, loadRegion, type RegionLoading } from '../src/show/loader';
 import { manifest } from './support/manifest';
 
 const [FIRST, SECOND, THIRD, SHARED] = [

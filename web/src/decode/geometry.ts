@@ -64,9 +64,7 @@ function trianglesOf({ indices }: Pick<Piece, 'indices'>, { placements }: Pick<P
   return (indices.length / 3) * (placements ? placements.length / ROWS : 1);
 }
 
-/**
- * Contents of parts by name. Valid buffers are cached even if another part is damaged, because they are sent only once.
- */
+/** Contents of parts by name. Buffers are sent only once, so valid ones are cached even if another part is damaged. */
 async function partsOf(parts: readonly FileData[], kept: Buffers): Promise<Map<string, Uint8Array<ArrayBuffer>>> {
   const found = new Map<string, Uint8Array<ArrayBuffer>>();
   const results = await Promise.allSettled(

@@ -1,6 +1,4 @@
-/**
- * Reads the GLB files that nearfar writes: their documents, and the arrays described there, packed by meshoptimizer.
- */
+/** Reads the GLB files that nearfar writes: their documents, and their arrays, which meshoptimizer has packed. */
 import { MeshoptDecoder } from 'meshoptimizer/decoder';
 
 /** Subset of a glTF 2.0 document that nearfar writes. Every number may be wrong in a damaged file. */

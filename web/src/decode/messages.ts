@@ -19,10 +19,7 @@ export interface Material {
 
 /** Arrays of a mesh with one material. */
 export interface Piece {
-  /**
-   * Vertex positions (x, y, z), metres, y up: relative to the centre O of the region; with placements, in the mesh's
-   * own frame.
-   */
+  /** Vertex positions, metres, y up: relative to the region's centre O; with placements, in the mesh's own frame. */
   readonly positions: Float32Array;
   /** Unit vectors, or null for flat shading. */
   readonly normals: Float32Array | null;

@@ -1,6 +1,4 @@
-/**
- * Division of meshes into pieces of bounded size, and of pieces into parts that deserialise in a fraction of a frame.
- */
+/** Splits meshes into pieces of bounded size, and packs these into parts that deserialise in a fraction of a frame. */
 import type { Band, Part, Piece } from './messages';
 import type { Arrays } from './surfaces';
 
@@ -21,10 +19,7 @@ export function splitIntoPieces(mesh: Arrays): Arrays[] {
   });
 }
 
-/**
- * Triangles by their indices, with the vertices that they use. `newIndices` is −1 for each vertex on entry and on
- * return.
- */
+/** Triangles, with the vertices that they use. `newIndices` is −1 for each vertex on entry and on return. */
 export function selectTriangles(
   mesh: Arrays,
   triangleIndices: Uint16Array | Uint32Array,

@@ -138,7 +138,7 @@ function main(): void {
         received,
         rate,
         height: pose.position[1] - ground,
-        power: fly.speedExponent,
+        speedExponent: fly.speedExponent,
       });
     }
     const link = writeLink(pose);

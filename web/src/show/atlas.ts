@@ -3,9 +3,8 @@ import { abortable } from '../base/errors';
 import { type ArrivingRegion, bytesOf, filesOfRegion } from '../bundle/contents';
 import type { RingEntry } from '../bundle/manifest';
 import type { WorkerMemory } from '../decode/messages';
-import type { Loading } from './job';
 import type { Regions } from './journey';
-import { loadRegion } from './loader';
+import { type Loading, loadRegion } from './loader';
 import { markTimeline } from './meter';
 import { createRegion, type Region } from './region';
 import { createStage, type Manner, type MorphState, type Shown, type Stage } from './stage';
@@ -74,36 +73,33 @@ export function createAtlas({ world, loading, manner, failed }: AtlasSettings) {
     for (const { done } of called) done();
   }
 
-  function waitForTurn(region: number, signal: AbortSignal): Promise<void> {
-    return abortable<void>(signal, (done) => {
-      waiting.push({ region, done });
-      resumeNext();
-    });
-  }
-
   /** Waits until a ring can be fetched and it is the region's turn. */
-  async function ready(open: OpenRegion, coming: ArrivingRegion, ring: number, signal: AbortSignal): Promise<RingEntry> {
-    const entry = coming.ring(ring);
+  async function ready(open: OpenRegion, arriving: ArrivingRegion, ring: number, signal: AbortSignal): Promise<RingEntry> {
+    const entry = arriving.ring(ring);
     if (entry instanceof Promise) {
       open.isIdle = true;
       resumeNext();
       await entry;
       open.isIdle = false;
     }
-    await waitForTurn(open.number, signal);
+    await abortable<void>(signal, (done) => {
+      waiting.push({ region: open.number, done });
+      resumeNext();
+    });
     return entry;
   }
 
-  function request(number: number): void {
-    const pending: Pending = { stop: new AbortController(), from: null, hasFailed: false };
+  /** Loads the manifest of a region, and then its rings; `from` is the state to begin with. */
+  function request(number: number, from: MorphState | null = null): void {
+    const pending: Pending = { stop: new AbortController(), from, hasFailed: false };
     const { signal } = pending.stop;
     pendings.set(number, pending);
     world.open(number, signal).then(
-      (coming) => {
+      (arriving) => {
         if (signal.aborted) return;
         pendings.delete(number);
-        begin(number, coming, pending.stop);
-        if (pending.from) requireOpen(number).stage.enter(pending.from);
+        const { stage } = begin(number, arriving, pending.stop);
+        if (pending.from) stage.enter(pending.from);
       },
       (reason: unknown) => {
         if (signal.aborted) return;
@@ -113,8 +109,8 @@ export function createAtlas({ world, loading, manner, failed }: AtlasSettings) {
     );
   }
 
-  function begin(number: number, coming: ArrivingRegion, stop: AbortController): void {
-    const { entry, manifest } = coming;
+  function begin(number: number, arriving: ArrivingRegion, stop: AbortController): OpenRegion {
+    const { entry, manifest } = arriving;
     const radii = entry.rings.slice(1).map((ring) => ring.radius);
     const stage = createStage({ ...manifest.growth, radii, nearShare }, manner);
     const region = createRegion(renderer, entry, manifest.map.face_size, store, loading.shared);
@@ -134,7 +130,7 @@ export function createAtlas({ world, loading, manner, failed }: AtlasSettings) {
       needed: () => filesOfRegion(manifest, entry),
     };
     opens.set(number, open);
-    const ended = (state: OpenRegion['state']): void => {
+    const finish = (state: OpenRegion['state']): void => {
       open.state = state;
       resumeNext();
     };
@@ -150,17 +146,18 @@ export function createAtlas({ world, loading, manner, failed }: AtlasSettings) {
       received: (bytes) => {
         open.received += bytes;
       },
-      turn: (ring, signal) => ready(open, coming, ring, signal),
+      turn: (ring, signal) => ready(open, arriving, ring, signal),
       mayReplace: (ring) => stage.replaceable(ring),
       signal: stop.signal,
     }).then(
-      () => ended('complete'),
+      () => finish('complete'),
       (reason: unknown) => {
         if (stop.signal.aborted) return;
-        ended('failed');
+        finish('failed');
         failed(number, asError(reason));
       },
     );
+    return open;
   }
 
   function end(open: OpenRegion): void {
@@ -170,25 +167,10 @@ export function createAtlas({ world, loading, manner, failed }: AtlasSettings) {
     waiting = waiting.filter(({ region }) => region !== open.number);
     const needed = [...opens.values()].flatMap((other) => [...other.needed()]);
     const request = { kind: 'forget', buffers: store.keep(new Set(needed)), region: open.number } as const;
-    Promise.all([loading.geometry(request), loading.maps(request)]).then(
-      (answers) => {
-        kept = answers;
-      },
+    Promise.all([loading.geometry(request), loading.maps(request)])
+      .then((answers) => (kept = answers))
       // The error of a stopped worker is reported to its pending requests.
-      () => undefined,
-    );
-  }
-
-  function reopen(number: number, from: MorphState | null): void {
-    request(number);
-    const pending = pendings.get(number);
-    if (pending) pending.from = from;
-  }
-
-  function requireOpen(region: number): OpenRegion {
-    const open = opens.get(region);
-    if (!open) throw new Error(`region ${region} is not open`);
-    return open;
+      .catch(() => undefined);
   }
 
   const regions: Regions = {
@@ -209,19 +191,19 @@ export function createAtlas({ world, loading, manner, failed }: AtlasSettings) {
     isComplete: (region) => opens.get(region)?.state === 'complete',
     isCoarse: (region) => opens.get(region)?.region.entry.isCoarse ?? false,
     enter(region, from) {
-      const pending = pendings.get(region);
-      if (pending) {
-        pending.from = from;
-        return;
+      const [pending, open] = [pendings.get(region), opens.get(region)];
+      if (pending) pending.from = from;
+      else if (!open) throw new Error(`region ${region} is not open`);
+      else {
+        open.stage.enter(from);
+        open.shown = null;
       }
-      const open = requireOpen(region);
-      open.stage.enter(from);
-      open.shown = null;
     },
     leave(region) {
       const open = opens.get(region);
-      open?.stage.leave();
-      if (open) open.shown = null;
+      if (!open) return;
+      open.stage.leave();
+      open.shown = null;
     },
     grown: (region) => opens.get(region)?.shown?.grown ?? null,
   };
@@ -244,11 +226,9 @@ export function createAtlas({ world, loading, manner, failed }: AtlasSettings) {
       for (const open of [...opens.values()].filter(({ state }) => state === 'failed')) {
         const { grown } = open.shown ?? {};
         end(open);
-        reopen(open.number, grown ?? null);
+        request(open.number, grown);
       }
-      for (const [number, { hasFailed, from }] of pendings) {
-        if (hasFailed) reopen(number, from);
-      }
+      for (const [number, { hasFailed, from }] of pendings) if (hasFailed) request(number, from);
     },
     get holding(): Holding {
       const isWaiting = [...pendings.values()].some(({ hasFailed }) => !hasFailed);

@@ -53,9 +53,7 @@ export interface JourneySettings {
 /** Current picture of a journey. */
 export interface Leg {
   readonly region: number;
-  /**
-   * Picture that is fading out below that of the region, whose opacity is `share`; with a pose if the user was moved.
-   */
+  /** Picture that fades out below the region's, whose opacity is `share`; with its pose if the user was moved. */
   readonly leaving: { readonly region: number; readonly pose: Pose | null; readonly share: number } | null;
 }
 

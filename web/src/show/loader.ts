@@ -1,11 +1,53 @@
 /** Loading of a region ring by ring: maps and geometry. Each ring is shown when all of it is on the GPU. */
+import type { WebGLRenderer } from 'three';
 import { filesOfRing } from '../bundle/contents';
-import type { MapEntry, MapLayout, RangeScale, Sharper } from '../bundle/manifest';
-import type { Fetch } from '../bundle/source';
+import type { Manifest, MapEntry, MapLayout, RangeScale, RingEntry, Sharper } from '../bundle/manifest';
+import type { Fetch, Received } from '../bundle/source';
 import type { FileData, FirstMapRequest, Geometry, MapUpdate } from '../decode/messages';
-import { createPrefetch, fileOf, filesOf, type Job, type Loading, type RegionLoading } from './job';
-import { complete, partSteps, turnOf } from './region';
+import type { Store } from './buffers';
+import type { Decoder } from './decoder';
+import type { Shared } from './materials';
+import type { PieceMesh } from './pieces';
+import type { Programs } from './programs';
+import { complete, partSteps, type Region, turnOf } from './region';
 import { createCube, createPictures, cubeSteps } from './textures';
+import type { Uploads } from './uploads';
+
+export interface Loading {
+  readonly renderer: WebGLRenderer;
+  readonly shared: Shared;
+  readonly store: Store;
+  readonly uploads: Uploads;
+  /** Workers for geometry and for maps; the latter stores the state of each region's maps. */
+  readonly geometry: Decoder;
+  readonly maps: Decoder;
+  readonly fetch: Fetch;
+  readonly programs: Programs;
+  readonly warm: (meshes: readonly PieceMesh[]) => void;
+}
+
+/** Loading of one region. */
+export interface RegionLoading {
+  /** Manifest of the region's bundle. */
+  readonly manifest: Manifest;
+  readonly region: Region;
+  readonly number: number;
+  /** Called with each ring that can be shown. */
+  readonly arrived: (ring: number) => void;
+  /** Called with the number of received bytes, and of bytes of files already loaded. */
+  readonly received: Received;
+  /** Resolves to a ring when its files can be fetched and it is this region's turn. */
+  readonly turn: (ring: number, signal: AbortSignal) => Promise<RingEntry>;
+  /** Waits until the cube of an older map may be overwritten: it is in use during a cross-fade. */
+  readonly mayReplace: (ring: number) => Promise<void>;
+  readonly signal: AbortSignal;
+}
+
+interface Job extends Loading, RegionLoading {
+  readonly prefetch: Prefetch;
+  /** Names of parts that the region has requested, or shares with other regions. */
+  readonly requested: Set<string>;
+}
 
 /** Loads all rings; while one is decoded and uploaded, files of the next one are prefetched. */
 export async function loadRegion(loading: Loading, course: RegionLoading): Promise<void> {
@@ -41,7 +83,7 @@ function isLoaded({ store }: Loading, name: string): boolean {
 
 async function loadGeometry(job: Job, ring: number, name: string, partNames: readonly string[]): Promise<void> {
   const { manifest, region, signal, store } = job;
-  const wanted = partNames.filter((part) => !isLoaded(job, part));
+  const missing = partNames.filter((part) => !isLoaded(job, part));
   for (const part of partNames) {
     // Loaded for another region.
     if (isLoaded(job, part) && !job.requested.has(part)) job.received(manifest.files[part]?.bytes ?? 0);
@@ -51,7 +93,7 @@ async function loadGeometry(job: Job, ring: number, name: string, partNames: rea
   if (isKept) job.received(manifest.files[name]?.bytes ?? 0);
   const [glb, ...parts] = await Promise.all([
     isKept ? ({ name, data: null } as const) : fileOf(job, name),
-    ...wanted.map((file) => fileOf(job, file)),
+    ...missing.map((file) => fileOf(job, file)),
   ]);
   signal.throwIfAborted();
   const geometry = await job.geometry({
@@ -67,9 +109,7 @@ async function loadGeometry(job: Job, ring: number, name: string, partNames: rea
     },
     isDynamic: ring === 0,
   });
-  for (const part of wanted) {
-    if (part.endsWith('.bin')) store.buffers.add(part);
-  }
+  for (const part of missing) if (part.endsWith('.bin')) store.buffers.add(part);
   if (ring === 0) store.buffers.add(name);
   await receiveParts(job, ring, geometry);
 }
@@ -170,4 +210,52 @@ async function receiveParts(job: Job, ring: number, { number, parts, samples, tr
     // The error of a stopped worker is reported to its pending requests.
     geometry({ kind: 'drop', of: number }).catch(() => undefined);
   }
+}
+
+function filesOf(job: Job, names: string | readonly string[] | null): Promise<FileData[]> {
+  return Promise.all([names ?? []].flat().map((name) => fileOf(job, name)));
+}
+
+async function fileOf({ prefetch, manifest, signal }: Job, name: string): Promise<FileData> {
+  const described = manifest.files[name];
+  if (!described) throw new Error(`${name} is not listed in the manifest`);
+  return { name, data: await prefetch.fetch(name, signal), bytes: described.bytes, sha256: described.sha256 };
+}
+
+/** Greatest number of prefetched bytes that are not requested yet. */
+const MAX_PREFETCH_BYTES = 16 * 2 ** 20;
+
+/** Prefetched files, so that the network does not wait for decoding and uploads. */
+type Prefetch = ReturnType<typeof createPrefetch>;
+
+/** Creates the prefetcher; `sizeOf` returns the bytes of a file. */
+export function createPrefetch(fetch: Fetch, sizeOf: (name: string) => number, maxBytes = MAX_PREFETCH_BYTES) {
+  const prefetched = new Map<string, Promise<ArrayBuffer>>();
+  let bytes = 0;
+
+  return {
+    /** Returns the content of a file, possibly prefetched. */
+    fetch(name: string, signal: AbortSignal): Promise<ArrayBuffer> {
+      const content = prefetched.get(name);
+      if (!content) return fetch(name, signal);
+      prefetched.delete(name);
+      bytes -= sizeOf(name);
+      return content;
+    },
+    /** Prefetches files that will be requested next. */
+    begin(names: readonly string[], signal: AbortSignal): void {
+      for (const name of names) {
+        if (prefetched.has(name) || bytes + sizeOf(name) > maxBytes) continue;
+        const content = fetch(name, signal);
+        // A request for the file reports the error.
+        content.catch(() => undefined);
+        prefetched.set(name, content);
+        bytes += sizeOf(name);
+      }
+    },
+    /** Number of prefetched bytes. */
+    get bytes(): number {
+      return bytes;
+    },
+  };
 }

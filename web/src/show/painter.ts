@@ -26,10 +26,7 @@ export interface Picture {
   readonly ring: number;
   /** R, metres. */
   readonly radius: number;
-  /**
-   * Strength of the morph, 0 to 1; null for the conventional picture: geometry unmorphed, the map as seen from the
-   * centre.
-   */
+  /** Strength of the morph, 0 to 1; null for the conventional picture, whose geometry is not morphed. */
   readonly strength: number | null;
 }
 

@@ -6,7 +6,7 @@ import { createAtlas } from './atlas';
 import { createStore } from './buffers';
 import { createComposer, createViewpoint } from './composer';
 import { startDecoder } from './decoder';
-import type { Loading } from './job';
+import type { Loading } from './loader';
 import { type Facts, factsOf } from './facts';
 import { createJourney, type Journey, type Leg } from './journey';
 import { createShared } from './materials';

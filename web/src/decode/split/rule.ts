@@ -16,14 +16,7 @@
  */
 import type { Growth } from '../messages';
 
-export interface Rule {
-  /** Share of the way from a to b at which their edge is cut, 0 for no cut. Callers order the ends consistently. */
-  share(a: Vector, b: Vector): number;
-  /** Whether no edge up to a length is cut, by the distances of its points from the axis and the least one from O. */
-  isHarmless(longest: number, rho: readonly [nearest: number, farthest: number], distance: number): boolean;
-  /** Radius beyond which no edge is cut: everything there is shown as O sees it, so flat surfaces stay flat. */
-  readonly outer: number;
-}
+export type Rule = ReturnType<typeof createRule>;
 
 /** Growth for which no triangle is large. */
 export const NO_GROWTH: Growth = { radii: [], nearShare: 0.5, reach: 0 };
@@ -34,11 +27,8 @@ export type Vector = readonly [number, number, number];
 export const TOLERANCE = 7e-4;
 /** Share of the error for edges along the radius; the rest is for their lengths. */
 const RANGE_SHARE = 0.3;
-/**
- * Greatest distance of users for whom the error is bounded where R rests, as a share of a point's distance from the
- * axis.
- */
-const AT_REST = 0.1;
+/** Greatest distance of users for whom the error is bounded where R rests, as a share of a point's ρ. */
+const REACH_AT_REST = 0.1;
 /** Greatest share of the first radius for which `reach` counts. */
 const MAX_REACH = 0.35;
 /** Least D as a share of B: points nearer to the user than to the centre are not cut more finely. */
@@ -52,7 +42,7 @@ const CORE = 1 / 8;
 /** Factor by which points of a triangle may be nearer to the axis and to O than its edge. */
 const SPREAD = 1.1;
 
-export function createRule({ radii, nearShare, reach }: Growth, tolerance = TOLERANCE): Rule {
+export function createRule({ radii, nearShare, reach }: Growth, tolerance = TOLERANCE) {
   const first = radii[0] ?? 0;
   const coarser = tolerance / TOLERANCE;
   const outer = radii.at(-1) ?? 0;
@@ -91,12 +81,14 @@ export function createRule({ radii, nearShare, reach }: Growth, tolerance = TOLE
   }
 
   const forLengths = 6 * tolerance * (1 - RANGE_SHARE);
-  const usersAt = (rho: number): number => Math.max(least, AT_REST * rho);
+  const usersAt = (rho: number): number => Math.max(least, REACH_AT_REST * rho);
   const shortestAt = (rho: number): number => SHORTEST * Math.max(rho, CORE * first);
 
   return {
+    /** Radius beyond which no edge is cut: everything there is shown as O sees it, so flat surfaces stay flat. */
     outer,
-    isHarmless(longest, [inward, farthest], distance) {
+    /** Whether no edge up to a length is cut, by the distances of its points from the axis and the least one from O. */
+    isHarmless(longest: number, [inward, farthest]: readonly [number, number], distance: number): boolean {
       if (inward >= outer || longest <= shortestAt(inward)) return true;
       const [nearest, away] = [inward / SPREAD, distance / SPREAD];
       const isFlat = farthest <= inner;
@@ -107,7 +99,8 @@ export function createRule({ radii, nearShare, reach }: Growth, tolerance = TOLE
       const isAtKink = countBelow(kinks, nearest) < countBelow(kinks, farthest);
       return !isAtKink && longest <= growing(nearest, away);
     },
-    share(a, b) {
+    /** Share of the way from a to b at which their edge is cut, 0 for no cut. Callers order the ends consistently. */
+    share(a: Vector, b: Vector): number {
       const [dx, dy, dz] = [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
       const [level, length] = [Math.hypot(dx, dz), Math.hypot(dx, dy, dz)];
       const nearest = segmentDistance([a[0], 0, a[2]], [dx, 0, dz]);

@@ -56,7 +56,7 @@ export function largeTriangles({ positions, indices }: Arrays, rule: Rule): numb
   return triangles;
 }
 
-function lengthOf(positions: Float32Array, i: number, j: number): number {
+export function lengthOf(positions: Float32Array, i: number, j: number): number {
   const x = (positions[i] as number) - (positions[j] as number);
   const y = (positions[i + 1] as number) - (positions[j + 1] as number);
   const z = (positions[i + 2] as number) - (positions[j + 2] as number);
@@ -140,8 +140,9 @@ function createMesh(arrays: Arrays, rule: Rule) {
       for (let part = pending.pop(); part; part = pending.pop()) {
         const [a, b, c, depth] = part;
         const edges = ([[a, b, c], [b, c, a], [c, a, b]] as const).map(([i, j, k]) => ({ i, j, k, middle: cut(i, j) }));
-        const [longest] = edges.filter(({ middle }) => middle >= 0 && depth < MAX_DEPTH)
-          .sort((e, f) => squaredDistance(point(f.i), point(f.j)) - squaredDistance(point(e.i), point(e.j)));
+        const cutEdges = edges.filter(({ middle }) => middle >= 0 && depth < MAX_DEPTH);
+        const squaredLength = ({ i, j }: { i: number; j: number }): number => squaredDistance(point(i), point(j));
+        const [longest] = cutEdges.sort((e, f) => squaredLength(f) - squaredLength(e));
         const interior = longest ? -1 : addInteriorVertex([a, b, c]);
         if (longest) {
           const { i, j, k, middle } = longest;

@@ -18,13 +18,9 @@ export interface ViewRequest extends ViewKey {
 
 type Values = Uint8Array | Uint16Array | Uint32Array;
 
-export interface Reader {
-  /** Splats of a view's layers; empty layers are omitted. */
-  read(request: ViewRequest, signal: AbortSignal): Promise<Splats[]>;
-  leaf(request: ViewRequest, signal: AbortSignal): Promise<Piece[]>;
-}
+export type Reader = ReturnType<typeof createReader>;
 
-export function createReader(base: URL, layout: Layout, receive: (bytes: number) => void): Reader {
+export function createReader(base: URL, layout: Layout, receive: (bytes: number) => void) {
   registerCodecs();
   const files = createFiles(base, receive);
   const store = new Shards(files, layout);
@@ -33,9 +29,9 @@ export function createReader(base: URL, layout: Layout, receive: (bytes: number)
   const arrays = new Map<string, Promise<zarr.Array<zarr.DataType>>>();
 
   function openArray(name: string): Promise<zarr.Array<zarr.DataType>> {
-    const found = arrays.get(name) ?? zarr.open.v3(root.resolve(name), { kind: 'array' });
-    arrays.set(name, found);
-    return found;
+    const array = arrays.get(name) ?? zarr.open.v3(root.resolve(name), { kind: 'array' });
+    arrays.set(name, array);
+    return array;
   }
 
   async function valuesOf(name: string, place: Triple, signal: AbortSignal): Promise<Values> {
@@ -51,8 +47,11 @@ export function createReader(base: URL, layout: Layout, receive: (bytes: number)
   }
 
   return {
-    leaf: ({ shards }, signal) => readLeaf(files, readTexture, shards, signal),
-    async read({ level, place, direction, generation, shards }, signal) {
+    leaf: ({ shards }: ViewRequest, signal: AbortSignal): Promise<Piece[]> =>
+      readLeaf(files, readTexture, shards, signal),
+    /** Splats of a view's layers; empty layers are omitted. */
+    async read(request: ViewRequest, signal: AbortSignal): Promise<Splats[]> {
+      const { level, place, direction, generation, shards } = request;
       for (const [path, size, version] of shards) store.known.set(path, { size, version });
       const folder = generationFolder(generation);
       const layer = async (prefix: string): Promise<Splats | null> => {

@@ -36,10 +36,7 @@ export interface Drawer<Layer extends GpuResource, Mesh extends GpuResource> {
   readonly isDone: boolean;
   /** Waits until the GPU has finished the last picture. */
   finish(): Promise<void>;
-  /**
-   * Splats of unoccluded parts in the last finished picture; a part counts once for each band of rows. Null if occluded
-   * parts are drawn, too.
-   */
+  /** Splats of unoccluded parts in the last finished picture, by bands of rows; null if occluded parts are drawn, too. */
   readonly unhidden: number | null;
 }
 

@@ -3,10 +3,7 @@ import type { FromReader, ToReader, ViewRequest } from '../decode/reader';
 import type { Failure } from '../store/error';
 import { GEOMETRY, type Layout } from '../store/layout';
 
-export interface Readers {
-  read(id: number, request: ViewRequest): void;
-  cancel(id: number): void;
-}
+export type Readers = ReturnType<typeof startReaders>;
 
 /** Starts workers for the store at an address; `receive` is called with their messages. */
 export function startReaders(
@@ -15,7 +12,7 @@ export function startReaders(
   base: URL,
   layout: Layout,
   receive: (message: FromReader) => void,
-): Readers {
+) {
   const workerOfRequest = new Map<number, Worker>();
   const workers = Array.from({ length: count }, () => new Worker(script, { type: 'module' }));
   for (const worker of workers) {
@@ -31,7 +28,7 @@ export function startReaders(
     send(worker, { kind: 'open', base: base.href, layout });
   }
   return {
-    read(id, request) {
+    read(id: number, request: ViewRequest): void {
       // One worker reads all views of a shard, so that it reads the shard's index only once. One worker reads all
       // leaves, because they share textures.
       const group = request.direction === GEOMETRY ? '' : (request.shards[0]?.[0] ?? '');
@@ -39,7 +36,7 @@ export function startReaders(
       workerOfRequest.set(id, worker);
       send(worker, { kind: 'read', id, request });
     },
-    cancel(id) {
+    cancel(id: number): void {
       const worker = workerOfRequest.get(id);
       if (worker) send(worker, { kind: 'cancel', id });
     },

@@ -27,14 +27,12 @@ export interface FileContent {
   readonly isWhole: boolean;
 }
 
-export interface Files {
-  read(request: FileRequest): Promise<FileContent>;
-}
+export type Files = ReturnType<typeof createFiles>;
 
 /** Creates access to files below an address, which ends with a slash. `receive` is called with received bytes. */
-export function createFiles(base: URL, receive: (bytes: number) => void): Files {
+export function createFiles(base: URL, receive: (bytes: number) => void) {
   return {
-    async read({ path, version = '', part, signal, missing = MISSING }) {
+    async read({ path, version = '', part, signal, missing = MISSING }: FileRequest): Promise<FileContent> {
       const url = new URL(path, base);
       url.search = base.search;
       if (version) url.searchParams.set('v', version);

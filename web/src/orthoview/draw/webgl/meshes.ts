@@ -4,7 +4,7 @@ import type { Piece } from '../../decode/leaf';
 import type { Triple } from '../../store/layout';
 import type { Projector } from '../sight';
 import { type Program, programOf } from './gl';
-import { MESH_FRAGMENT, MESH_VERTEX } from './mesh_shaders';
+import { MESH_FRAGMENT, MESH_VERTEX } from './shaders';
 
 /** A piece of geometry on the GPU. */
 export interface Mesh {
@@ -85,10 +85,7 @@ export class Meshes {
     for (const texture of textures) this.#gl.deleteTexture(texture);
   }
 
-  /**
-   * Draws meshes into the bound samples, whose depths are `nearest` divided by the distance along the axis; returns the
-   * number of triangles.
-   */
+  /** Draws meshes into the bound samples with `nearest` as the near distance; returns the number of triangles. */
   draw(meshes: readonly Mesh[], { eye, rows, width, height }: Projector, nearest: number): number {
     const [gl, { at, program }] = [this.#gl, this.#program];
     gl.useProgram(program);
