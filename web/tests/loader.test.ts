@@ -57,7 +57,7 @@ function createRegion() {
     number: 0,
     arrived: (ring: number) => arrived.push(ring),
     received: (bytes: number) => (made.bytes += bytes),
-    turn: async (ring: number) => rings[ring],
+    waitForRing: async (ring: number) => rings[ring],
     mayReplace: async () => undefined,
     signal: stop.signal,
   } as unknown as RegionLoading;

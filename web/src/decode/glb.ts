@@ -135,7 +135,11 @@ export function openGlb(bytes: Uint8Array<ArrayBuffer>, parts: ReadonlyMap<strin
       spend(count * row);
       const packed = new Uint8Array(count * row);
       if (stride === row) packed.set(data.subarray(start, start + packed.length));
-      else for (let n = 0; n < count; n++) packed.set(data.subarray(start + n * stride, start + n * stride + row), n * row);
+      else {
+        for (let n = 0, from = start; n < count; n++, from += stride) {
+          packed.set(data.subarray(from, from + row), n * row);
+        }
+      }
       return new Type(packed.buffer);
     },
     /** File and position of an accessor's content; the file is '' for the GLB itself. */

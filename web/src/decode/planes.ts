@@ -100,7 +100,7 @@ export function createScale(step: number) {
   }
   const last = ends.length;
   return {
-    /** Inverse range, scaled to be linear over the texels of a plane: the texel's distance at depth 1 over its range. */
+    /** Inverse range times the texel's distance at depth 1, which is linear over the texels of a plane. */
     nearness: (code: number, distance: number): number => distance * (reciprocals[code] as number),
     /** Code of a nearness; the guess only saves time. */
     code(nearness: number, distance: number, guess: number): number {

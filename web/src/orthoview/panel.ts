@@ -75,6 +75,6 @@ function splatsOf({ splats, unhidden }: Facts): string {
 }
 
 const HELP =
-  'Dragging looks around. W A S D or the left thumb fly, E and Q go up and down, arrow keys turn, Shift is four times ' +
-  'as fast, the wheel changes the speed. The address leads back to this place.';
+  'Dragging looks around. W A S D or the left thumb fly, E and Q go up and down, arrow keys turn, Shift is four ' +
+  'times as fast, the wheel changes the speed. The address leads back to this place.';
 

@@ -74,7 +74,7 @@ export function createAtlas({ world, loading, manner, failed }: AtlasSettings) {
   }
 
   /** Waits until a ring can be fetched and it is the region's turn. */
-  async function ready(open: OpenRegion, arriving: ArrivingRegion, ring: number, signal: AbortSignal): Promise<RingEntry> {
+  async function waitForRing(open: OpenRegion, arriving: ArrivingRegion, ring: number): Promise<RingEntry> {
     const entry = arriving.ring(ring);
     if (entry instanceof Promise) {
       open.isIdle = true;
@@ -82,7 +82,7 @@ export function createAtlas({ world, loading, manner, failed }: AtlasSettings) {
       await entry;
       open.isIdle = false;
     }
-    await abortable<void>(signal, (done) => {
+    await abortable<void>(open.stop.signal, (done) => {
       waiting.push({ region: open.number, done });
       resumeNext();
     });
@@ -146,7 +146,7 @@ export function createAtlas({ world, loading, manner, failed }: AtlasSettings) {
       received: (bytes) => {
         open.received += bytes;
       },
-      turn: (ring, signal) => ready(open, arriving, ring, signal),
+      waitForRing: (ring) => waitForRing(open, arriving, ring),
       mayReplace: (ring) => stage.replaceable(ring),
       signal: stop.signal,
     }).then(

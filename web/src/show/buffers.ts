@@ -25,11 +25,12 @@ export function createBuffers<Name extends string>(
   gl: WebGL2RenderingContext,
   columns: Readonly<Partial<Record<Name, Column | null>>>,
 ): Buffers<Name> {
+  type Attributes = Buffers<Name>['attributes'];
   const arrays = Object.entries<Column | null | undefined>(columns).flatMap(([name, column]) =>
     column ? [{ name, rows: column.rows, attribute: attributeOf(gl, column, name === 'index') }] : [],
   );
   return {
-    attributes: Object.fromEntries(arrays.map(({ name, attribute }) => [name, attribute])) as Buffers<Name>['attributes'],
+    attributes: Object.fromEntries(arrays.map(({ name, attribute }) => [name, attribute])) as Attributes,
     *steps() {
       for (const parts of groupParts(arrays.flatMap(({ rows, attribute }) => [...partsOf(rows, attribute.buffer)]))) {
         const bytes = parts.reduce((sum, { data }) => sum + data.byteLength, 0);

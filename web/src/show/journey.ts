@@ -128,7 +128,8 @@ export function createJourney(settings: JourneySettings, regions: Regions, first
     const offer = isHere ? from : regions.offer(region, from ?? NOTHING_NEAR);
     if (!offer) return;
     // Its picture must leave the user room; otherwise it begins with nothing near.
-    const fits = isHere || marginAt(limitOf(region, offer), target.position) > (1 - FREE) * limitOf(region, offer).metres;
+    const limit = limitOf(region, offer);
+    const fits = isHere || marginAt(limit, target.position) > (1 - FREE) * limit.metres;
     const place = landing(region, fits ? offer : NOTHING_NEAR, target);
     going = null;
     take(region, fits && from ? from : NOTHING_NEAR, from ? pose : null);
@@ -141,8 +142,9 @@ export function createJourney(settings: JourneySettings, regions: Regions, first
   function arrange(place: Vector): void {
     const goal = going?.region ?? null;
     // At most two regions are open during a cross-fade.
+    const limit = limitOf(current, regions.grown(current));
     if (leaving) ahead = leaving.region === current ? null : leaving.region;
-    else ahead = goal === null ? places.ahead({ place, current, ahead, limit: limitOf(current, regions.grown(current)) }) : null;
+    else ahead = goal === null ? places.ahead({ place, current, ahead, limit }) : null;
     const other = leaving ? ahead : (goal ?? ahead);
     const wanted = [...new Set([current, other ?? current])];
     const isAwaited = goal !== null && !leaving;

@@ -3,7 +3,7 @@ import type { WebGLRenderer } from 'three';
 import { filesOfRing } from '../bundle/contents';
 import type { Manifest, MapEntry, MapLayout, RangeScale, RingEntry, Sharper } from '../bundle/manifest';
 import type { Fetch, Received } from '../bundle/source';
-import type { FileData, FirstMapRequest, Geometry, MapUpdate } from '../decode/messages';
+import type { FileData, FirstMapRequest, Geometry, MapUpdate, NextMapRequest } from '../decode/messages';
 import type { Store } from './buffers';
 import type { Decoder } from './decoder';
 import type { Shared } from './materials';
@@ -37,7 +37,7 @@ export interface RegionLoading {
   /** Called with the number of received bytes, and of bytes of files already loaded. */
   readonly received: Received;
   /** Resolves to a ring when its files can be fetched and it is this region's turn. */
-  readonly turn: (ring: number, signal: AbortSignal) => Promise<RingEntry>;
+  readonly waitForRing: (ring: number) => Promise<RingEntry>;
   /** Waits until the cube of an older map may be overwritten: it is in use during a cross-fade. */
   readonly mayReplace: (ring: number) => Promise<void>;
   readonly signal: AbortSignal;
@@ -51,18 +51,18 @@ interface Job extends Loading, RegionLoading {
 
 /** Loads all rings; while one is decoded and uploaded, files of the next one are prefetched. */
 export async function loadRegion(loading: Loading, course: RegionLoading): Promise<void> {
-  const { manifest, region, received, signal, turn } = course;
+  const { manifest, region, received, signal, waitForRing } = course;
   const sizeOf = (name: string): number => manifest.files[name]?.bytes ?? 0;
   const fetch: Fetch = (name, own) => loading.fetch(name, own, received);
   const job: Job = { ...loading, ...course, prefetch: createPrefetch(fetch, sizeOf), requested: new Set() };
   const { rings } = region.entry;
-  const { map } = await turn(0, signal);
+  const { map } = await waitForRing(0);
   if (map) await loadFirstMap(job, map);
   course.arrived(0);
   const { dynamic } = manifest;
   if (dynamic) await loadGeometry(job, 0, dynamic.geometry, dynamic.parts);
   for (let ring = 1; ring < rings.length; ring++) {
-    const described = await turn(ring, signal);
+    const described = await waitForRing(ring);
     const jobs: Promise<void>[] = [];
     if (described.map) jobs.push(loadMap(job, ring, described.map));
     if (described.sharper) jobs.push(loadSharper(job, ring, described.sharper));
@@ -123,7 +123,7 @@ async function loadFirstMap(job: Job, map: MapEntry): Promise<void> {
 
 /** Loads a ring's changes of the previous map, or a whole map. */
 async function loadMap(job: Job, ring: number, { tiles, color, range }: MapEntry): Promise<void> {
-  const { manifest, maps, number, region, renderer, signal, uploads } = job;
+  const { manifest, maps, region, renderer, signal, uploads } = job;
   const [pictures, codes] = await Promise.all([filesOf(job, color), filesOf(job, range)]);
   const isWhole = Array.isArray(color);
   const cube = region.cubes[turnOf(ring)];
@@ -132,16 +132,8 @@ async function loadMap(job: Job, ring: number, { tiles, color, range }: MapEntry
   if (isWhole) await maps(firstRequest(job, manifest.map, region.entry.range, pictures));
   signal.throwIfAborted();
   const since = cube.holds !== null && cube.hasRange ? cube.holds : null;
-  const update = await maps({
-    kind: 'next-map',
-    region: number,
-    // Whole ranges are encoded like those of the first ring.
-    ring: isWhole ? 1 : ring,
-    tiles,
-    color: isWhole ? null : (pictures[0] ?? null),
-    range: codes,
-    since,
-  });
+  // Whole ranges are encoded like those of the first ring.
+  const update = await maps(nextRequest(job, isWhole ? 1 : ring, tiles, isWhole ? [] : pictures, codes, since));
   signal.throwIfAborted();
   await uploads.add(cubeSteps(renderer, cube, update, ring, manifest.map), signal);
 }
@@ -156,6 +148,18 @@ function firstRequest(
   return { kind: 'first-map', region: number, faceSize, tile, across, step, color };
 }
 
+function nextRequest(
+  { number, signal }: Job,
+  ring: number,
+  tiles: readonly number[],
+  pictures: readonly FileData[],
+  range: readonly FileData[],
+  since: number | null,
+): NextMapRequest {
+  signal.throwIfAborted();
+  return { kind: 'next-map', region: number, ring, tiles, color: pictures[0] ?? null, range, since };
+}
+
 /** Replaces coarse maps by full-size ones: the worker composes the last ring's map, which is then uploaded. */
 async function loadSharper(job: Job, ring: number, { layout, maps, range }: Sharper): Promise<void> {
   const { region, renderer, signal, uploads } = job;
@@ -163,8 +167,7 @@ async function loadSharper(job: Job, ring: number, { layout, maps, range }: Shar
   if (!first || changes.length === 0) throw new Error('maps of full size: expected those of all rings');
   let update = await job.maps(firstRequest(job, layout, range, await filesOf(job, first.color)));
   for (const [order, change] of changes.entries()) {
-    const isLast = order === changes.length - 1;
-    update = await applyChange(job, order + 1, change, isLast);
+    update = await applyChange(job, order + 1, change, order === changes.length - 1);
   }
   await job.mayReplace(ring);
   signal.throwIfAborted();
@@ -175,11 +178,10 @@ async function loadSharper(job: Job, ring: number, { layout, maps, range }: Shar
 }
 
 /** Applies a ring's changes; the whole map is requested only for the last ring. */
-async function applyChange(job: Job, ring: number, { tiles, color, range }: MapEntry, isLast: boolean): Promise<MapUpdate> {
-  const [[picture], codes] = await Promise.all([filesOf(job, color), filesOf(job, range)]);
-  job.signal.throwIfAborted();
-  const since = isLast ? null : ring - 1;
-  return job.maps({ kind: 'next-map', region: job.number, ring, tiles, color: picture ?? null, range: codes as FileData[], since });
+async function applyChange(job: Job, ring: number, change: MapEntry, isLast: boolean): Promise<MapUpdate> {
+  const { tiles, color, range } = change;
+  const [pictures, codes] = await Promise.all([filesOf(job, color), filesOf(job, range)]);
+  return job.maps(nextRequest(job, ring, tiles, pictures, codes, isLast ? null : ring - 1));
 }
 
 /** Adds geometry to the group of a ring; it is shown when complete. */

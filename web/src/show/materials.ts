@@ -84,13 +84,22 @@ export function definesOf(piece: Piece, { image, glow }: Textures): Record<strin
 
 /** Creates the material of a piece that is cut at a radius, or nowhere (`Infinity`). */
 export function nearMaterial(piece: Piece, textures: Textures, shared: Shared, cut: number): RawShaderMaterial {
-  const { material } = piece;
+  const { color, cutoff, emission } = piece.material;
   return new RawShaderMaterial({
     ...BLENDING,
     vertexShader: NEAR_VERTEX,
     fragmentShader: NEAR_FRAGMENT,
     defines: definesOf(piece, textures),
-    uniforms: { ...shared, ...ownUniforms(material, textures), cut: { value: Math.min(cut, NOWHERE) } },
+    uniforms: {
+      ...shared,
+      base_color: { value: new Vector4(...color) },
+      cutoff: { value: cutoff ?? 0 },
+      image: { value: textures.image },
+      emission: { value: new Vector3(...(emission ?? [0, 0, 0])) },
+      glow: { value: textures.glow },
+      placement: { value: new Matrix4() },
+      cut: { value: Math.min(cut, NOWHERE) },
+    },
   });
 }
 
@@ -111,17 +120,6 @@ export function createMaterials(shared: Shared) {
       for (const material of materials.values()) material.dispose();
       materials.clear();
     },
-  };
-}
-
-function ownUniforms(material: Material, { image, glow }: Textures): Record<string, IUniform> {
-  return {
-    base_color: { value: new Vector4(...material.color) },
-    cutoff: { value: material.cutoff ?? 0 },
-    image: { value: image },
-    emission: { value: new Vector3(...(material.emission ?? [0, 0, 0])) },
-    glow: { value: glow },
-    placement: { value: new Matrix4() },
   };
 }
 

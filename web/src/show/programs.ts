@@ -7,7 +7,7 @@ import type { Uploads } from './uploads';
 export type Programs = ReturnType<typeof createPrograms>;
 
 export function createPrograms(renderer: WebGLRenderer, camera: Camera, shared: Shared, uploads: Uploads) {
-  // Programs by kind. three.js deletes a program with the last material that uses it; the materials created here remain.
+  // Programs by kind. three.js deletes a program with its last material, so the materials created here are kept.
   const programs = new Map<string, Promise<void>>();
   const picture = new Texture();
 

@@ -64,7 +64,7 @@ export function createStage(settings: GrowthSettings & { readonly fade: number }
   }
 
   return {
-    /** Records that a ring is loaded; rings arrive in order. Until the stage is entered, each replaces the one before. */
+    /** Records that a ring is loaded, in order. Until the stage is entered, each ring replaces the one before. */
     arrive(next: number): void {
       arrived = next;
       if (isEntered && isSmooth && ring >= 0) return;
@@ -136,8 +136,7 @@ export const NOTHING_NEAR: MorphState = { radius: 0, strength: 0 };
 
 /**
  * Advances the growth by some seconds, with the rings up to `ring`; the inverse of the radius falls linearly. Pictures
- * with a radius below `least` would fold: until a ring reaches it, the strength stays 0, which gives the same picture at
- * any radius.
+ * with a radius below `least` would fold, so until a ring reaches it the strength stays 0: then all radii look alike.
  */
 export function grow(now: MorphState, ring: number, seconds: number, settings: GrowthSettings, least = 0): MorphState {
   const goal = settings.radii[ring - 1];

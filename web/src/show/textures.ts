@@ -4,24 +4,13 @@ import type { MapLayout, RangeScale } from '../bundle/manifest';
 import { type Band, type MapUpdate, tileAt } from '../decode/messages';
 import { type Step, STEP_BYTES } from './uploads';
 
-export interface Cube {
-  readonly color: CubeTexture;
-  readonly codes: CubeTexture;
-  /** Ring whose map it holds; null for none. */
-  holds: number | null;
-  /** Whether it has range codes. */
-  hasRange: boolean;
-  /** Texels per side of a face; scale of its codes. */
-  readonly size: number;
-  readonly scale: RangeScale;
-  dispose(): void;
-}
+export type Cube = ReturnType<typeof createCube>;
 
 export const FACES = 6;
 /** Scale of a map without codes. */
 const NO_SCALE: RangeScale = { least: 1, step: 1 };
 
-export function createCube(renderer: WebGLRenderer, size: number, scale: RangeScale = NO_SCALE): Cube {
+export function createCube(renderer: WebGLRenderer, size: number, scale: RangeScale = NO_SCALE) {
   const gl = renderer.getContext() as WebGL2RenderingContext;
   const color = wrapTexture(renderer, allocateCube(gl, size, gl.SRGB8_ALPHA8, gl.LINEAR));
   const codes = wrapTexture(renderer, allocateCube(gl, size, gl.R16UI, gl.NEAREST));
@@ -29,11 +18,15 @@ export function createCube(renderer: WebGLRenderer, size: number, scale: RangeSc
   return {
     color,
     codes,
-    holds: null,
+    /** Ring whose map it holds; null for none. */
+    holds: null as number | null,
+    /** Whether it has range codes. */
     hasRange: false,
+    /** Texels per side of a face. */
     size,
+    /** Scale of its codes. */
     scale,
-    dispose() {
+    dispose(): void {
       for (const texture of [color, codes]) {
         gl.deleteTexture(handleOf(renderer, texture));
         renderer.properties.remove(texture);
@@ -123,9 +116,18 @@ function* boxSteps(
   const rows = Math.max(Math.floor(STEP_BYTES / (row * data.BYTES_PER_ELEMENT)), 1);
   for (let first = 0; first < box.height; first += rows) {
     const part = { ...box, y: box.y + first, height: Math.min(rows, box.height - first) };
-    const some = data.subarray(first * row, (first + part.height) * row);
-    yield { kind: 'map', bytes: some.byteLength, run: () => put(renderer, gl, texture, part, some) };
+    const texels = data.subarray(first * row, (first + part.height) * row);
+    yield { kind: 'map', bytes: texels.byteLength, run: () => put(renderer, gl, texture, part, texels) };
   }
+}
+
+/** Binds a texture for uploads of rows from the top, without premultiplied alpha. */
+function bindForUpload(renderer: WebGLRenderer, target: 'TEXTURE_2D' | 'TEXTURE_CUBE_MAP', texture: WebGLTexture) {
+  const [gl, { state }] = [renderer.getContext() as WebGL2RenderingContext, renderer];
+  state.activeTexture(gl.TEXTURE0);
+  state.bindTexture(gl[target], texture);
+  state.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, false);
+  state.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false);
 }
 
 function put(
@@ -136,10 +138,7 @@ function put(
   data: Uint8Array | Uint16Array,
 ): void {
   const { state } = renderer;
-  state.activeTexture(gl.TEXTURE0);
-  state.bindTexture(gl.TEXTURE_CUBE_MAP, handleOf(renderer, texture));
-  state.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, false);
-  state.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false);
+  bindForUpload(renderer, 'TEXTURE_CUBE_MAP', handleOf(renderer, texture));
   state.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
   const target = gl.TEXTURE_CUBE_MAP_POSITIVE_X + face;
   const [format, type] = data instanceof Uint8Array ? [gl.RGBA, gl.UNSIGNED_BYTE] : [gl.RED_INTEGER, gl.UNSIGNED_SHORT];
@@ -154,10 +153,7 @@ export function createPictures(renderer: WebGLRenderer, finished: (name: string,
   const gl = renderer.getContext() as WebGL2RenderingContext;
   const incomplete = new Map<string, WebGLTexture>();
 
-  function bind(texture: WebGLTexture): void {
-    renderer.state.activeTexture(gl.TEXTURE0);
-    renderer.state.bindTexture(gl.TEXTURE_2D, texture);
-  }
+  const bind = (texture: WebGLTexture): void => bindForUpload(renderer, 'TEXTURE_2D', texture);
 
   function begin({ name, width, height }: Band): WebGLTexture {
     const texture = gl.createTexture();
@@ -174,10 +170,7 @@ export function createPictures(renderer: WebGLRenderer, finished: (name: string,
 
   function send(band: Band): void {
     bind(incomplete.get(band.name) ?? begin(band));
-    const { state } = renderer;
-    state.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, false);
-    state.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false);
-    state.pixelStorei(gl.UNPACK_COLORSPACE_CONVERSION_WEBGL, gl.NONE);
+    renderer.state.pixelStorei(gl.UNPACK_COLORSPACE_CONVERSION_WEBGL, gl.NONE);
     gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, band.y, gl.RGBA, gl.UNSIGNED_BYTE, band.rows);
     band.rows.close();
   }

@@ -33,7 +33,7 @@ export function createUploads(now: () => number = () => performance.now(), fligh
     for (let job = jobs[0]; job; job = jobs[0]) {
       try {
         job.signal.throwIfAborted();
-        job.next ??= nextStep(job);
+        job.next ??= (job.steps.next().value as Step | undefined) ?? null;
         if (job.next) return { job, step: job.next };
         end(job);
         job.done();
@@ -84,8 +84,8 @@ export function createUploads(now: () => number = () => performance.now(), fligh
       spent += milliseconds;
     },
     /**
-     * Runs the steps that are expected to fit into a budget of milliseconds: at least one, unless answers have used part
-     * of it or the GPU lags behind. Returns the milliseconds spent, including answers.
+     * Runs the steps that are expected to fit into a budget of milliseconds: at least one, unless answers have used
+     * part of it or the GPU lags behind. Returns the milliseconds spent, including answers.
      */
     run(milliseconds: number): number {
       const start = now() - spent;
@@ -104,11 +104,6 @@ export function createUploads(now: () => number = () => performance.now(), fligh
     /** Forgets bytes in flight after the graphics were lost. */
     forget: flight.forget,
   };
-}
-
-function nextStep(job: Job): Step | null {
-  const { done, value } = job.steps.next() as IteratorResult<Step, undefined>;
-  return done ? null : value;
 }
 
 /** Kind of a step; its duration is a constant plus a term proportional to its bytes. */

@@ -27,7 +27,8 @@ export function splitPlaced(mesh: Arrays, placements: Float32Array, rule: Rule, 
   const largeMesh = pickTriangles(mesh, [...large].sort((a, b) => a - b));
   const placedMeshes = near.map((rows) => splitArrays(transformMesh(largeMesh, rows), rule, budget));
   const parts: Part[] = [{ arrays: mergeMeshes(placedMeshes), placements: null }];
-  if (far.length > 0) parts.push({ arrays: largeMesh, placements: Float32Array.from(far.flatMap((rows) => [...rows])) });
+  const farPlacements = Float32Array.from(far.flatMap((rows) => [...rows]));
+  if (far.length > 0) parts.push({ arrays: largeMesh, placements: farPlacements });
   const small = all.filter((triangle) => !large.has(triangle));
   if (small.length > 0) parts.push({ arrays: pickTriangles(mesh, small), placements });
   return parts;

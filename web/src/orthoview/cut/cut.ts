@@ -121,9 +121,8 @@ function distanceOf(eye: Triple, corner: Triple, side: number): number {
 }
 
 /**
- * Numbers of the directions of a mask that are nearest to the raised direction to the viewer. If it is the zenith, equally
- * high directions are equally near to it; of these, the nearest to the direction before it was raised come first, then
- * those with the least numbers.
+ * Numbers of a mask's directions that are nearest to the raised direction to the viewer. The zenith is equally near to
+ * directions of equal height; of such, those nearest to the unraised direction come first, then the least numbers.
  */
 function nearestDirections(units: readonly Triple[], raised: Triple, toViewer: Triple, mask: number, count: number) {
   return units.map((axis, number) => ({ number, cosine: dot(axis, raised), unraised: dot(axis, toViewer) }))

@@ -53,16 +53,14 @@ export function decompressZstd(frame: Uint8Array): Uint8Array {
   return content;
 }
 
-interface Meta {
-  readonly shape: readonly number[];
-}
-
 function rejectEncoding(): never {
   throw new Error('stores are only read here');
 }
 
+type FromConfig = (config: unknown, meta: { readonly shape: readonly number[] }) => object;
+
 /** Registers a codec; zarrita's registry type lacks codecs between arrays and bytes. */
-function register(name: string, fromConfig: (config: unknown, meta: Meta) => object): void {
+function register(name: string, fromConfig: FromConfig): void {
   zarr.registry.set(name, async () => ({ fromConfig }) as never);
 }
 

@@ -39,7 +39,8 @@ export class Shards {
     if (first < 0 || first + length > shard.size) throw damaged(path, 'its index points beyond its end');
     // Copied, so that a part does not keep its shard in memory.
     const partOf = (content: Bytes): Bytes => content.slice(first, first + length);
-    const whole = this.#whole.get(path) ?? (shard.size <= SMALL_BYTES ? this.#keep(path, this.#read(path, shard)) : null);
+    const isSmall = shard.size <= SMALL_BYTES;
+    const whole = this.#whole.get(path) ?? (isSmall ? this.#keep(path, this.#read(path, shard)) : null);
     if (whole) return partOf(await whole);
     // Not aborted for an index: zarrita reads it once for all waiting requests.
     const signal = 'offset' in range ? options.signal : undefined;

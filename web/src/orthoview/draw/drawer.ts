@@ -36,7 +36,7 @@ export interface Drawer<Layer extends GpuResource, Mesh extends GpuResource> {
   readonly isDone: boolean;
   /** Waits until the GPU has finished the last picture. */
   finish(): Promise<void>;
-  /** Splats of unoccluded parts in the last finished picture, by bands of rows; null if occluded parts are drawn, too. */
+  /** Splats of unoccluded parts in the last finished picture, by bands of rows; null if occluded ones are drawn. */
   readonly unhidden: number | null;
 }
 

@@ -42,7 +42,8 @@ export class Queue<Job> {
 
   /** Number of outstanding views, without those that failed permanently. */
   get waiting(): number {
-    return [...this.#requested.keys()].filter((name) => this.#failed.get(name)?.retryTime !== Number.POSITIVE_INFINITY).length;
+    const isRetried = (name: string): boolean => this.#failed.get(name)?.retryTime !== Number.POSITIVE_INFINITY;
+    return [...this.#requested.keys()].filter(isRetried).length;
   }
 
   /** Replaces the wanted views; the first one has the highest priority. */

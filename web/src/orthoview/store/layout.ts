@@ -63,7 +63,7 @@ export function parseLayout(described: unknown): Layout {
     cell: number(from['cell'], 'cell', (value) => Number.isFinite(value) && value > 0),
     counts: triple(from['counts'], 'counts', (value) => isWhole(value, 1, 2 ** 31)),
     levels: number(from['levels'], 'levels', (value) => isWhole(value, 1, 32)),
-    directions: list(from['directions'], 'directions').map((row) => triple(row, 'directions', (n) => isWhole(n, -1, 1))),
+    directions: list(from['directions'], 'directions').map((axes) => triple(axes, 'directions', isSign)),
     names: list(from['names'], 'names').map(String),
     size: number(from['size'], 'size', (value) => isWhole(value, 4, 4096) && value % 4 === 0),
     depthBits: number(from['depth_bits'], 'depth_bits', (value) => isWhole(value, 8, 16)),
@@ -170,6 +170,10 @@ function triple(value: unknown, name: string, isGood: (value: number) => boolean
   const [x, y, z, ...rest] = list(value, name);
   if (rest.length > 0) throw damaged('zarr.json', `layout.${name} has more than three numbers`);
   return [number(x, name, isGood), number(y, name, isGood), number(z, name, isGood)];
+}
+
+function isSign(value: number): boolean {
+  return isWhole(value, -1, 1);
 }
 
 function isWhole(value: number, least: number, greatest: number): boolean {

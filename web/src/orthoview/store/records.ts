@@ -171,7 +171,7 @@ async function masksOf(views: unknown, { directions }: Layout, shapes: readonly 
     throw damaged(file, `expected views of ${shapes.length} levels`);
   const masks = await Promise.all(shapes.map((count, level) => wordsOf(views[level], 4 * count, 'views', file)));
   if (masks.some((mask, level) => mask.length !== shapes[level]))
-    throw damaged(file, `views: expected levels of ${shapes.join(', ')} cells, got ${masks.map((mask) => mask.length)}`);
+    throw damaged(file, `views: expected levels of ${shapes} cells, got ${masks.map((mask) => mask.length)}`);
   const most = 2 ** directions.length;
   const isWrong = (bits: number): boolean => bits >= most && bits !== AS_BEFORE;
   if (masks.some((mask) => mask.some(isWrong)))

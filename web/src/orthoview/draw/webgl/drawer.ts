@@ -3,7 +3,17 @@ import type { Camera } from '../../cut/camera';
 import { type Part, type Splats, WORDS } from '../../decode/pack';
 import type { Layout } from '../../store/layout';
 import { type Drawer, type FrameCounts, gridOf, type Item, nearDistanceOf } from '../drawer';
-import { mayLieIn, type Model, type Projector, projectorOf, rowsOf, boundsOf, sightOf, VECTORS, writeView } from '../sight';
+import {
+  boundsOf,
+  mayLieIn,
+  type Model,
+  type Projector,
+  projectorOf,
+  rowsOf,
+  sightOf,
+  VECTORS,
+  writeView,
+} from '../sight';
 import { type Program, programOf, type Target, targetOf } from './gl';
 import { type Mesh, Meshes } from './meshes';
 import { RESOLVE_FRAGMENT, SPLAT_FRAGMENT, SPLAT_VERTEX, FULL_SCREEN_VERTEX } from './shaders';

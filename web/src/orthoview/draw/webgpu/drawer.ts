@@ -2,7 +2,7 @@
 import type { Camera } from '../../cut/camera';
 import type { Part, Splats } from '../../decode/pack';
 import type { Layout } from '../../store/layout';
-import { type Drawer, type FrameCounts, gridOf, type GpuResource, type Item, nearDistanceOf } from '../drawer';
+import { type Drawer, type FrameCounts, gridOf, type Item, nearDistanceOf } from '../drawer';
 import { type Model, type Projector, projectorOf } from '../sight';
 import { Arena, type Page, type Place, GrowingBuffer, SLOT } from './buffers';
 import { type Called, type Kernels, Numbers } from './kernels';
@@ -12,12 +12,9 @@ import { type Band, bandsOf, Samples, type Targets, tilesOf } from './samples';
 import { type Work, workOf } from './work';
 
 /** Layer of a view on the GPU. */
-export interface Layer extends GpuResource {
+export interface Layer extends Place {
   readonly model: Model;
   readonly parts: readonly Part[];
-  readonly page: Page;
-  readonly first: number;
-  readonly place: Place;
 }
 
 interface Picture {
@@ -68,12 +65,11 @@ export class WebgpuDrawer implements Drawer<Layer, Mesh> {
   }
 
   upload(model: Model, { words, parts }: Splats): Layer {
-    const place = this.#arena.put(words);
-    return { model, parts, page: place.page, first: place.first, place, bytes: place.bytes };
+    return { model, parts, ...this.#arena.put(words) };
   }
 
-  drop({ place }: Layer): void {
-    this.#arena.free(place);
+  drop(layer: Layer): void {
+    this.#arena.free(layer);
   }
 
   draw(meshes: readonly Mesh[], items: readonly Item<Layer>[], camera: Camera, maxGrid: number): FrameCounts {

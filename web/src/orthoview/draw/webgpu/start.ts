@@ -36,7 +36,9 @@ function tellFailures(device: GPUDevice, failed: Failed): void {
     if (!isLost) failed(message, true);
     isLost = true;
   };
-  void device.lost.then(({ message, reason }) => reason !== 'destroyed' && lose(`the graphics device is lost: ${message}`));
+  void device.lost.then(({ message, reason }) => {
+    if (reason !== 'destroyed') lose(`the graphics device is lost: ${message}`);
+  });
   device.onuncapturederror = ({ error }): void => {
     if (!(error instanceof GPUOutOfMemoryError)) lose(`the graphics fail: ${error.message}`);
     else if (!isShort) failed(SHORT, false);

@@ -2,7 +2,17 @@
 import { type Part, WORDS } from '../../decode/pack';
 import type { Layout } from '../../store/layout';
 import type { Item } from '../drawer';
-import { mayLieIn, type Model, type Projector, rowsOf, type PartBounds, boundsOf, sightOf, VECTORS, writeView } from '../sight';
+import {
+  boundsOf,
+  mayLieIn,
+  type Model,
+  type PartBounds,
+  type Projector,
+  rowsOf,
+  sightOf,
+  VECTORS,
+  writeView,
+} from '../sight';
 
 /** 32-bit words per part. */
 export const PART = 8;
