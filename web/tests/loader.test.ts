@@ -1,8 +1,8 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { readManifest } from '../src/bundle/parse';
+import type { Decoder } from '../src/decode/messages';
 import { createStore } from '../src/show/buffers';
-import type { Decoder } from '../src/show/decoder';
 import { type Loading, loadRegion, type RegionLoading } from '../src/show/loader';
 import { manifest } from './support/manifest';
 

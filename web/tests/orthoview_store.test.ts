@@ -8,15 +8,7 @@ import { type Cut, cut } from '../src/orthoview/cut/cut';
 import { createReader, type ViewRequest } from '../src/orthoview/decode/reader';
 import { type Kind, StoreError } from '../src/orthoview/store/error';
 import { createFiles } from '../src/orthoview/store/files';
-import {
-  arrayOf,
-  channelsOf,
-  GEOMETRY,
-  geometryOf,
-  generationFolder,
-  shardOf,
-  type Triple,
-} from '../src/orthoview/store/layout';
+import { GEOMETRY, geometryOf, shardPaths, type Triple } from '../src/orthoview/store/layout';
 import { openRecords, type Shard } from '../src/orthoview/store/records';
 
 interface Case {
@@ -115,10 +107,7 @@ function wantedOf({ records, cells, shards, leafFiles }: Opened, [level, place, 
   const named =
     direction === GEOMETRY
       ? geometryOf(layout, place).map((name) => leafFiles.get(name))
-      : channelsOf(layout).map((channel) => {
-          const array = arrayOf(layout, level, direction, channel);
-          return shards.get(generationFolder(generation) + shardOf(layout, level, place, array));
-        });
+      : shardPaths(layout, { level, place, direction }, generation).map((path) => shards.get(path));
   return { level, place, direction, generation, shards: named.filter((shard) => shard !== undefined) };
 }
 

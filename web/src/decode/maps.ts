@@ -80,14 +80,8 @@ function sheetOf({ tile, across }: State, count: number, color: FileData | null)
   return pixelsOf(color, across * tile, Math.ceil(count / across) * tile);
 }
 
-interface Codes {
-  readonly codes: Uint16Array<ArrayBuffer>;
-  /** Mask of changed texels. */
-  readonly changed: Uint8Array;
-}
-
-/** Codes of ring 1, from one file per face. */
-async function firstCodes(state: State, tiles: readonly number[], range: readonly FileData[]): Promise<Codes> {
+/** Codes of ring 1, from one file per face, and the mask of changed texels. */
+async function firstCodes(state: State, tiles: readonly number[], range: readonly FileData[]) {
   const area = state.size * state.size;
   const perFace = (state.size / state.tile) ** 2;
   if (range.length !== FACES) throw new Error(`map: expected six files of ranges, got ${range.length}`);
@@ -110,7 +104,7 @@ async function laterCodes(
   before: Uint16Array<ArrayBuffer>,
   tiles: readonly number[],
   range: readonly FileData[],
-): Promise<Codes> {
+) {
   const { tile } = state;
   const [file] = range;
   if (range.length !== (tiles.length > 0 ? 1 : 0)) {

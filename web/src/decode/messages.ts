@@ -164,6 +164,15 @@ export interface WorkerMemory {
 
 export type Request = GeometryRequest | PartRequest | DropRequest | FirstMapRequest | NextMapRequest | ForgetRequest;
 
+/** Sends requests to a worker. */
+export interface Decoder {
+  (request: GeometryRequest): Promise<Geometry>;
+  (request: PartRequest): Promise<Part>;
+  (request: DropRequest): Promise<null>;
+  (request: FirstMapRequest | NextMapRequest): Promise<MapUpdate>;
+  (request: ForgetRequest): Promise<WorkerMemory>;
+}
+
 /** Results of requests; null for no result. */
 export type Result = Geometry | Part | MapUpdate | WorkerMemory | null;
 

@@ -142,11 +142,9 @@ float farthest_range(vec3 d) {
   float longest = max(size.x, max(size.y, size.z));
   vec3 at = d / longest;
   float half_texel = 1.0 / coding.z;
-  vec3 right = size.x == longest ? vec3(0.0, half_texel, 0.0) : vec3(half_texel, 0.0, 0.0);
-  vec3 down = size.z == longest ? vec3(0.0, half_texel, 0.0) : vec3(0.0, 0.0, half_texel);
-  if (size.z == longest) {
-    right = vec3(half_texel, 0.0, 0.0);
-  }
+  bool is_z = size.z == longest;
+  vec3 right = size.x == longest && !is_z ? vec3(0.0, half_texel, 0.0) : vec3(half_texel, 0.0, 0.0);
+  vec3 down = is_z ? vec3(0.0, half_texel, 0.0) : vec3(0.0, 0.0, half_texel);
   uint code = max(
     max(texture(codes, at - right - down).r, texture(codes, at + right - down).r),
     max(texture(codes, at - right + down).r, texture(codes, at + right + down).r));

@@ -1,7 +1,7 @@
 /** Open regions: their loaded data, and the picture that each would show. */
 import { abortable } from '../base/errors';
 import { type ArrivingRegion, bytesOf, filesOfRegion } from '../bundle/contents';
-import type { RingEntry } from '../bundle/manifest';
+import type { Manifest, RingEntry } from '../bundle/manifest';
 import type { WorkerMemory } from '../decode/messages';
 import type { Regions } from './journey';
 import { type Loading, loadRegion } from './loader';
@@ -10,32 +10,32 @@ import { createRegion, type Region } from './region';
 import { createStage, type Manner, type MorphState, type Shown, type Stage } from './stage';
 import type { World } from './world';
 
-export interface AtlasSettings {
-  readonly world: World;
-  readonly loading: Loading;
-  readonly manner: Manner;
-  /** Called when the loading of a region has failed. */
-  readonly failed: (region: number, reason: Error) => void;
-}
-
 /** Region that is open. */
-export interface OpenRegion {
-  readonly number: number;
-  readonly region: Region;
-  readonly stage: Stage;
-  readonly stop: AbortController;
-  /** Names of its files that are known so far. */
-  readonly needed: () => ReadonlySet<string>;
-  /** Last loaded ring; −1 before ring 0. */
-  arrived: number;
-  /** Current picture, or the last one. */
-  shown: Shown | null;
-  /** Received bytes of its files, and bytes of all files known so far. */
-  received: number;
-  readonly expected: number;
-  state: 'loading' | 'complete' | 'failed';
-  /** Whether its next ring cannot be fetched yet, so that other regions may proceed. */
-  isIdle: boolean;
+export type OpenRegion = ReturnType<typeof createOpenRegion>;
+
+function createOpenRegion(number: number, region: Region, stage: Stage, stop: AbortController, manifest: Manifest) {
+  const needed = (): ReadonlySet<string> => filesOfRegion(manifest, region.entry);
+  return {
+    number,
+    region,
+    stage,
+    stop,
+    /** Names of its files that are known so far. */
+    needed,
+    /** Last loaded ring; −1 before ring 0. */
+    arrived: -1,
+    /** Current picture, or the last one. */
+    shown: null as Shown | null,
+    /** Received bytes of its files. */
+    received: 0,
+    /** Bytes of all files known so far. */
+    get expected(): number {
+      return bytesOf(manifest, needed());
+    },
+    state: 'loading' as 'loading' | 'complete' | 'failed',
+    /** Whether its next ring cannot be fetched yet, so that other regions may proceed. */
+    isIdle: false,
+  };
 }
 
 /** Region whose manifest is being loaded. */
@@ -56,7 +56,13 @@ export interface Holding {
 
 export type Atlas = ReturnType<typeof createAtlas>;
 
-export function createAtlas({ world, loading, manner, failed }: AtlasSettings) {
+/** Creates an atlas; `failed` is called when the loading of a region has failed. */
+export function createAtlas(
+  world: World,
+  loading: Loading,
+  manner: Manner,
+  failed: (region: number, reason: Error) => void,
+) {
   const { renderer, store } = loading;
   const { nearShare } = world;
   const opens = new Map<number, OpenRegion>();
@@ -114,21 +120,7 @@ export function createAtlas({ world, loading, manner, failed }: AtlasSettings) {
     const radii = entry.rings.slice(1).map((ring) => ring.radius);
     const stage = createStage({ ...manifest.growth, radii, nearShare }, manner);
     const region = createRegion(renderer, entry, manifest.map.face_size, store, loading.shared);
-    const open: OpenRegion = {
-      number,
-      region,
-      stage,
-      stop,
-      arrived: -1,
-      shown: null,
-      received: 0,
-      get expected() {
-        return bytesOf(manifest, filesOfRegion(manifest, entry));
-      },
-      state: 'loading',
-      isIdle: false,
-      needed: () => filesOfRegion(manifest, entry),
-    };
+    const open = createOpenRegion(number, region, stage, stop, manifest);
     opens.set(number, open);
     const finish = (state: OpenRegion['state']): void => {
       open.state = state;

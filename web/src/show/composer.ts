@@ -18,8 +18,6 @@ export interface MapLayer {
   show(cube: Cube, yaw: number): boolean;
 }
 
-export type Composer = ReturnType<typeof createComposer>;
-
 export function createComposer(renderer: WebGLRenderer, atlas: Atlas, painter: Painter, viewpoint: Viewpoint) {
   const { camera, rig, setPose } = viewpoint;
   let divider: number | null = null;

@@ -1,29 +1,6 @@
 /** Promise-based interface to a decoder worker. */
 import { BundleError } from '../bundle/error';
-import type {
-  Answer,
-  DropRequest,
-  FirstMapRequest,
-  ForgetRequest,
-  Geometry,
-  GeometryRequest,
-  WorkerMemory,
-  MapUpdate,
-  NextMapRequest,
-  Part,
-  PartRequest,
-  Request,
-} from '../decode/messages';
-
-export interface Decoder {
-  (request: GeometryRequest): Promise<Geometry>;
-  (request: PartRequest): Promise<Part>;
-  (request: DropRequest): Promise<null>;
-  (request: FirstMapRequest | NextMapRequest): Promise<MapUpdate>;
-  (request: ForgetRequest): Promise<WorkerMemory>;
-}
-
-export type DecoderWorker = ReturnType<typeof startDecoder>;
+import type { Answer, Decoder, Request } from '../decode/messages';
 
 /** Starts a worker that answers requests in order. `spend` is called with the main thread's milliseconds per answer. */
 export function startDecoder(script: URL, spend: (milliseconds: number) => void) {

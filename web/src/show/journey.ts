@@ -6,7 +6,7 @@
 import { type Bounds, clampToLimit, distance, FREE, type Limit } from '../control/limit';
 import type { Pose, Vector } from '../control/pose';
 import { type MorphState, NOTHING_NEAR } from './stage';
-import { distanceBetween, type Places } from './world';
+import { distanceBetween, type World } from './world';
 
 /** Hysteresis: another centre must be nearer by this share of the centres' distance, at most this many metres. */
 const [GAP_SHARE, GAP_MAX] = [0.1, 2] as const;
@@ -40,16 +40,6 @@ export interface Regions {
   grown(region: number): MorphState | null;
 }
 
-export interface JourneySettings {
-  readonly places: Places;
-  /** Share of a morph's radius within which its picture does not fold. */
-  readonly marginShare: number;
-  /** Duration of a cross-fade, seconds. */
-  readonly fade: number;
-  /** Called when the user was moved to another place. */
-  readonly moved: (pose: Pose) => void;
-}
-
 /** Current picture of a journey. */
 export interface Leg {
   readonly region: number;
@@ -59,7 +49,12 @@ export interface Leg {
 
 export type Journey = ReturnType<typeof createJourney>;
 
-export function createJourney(settings: JourneySettings, regions: Regions, first: number) {
+/** Creates a journey; `moved` is called when the user was moved to another place. */
+export function createJourney(
+  settings: Pick<World, 'places' | 'marginShare' | 'fade'> & { readonly moved: (pose: Pose) => void },
+  regions: Regions,
+  first: number,
+) {
   let current = first;
   let ahead: number | null = null;
   let leaving: { region: number; pose: Pose | null; since: number } | null = null;

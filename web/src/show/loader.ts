@@ -3,9 +3,8 @@ import type { WebGLRenderer } from 'three';
 import { filesOfRing } from '../bundle/contents';
 import type { Manifest, MapEntry, MapLayout, RangeScale, RingEntry, Sharper } from '../bundle/manifest';
 import type { Fetch, Received } from '../bundle/source';
-import type { FileData, FirstMapRequest, Geometry, MapUpdate, NextMapRequest } from '../decode/messages';
+import type { Decoder, FileData, FirstMapRequest, Geometry, MapUpdate, NextMapRequest } from '../decode/messages';
 import type { Store } from './buffers';
-import type { Decoder } from './decoder';
 import type { Shared } from './materials';
 import type { PieceMesh } from './pieces';
 import type { Programs } from './programs';
@@ -44,7 +43,7 @@ export interface RegionLoading {
 }
 
 interface Job extends Loading, RegionLoading {
-  readonly prefetch: Prefetch;
+  readonly prefetch: ReturnType<typeof createPrefetch>;
   /** Names of parts that the region has requested, or shares with other regions. */
   readonly requested: Set<string>;
 }
@@ -227,10 +226,7 @@ async function fileOf({ prefetch, manifest, signal }: Job, name: string): Promis
 /** Greatest number of prefetched bytes that are not requested yet. */
 const MAX_PREFETCH_BYTES = 16 * 2 ** 20;
 
-/** Prefetched files, so that the network does not wait for decoding and uploads. */
-type Prefetch = ReturnType<typeof createPrefetch>;
-
-/** Creates the prefetcher; `sizeOf` returns the bytes of a file. */
+/** Prefetches files, so that the network does not wait for decoding and uploads; `sizeOf` returns a file's bytes. */
 export function createPrefetch(fetch: Fetch, sizeOf: (name: string) => number, maxBytes = MAX_PREFETCH_BYTES) {
   const prefetched = new Map<string, Promise<ArrayBuffer>>();
   let bytes = 0;

@@ -66,16 +66,9 @@ export function meshesOf(group: Group): PieceMesh[] {
   return group.children as PieceMesh[];
 }
 
-/** Returns the group of a ring. */
-function groupOf(region: Region, ring: number): Group {
-  const group = region.groups[ring];
-  if (!group) throw new Error(`there is no ring ${ring}`);
-  return group;
-}
-
 /** Shows a ring's geometry, or the dynamic objects, when all of it is on the GPU, and records its triangles. */
 export function complete(region: Region, ring: number, triangles: Triangles): void {
-  groupOf(region, ring).visible = true;
+  (region.groups[ring] as Group).visible = true;
   region.triangles[ring] = triangles;
 }
 
@@ -96,7 +89,7 @@ export function* partSteps(
 ): Generator<Step> {
   // Dynamic objects, in ring 0, also appear beyond the cut.
   const cut = ring === 0 ? Infinity : region.entry.cut;
-  const group = groupOf(region, ring);
+  const group = region.groups[ring] as Group;
   const ready: { piece: Piece; prepared: Prepared }[] = [];
   const make = (): void => {
     const meshes = ready.splice(0).map(({ piece, prepared }) => {

@@ -80,14 +80,9 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings) {
       for (const { geometry } of meshes) geometry.setDrawRange(0, Infinity);
     },
   };
-  const atlas = createAtlas({
-    world: settings.world,
-    loading,
-    manner: settings,
-    failed(region, reason) {
-      journey?.failed(region);
-      settings.failed(reason);
-    },
+  const atlas = createAtlas(settings.world, loading, settings, (region, reason) => {
+    journey?.failed(region);
+    settings.failed(reason);
   });
   const composer = createComposer(renderer, atlas, painter, viewpoint);
   let journey: Journey | null = null;

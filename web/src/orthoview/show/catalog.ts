@@ -1,17 +1,7 @@
 /** Shards and geometry files that the records list so far, and the requests for views that need them. */
 import type { Cells } from '../cut/cells';
 import type { ViewRequest } from '../decode/reader';
-import {
-  arrayOf,
-  channelsOf,
-  generationFolder,
-  GEOMETRY,
-  geometryOf,
-  type Layout,
-  shardOf,
-  type Triple,
-  type ViewKey,
-} from '../store/layout';
+import { GEOMETRY, geometryOf, type Layout, shardPaths, type Triple, type ViewKey } from '../store/layout';
 import type { Shard } from '../store/records';
 
 /** Path prefix of a generation after the first. */
@@ -43,10 +33,7 @@ export class Catalog {
     const { level, place, direction } = view;
     if (direction === GEOMETRY) return { ...view, generation: 0, shards: this.filesOf(layout, place) };
     const generation = cells.at(level, place)?.generation ?? 0;
-    const shards = channelsOf(layout).map((channel) => {
-      const array = arrayOf(layout, level, direction, channel);
-      return this.#shards.get(generationFolder(generation) + shardOf(layout, level, place, array));
-    });
+    const shards = shardPaths(layout, view, generation).map((path) => this.#shards.get(path));
     return { ...view, generation, shards: shards.filter((shard) => shard !== undefined) };
   }
 }

@@ -195,9 +195,9 @@ export class Viewer {
   }
 
   async #open({ layout, shards, geometry }: Opened): Promise<void> {
-    const { scripts, workers, base, bytes } = this.#settings;
-    const stock = await this.#stock(layout, bytes);
-    if (!stock) return;
+    const { scripts, workers, base, bytes, graphics } = this.#settings;
+    const failed = (message: string, isFatal: boolean): void => this.#fail(message, isFatal);
+    const stock = await startStock(this.canvas, layout, { graphics, script: scripts.webgpu, bytes, failed });
     this.#tree = { cells: new Cells(layout), ...stock };
     this.#catalog.add(shards, geometry);
     this.#readers = startReaders(scripts.reader, workers, base, layout, (message) => this.#hearReader(message));
@@ -216,18 +216,6 @@ export class Viewer {
 
   #fail(reason: unknown, isFatal: boolean): void {
     this.#settings.failed({ kind: 'other', message: messageOf(reason) }, isFatal);
-  }
-
-  /** Returns the stock of the first back end that works; null if none does. */
-  async #stock(layout: Layout, bytes: number): Promise<Pick<Tree, 'stock' | 'graphics'> | null> {
-    const failed = (message: string, isFatal: boolean): void => this.#fail(message, isFatal);
-    try {
-      const { graphics, scripts } = this.#settings;
-      return await startStock(this.canvas, layout, { graphics, script: scripts.webgpu, bytes, failed });
-    } catch (reason) {
-      this.#fail(reason, true);
-      return null;
-    }
   }
 
   #choose(cut: Cut): Choice {

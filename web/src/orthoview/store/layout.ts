@@ -135,19 +135,17 @@ export function arrayOf({ names }: Layout, level: number, direction: number, cha
   return `${level}/${names[direction]}/${channel}`;
 }
 
-/** Path of the shard that holds a cell's chunk, below the generation's folder. */
-export function shardOf(layout: Layout, level: number, place: Triple, array: string): string {
-  return `${array}/c/${subtreeOf(layout, level, place).place.join('/')}/0/0/0`;
+/** Paths of the shards with the chunks of a view in all layers, with the folder of its generation. */
+export function shardPaths(layout: Layout, { level, place, direction }: ViewKey, generation: number): string[] {
+  const shard = subtreeOf(layout, level, place).place.join('/');
+  const channels = layout.layers === 2 ? [...CHANNELS, ...CHANNELS.map((channel) => BEHIND + channel)] : CHANNELS;
+  const arrays = channels.map((channel) => arrayOf(layout, level, direction, channel));
+  return arrays.map((array) => `${generationFolder(generation)}${array}/c/${shard}/0/0/0`);
 }
 
 /** Paths of the files of a leaf's static and moving geometry, below the generation's folder. */
 export function geometryOf({ levels }: Layout, place: Triple): readonly string[] {
   return ['content', 'moving'].map((folder) => `geometry/${folder}/${levels - 1}/${place.join('/')}.glb`);
-}
-
-/** Channels of all layers. */
-export function channelsOf({ layers }: Layout): readonly string[] {
-  return layers === 2 ? [...CHANNELS, ...CHANNELS.map((channel) => BEHIND + channel)] : CHANNELS;
 }
 
 export function fields(value: unknown, file: string): Fields {
