@@ -2,8 +2,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { NO_MOTION } from '../src/control/drive';
-import { Cells } from '../src/orthoview/cut/cells';
-import type { Cut } from '../src/orthoview/cut/cut';
+import { Cells, type Cut } from '../src/orthoview/cut/cut';
 import { crc32c, contentSize, decompressZstd, xxh64 } from '../src/orthoview/decode/codecs';
 import { advanceFlight, startPose } from '../src/orthoview/fly';
 import { Queue } from '../src/orthoview/show/queue';

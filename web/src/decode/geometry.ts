@@ -80,11 +80,7 @@ async function partsOf(parts: readonly FileData[], kept: Buffers): Promise<Map<s
 }
 
 /** Pictures that the page does not have yet, by name. */
-async function imagesOf(
-  glb: Glb,
-  parts: ReadonlyMap<string, Uint8Array<ArrayBuffer>>,
-  known: readonly string[],
-): Promise<Record<string, ImageBitmap>> {
+async function imagesOf(glb: Glb, parts: ReadonlyMap<string, Uint8Array<ArrayBuffer>>, known: readonly string[]) {
   const images: Record<string, ImageBitmap> = {};
   try {
     for (const entry of entries(glb.document.images, 'images')) {

@@ -60,13 +60,14 @@ function checkLayout(size: number, tile: number, across: number): void {
   if (!isLayout) throw new Error(`map: expected faces of up to ${MAX_SIDE} texels in tiles, got ${size} in ${tile}`);
 }
 
-async function apply(state: State, { ring, tiles, color, range }: NextMapRequest): Promise<void> {
+async function apply(state: State, request: NextMapRequest): Promise<void> {
+  const { ring, tiles, color } = request;
   const { size, tile } = state;
   const side = size / tile;
   if (ring !== state.changed.length + 1) throw new Error(`map: expected ring ${state.changed.length + 1}, got ${ring}`);
   const isTile = (number: number): boolean => Number.isInteger(number) && number >= 0 && number < FACES * side * side;
   if (!tiles.every(isTile)) throw new Error('map: expected tiles of the map, got others');
-  const next = await (state.codes ? laterCodes(state, state.codes, tiles, range) : firstCodes(state, tiles, range));
+  const next = await (state.codes ? laterCodes(state, state.codes, request) : firstCodes(state, request));
   const sheet = await sheetOf(state, tiles.length, color);
   // Everything is decoded first, so that a damaged file leaves the previous map unchanged.
   if (sheet) putChanges(state, sheet, next.changed, tiles);
@@ -81,7 +82,7 @@ function sheetOf({ tile, across }: State, count: number, color: FileData | null)
 }
 
 /** Codes of ring 1, from one file per face, and the mask of changed texels. */
-async function firstCodes(state: State, tiles: readonly number[], range: readonly FileData[]) {
+async function firstCodes(state: State, { tiles, range }: NextMapRequest) {
   const area = state.size * state.size;
   const perFace = (state.size / state.tile) ** 2;
   if (range.length !== FACES) throw new Error(`map: expected six files of ranges, got ${range.length}`);
@@ -99,12 +100,7 @@ async function firstCodes(state: State, tiles: readonly number[], range: readonl
 }
 
 /** Codes of a later ring, from one file, unless nothing changes. */
-async function laterCodes(
-  state: State,
-  before: Uint16Array<ArrayBuffer>,
-  tiles: readonly number[],
-  range: readonly FileData[],
-) {
+async function laterCodes(state: State, before: Uint16Array<ArrayBuffer>, { tiles, range }: NextMapRequest) {
   const { tile } = state;
   const [file] = range;
   if (range.length !== (tiles.length > 0 ? 1 : 0)) {

@@ -177,12 +177,11 @@ void main() {
   float glow_level = level_of(textureSize(glow, 0), dFdx(v_uv), dFdy(v_uv));
 #endif
 #ifndef UNLIT
+  vec3 vertex_normal = vec3(0.0);
 #ifdef SMOOTH
-  vec3 own = v_normal;
-#else
-  vec3 own = vec3(0.0);
+  vertex_normal = v_normal;
 #endif
-  vec3 normal = shading_normal(cross(dFdx(v_point), dFdy(v_point)), -normalize(v_shown), own);
+  vec3 normal = shading_normal(cross(dFdx(v_point), dFdy(v_point)), -normalize(v_shown), vertex_normal);
 #endif
   if (is_hidden()) {
     discard;
@@ -195,19 +194,17 @@ void main() {
   albedo *= textureLod(image, v_uv, level).rgb;
 #endif
 #ifdef CUTOUT
-#ifdef TEXTURED
-  float alpha = base_color.a * textureLod(image, v_uv, 0.0).a;
-#else
   float alpha = base_color.a;
+#ifdef TEXTURED
+  alpha *= textureLod(image, v_uv, 0.0).a;
 #endif
   if (alpha < cutoff) {
     discard;
   }
 #endif
-#ifdef UNLIT
   vec3 color = albedo;
-#else
-  vec3 color = albedo * irradiance(normal);
+#ifndef UNLIT
+  color *= irradiance(normal);
 #endif
 #ifdef EMISSIVE
   color += emission;

@@ -55,11 +55,7 @@ export function createBuffers<Name extends string>(
 /** WebGL's COPY_WRITE_BUFFER, which accepts all arrays and is not used by three.js. */
 const TARGET = 0x8f37;
 
-function attributeOf(
-  gl: WebGL2RenderingContext,
-  { rows, width, isNormalized = false }: Column,
-  isIndex: boolean,
-): GLBufferAttribute {
+function attributeOf(gl: WebGL2RenderingContext, { rows, width, isNormalized = false }: Column, isIndex: boolean) {
   const buffer = gl.createBuffer();
   if (isIndex) markIndex(gl, buffer);
   gl.bindBuffer(TARGET, buffer);

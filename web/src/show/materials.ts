@@ -4,7 +4,6 @@ import {
   CustomBlending,
   DoubleSide,
   GLSL3,
-  type IUniform,
   Matrix4,
   OneFactor,
   OneMinusSrcAlphaFactor,
@@ -18,16 +17,10 @@ import type { Material, Piece } from '../decode/messages';
 import { FAR_FRAGMENT, FAR_VERTEX, NEAR_FRAGMENT, NEAR_VERTEX } from '../shaders/scene';
 
 /** Uniforms of a picture; see the shaders. */
-export interface Shared extends Record<string, IUniform> {
-  readonly radii: IUniform<Vector4>;
-  readonly opacity: IUniform<number>;
-  readonly map: IUniform<CubeTexture>;
-  readonly codes: IUniform<CubeTexture>;
-  readonly coding: IUniform<Vector4>;
-}
+export type Shared = ReturnType<typeof createShared>;
 
 /** Creates the uniforms with initial textures. */
-export function createShared(map: CubeTexture, codes: CubeTexture): Shared {
+export function createShared(map: CubeTexture, codes: CubeTexture) {
   return {
     radii: { value: new Vector4() },
     opacity: { value: 1 },

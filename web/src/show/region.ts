@@ -6,24 +6,18 @@ import type { Store } from './buffers';
 import { createMaterials, type Shared, texturesOf } from './materials';
 import { disposeMesh, type MeshResources, type PieceMesh, prepare, type Prepared } from './pieces';
 import { createCube, type Cube, type Pictures } from './textures';
-import type { Step } from './uploads';
 
 /** Meshes per step: three.js takes about 0.1 ms to begin a picture, and half as long for each mesh. */
 const MESHES_PER_STEP = 4;
 
 export type Region = ReturnType<typeof createRegion>;
 
-export function createRegion(
-  renderer: WebGLRenderer,
-  entry: RegionEntry,
-  faceSize: number,
-  store: Store,
-  shared: Shared,
-) {
+/** Creates a region without content; the faces of its maps have `size` texels along an edge. */
+export function createRegion(renderer: WebGLRenderer, entry: RegionEntry, size: number, store: Store, shared: Shared) {
   /** Groups by ring, invisible until complete; the group of ring 0 has the dynamic objects of all pictures. */
   const groups = entry.rings.map(() => Object.assign(new Group(), { visible: false }));
   const materials = createMaterials(shared);
-  const make = (): Cube => createCube(renderer, faceSize, entry.range);
+  const make = (): Cube => createCube(renderer, size, entry.range);
   /** Two cubes in alternation: that of the visible ring, and that of the ring being loaded. */
   const cubes: [Cube, Cube] = [make(), make()];
   return {
@@ -80,13 +74,8 @@ export function trianglesShown(region: Region, ring: number): Triangles {
 }
 
 /** Steps that upload a part of a file's geometry and add it to the group of its ring. */
-export function* partSteps(
-  region: Region,
-  ring: number,
-  { bands, pieces }: Part,
-  resources: MeshResources,
-  pictures: Pictures,
-): Generator<Step> {
+export function* partSteps(region: Region, ring: number, part: Part, resources: MeshResources, pictures: Pictures) {
+  const { bands, pieces } = part;
   // Dynamic objects, in ring 0, also appear beyond the cut.
   const cut = ring === 0 ? Infinity : region.entry.cut;
   const group = region.groups[ring] as Group;
@@ -105,7 +94,8 @@ export function* partSteps(
       const prepared = prepare(piece, resources);
       ready.push({ piece, prepared });
       yield* prepared.steps();
-      if (ready.length === MESHES_PER_STEP || number === pieces.length - 1) yield { kind: 'mesh', bytes: 0, run: make };
+      const isLast = number === pieces.length - 1;
+      if (ready.length === MESHES_PER_STEP || isLast) yield { kind: 'mesh', bytes: 0, run: make } as const;
     }
   } finally {
     for (const { prepared } of ready) prepared.free();

@@ -61,21 +61,16 @@ export function colorOf(renderer: WebGLRenderer, { color }: Cube): WebGLTexture 
 }
 
 /** Steps that load a ring's map into the cube. */
-export function* cubeSteps(
-  renderer: WebGLRenderer,
-  cube: Cube,
-  update: MapUpdate,
-  ring: number,
-  layout: MapLayout,
-): Generator<Step> {
+export function* cubeSteps(renderer: WebGLRenderer, cube: Cube, update: MapUpdate, ring: number, layout: MapLayout) {
   const gl = renderer.getContext() as WebGL2RenderingContext;
   const { face_size: size, tile } = layout;
   cube.holds = null;
   if (update.whole) {
-    for (let face = 0; face < FACES; face++) {
-      const whole = { face, x: 0, y: 0, width: size, height: size };
-      yield* boxSteps(renderer, gl, cube.color, whole, faceOf(update.color, face));
-      if (update.codes) yield* boxSteps(renderer, gl, cube.codes, whole, faceOf(update.codes, face));
+    for (const [face, color] of update.color.entries()) {
+      const box = { face, x: 0, y: 0, width: size, height: size };
+      const codes = update.codes?.[face];
+      yield* boxSteps(renderer, gl, cube.color, box, color);
+      if (codes) yield* boxSteps(renderer, gl, cube.codes, box, codes);
     }
     cube.hasRange = update.codes !== null;
   } else {
@@ -89,20 +84,8 @@ export function* cubeSteps(
   cube.holds = ring;
 }
 
-function faceOf<T>(faces: readonly T[], number: number): T {
-  const found = faces[number];
-  if (!found) throw new Error('a map has fewer than six faces');
-  return found;
-}
-
 /** Rectangle of texels in a face. */
-interface Box {
-  readonly face: number;
-  readonly x: number;
-  readonly y: number;
-  readonly width: number;
-  readonly height: number;
-}
+type Box = ReturnType<typeof tileAt> & { readonly width: number; readonly height: number };
 
 /** Steps that upload texels, as many rows at a time as fit into a step. */
 function* boxSteps(

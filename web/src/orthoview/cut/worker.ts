@@ -4,8 +4,7 @@ import { createFiles } from '../store/files';
 import { nameOf, type Triple } from '../store/layout';
 import { openRecords, type Records } from '../store/records';
 import type { Camera } from './camera';
-import { Cells } from './cells';
-import { cut, type Cut, type FromCutter, type Settings, type ToCutter } from './cut';
+import { Cells, cut, type Cut, type FromCutter, type Settings, type ToCutter } from './cut';
 
 /** Factor by which the base cells, which are kept all around, are coarser. */
 const BASE_FACTOR = 6;

@@ -48,12 +48,7 @@ export function createTextureReader(files: Files): TextureReader {
 }
 
 /** Pieces of the files of a leaf. */
-export async function readLeaf(
-  files: Files,
-  readTexture: TextureReader,
-  listed: readonly Shard[],
-  signal: AbortSignal,
-): Promise<Piece[]> {
+export async function readLeaf(files: Files, read: TextureReader, listed: readonly Shard[], signal: AbortSignal) {
   const parts = await Promise.all(
     listed.map(async ([path, size, version]) => {
       // A range request, so that no server compresses compressed data again.
@@ -61,7 +56,7 @@ export async function readLeaf(
       const digest = await sha256(bytes);
       const isListed = bytes.length === size && (digest === null || digest.startsWith(version));
       if (!isListed) throw damaged(path, 'it is not the file that the record lists');
-      return piecesOf(readTexture, path, bytes, signal);
+      return piecesOf(read, path, bytes, signal);
     }),
   );
   return parts.flat();
@@ -74,12 +69,7 @@ export function buffersOf(pieces: readonly Piece[]): Transferable[] {
   return [...new Set([...buffers, ...images])];
 }
 
-async function piecesOf(
-  readTexture: TextureReader,
-  path: string,
-  bytes: Bytes,
-  signal: AbortSignal,
-): Promise<Piece[]> {
+async function piecesOf(read: TextureReader, path: string, bytes: Bytes, signal: AbortSignal): Promise<Piece[]> {
   try {
     const { glb, paths } = withNames(openGlb(bytes, new Map(), MAX_BYTES));
     const [root, ...nodes] = entries(glb.document.nodes, 'nodes');
@@ -91,7 +81,7 @@ async function piecesOf(
       if (name === null) return null;
       // Its name is a hash of its content.
       const [file, hash] = [name.slice(FOLDER.length), name.slice(FOLDER.length, -'.webp'.length)];
-      return pictureOf(name, await readTexture(folder + paths.get(file), hash));
+      return pictureOf(name, await read(folder + paths.get(file), hash));
     };
     const pieces: Piece[] = [];
     for (const [mesh, placed] of byMesh) {

@@ -76,6 +76,8 @@ function metadataOf(layout: Layout, level: number, channel: string): object {
   const inner = isImage
     ? [{ name: 'imagecodecs_webp', configuration: {} }, { name: 'crc32c' }]
     : [bytes, { name: 'zstd', configuration: {} }];
+  const chunk = { chunk_shape: [1, 1, 1, ...picture], codecs: inner };
+  const sharding = { ...chunk, index_codecs: [bytes, { name: 'crc32c' }], index_location: 'end' };
   return {
     zarr_format: 3,
     node_type: 'array',
@@ -84,17 +86,7 @@ function metadataOf(layout: Layout, level: number, channel: string): object {
     chunk_grid: { name: 'regular', configuration: { chunk_shape: [side, side, side, ...picture] } },
     chunk_key_encoding: { name: 'default', configuration: { separator: '/' } },
     fill_value: 0,
-    codecs: [
-      {
-        name: 'sharding_indexed',
-        configuration: {
-          chunk_shape: [1, 1, 1, ...picture],
-          codecs: inner,
-          index_codecs: [bytes, { name: 'crc32c' }],
-          index_location: 'end',
-        },
-      },
-    ],
+    codecs: [{ name: 'sharding_indexed', configuration: sharding }],
     attributes: {},
   };
 }

@@ -1,5 +1,5 @@
 /** Shards and geometry files that the records list so far, and the requests for views that need them. */
-import type { Cells } from '../cut/cells';
+import type { Cells } from '../cut/cut';
 import type { ViewRequest } from '../decode/reader';
 import { GEOMETRY, geometryOf, type Layout, shardPaths, type Triple, type ViewKey } from '../store/layout';
 import type { Shard } from '../store/records';

@@ -1,6 +1,5 @@
 /** Choice of stand-ins for missing views: no hole where a coarser view is loaded. */
-import { ancestorOf, type Cells, childrenOf } from '../cut/cells';
-import { countOf, type Cut, type Drawn } from '../cut/cut';
+import { ancestorOf, type Cells, childrenOf, countOf, type Cut, type Drawn } from '../cut/cut';
 import { type CellKey, nameOf, type Triple, type ViewKey, viewName } from '../store/layout';
 
 /** Number of levels below a cell that are searched for its descendants. */

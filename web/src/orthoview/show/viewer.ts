@@ -1,8 +1,7 @@
 /** Viewer of a tree: requests the cut for the camera and its views, and draws what is loaded. */
 import { messageOf } from '../../base/errors';
 import type { Camera } from '../cut/camera';
-import { Cells } from '../cut/cells';
-import type { Cut, FromCutter, Opened, Settings, ToCutter } from '../cut/cut';
+import { Cells, type Cut, type FromCutter, type Opened, type Settings, type ToCutter } from '../cut/cut';
 import type { FromReader, ViewRequest } from '../decode/reader';
 import type { Failure } from '../store/error';
 import { GEOMETRY, type Layout, nameOf, subtreeOf, type Triple, type ViewKey, viewName } from '../store/layout';

@@ -10,12 +10,7 @@ export type Failed = (message: string, isFatal: boolean) => void;
 const SHORT = 'there is too little graphics memory: ?megabytes= in the address sets the limit';
 
 /** Starts drawing on a canvas with a device; reports missing features before it takes the canvas. */
-export async function start(
-  canvas: HTMLCanvasElement,
-  layout: Layout,
-  device: GPUDevice,
-  failed: Failed,
-): Promise<WebgpuDrawer> {
+export async function start(canvas: HTMLCanvasElement, layout: Layout, device: GPUDevice, failed: Failed) {
   const format = navigator.gpu.getPreferredCanvasFormat();
   device.pushErrorScope('validation');
   const kernels = kernelsOf(device, format);
