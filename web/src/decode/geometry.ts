@@ -66,17 +66,17 @@ function trianglesOf({ indices }: Pick<Piece, 'indices'>, { placements }: Pick<P
 
 /** Contents of parts by name. Buffers are sent only once, so valid ones are cached even if another part is damaged. */
 async function partsOf(parts: readonly FileData[], kept: Buffers): Promise<Map<string, Uint8Array<ArrayBuffer>>> {
-  const found = new Map<string, Uint8Array<ArrayBuffer>>();
+  const contents = new Map<string, Uint8Array<ArrayBuffer>>();
   const results = await Promise.allSettled(
     parts.map(async (part) => {
       const data = await contentOf(part);
-      found.set(part.name, data);
+      contents.set(part.name, data);
       if (part.name.endsWith('.bin')) kept.set(part.name.slice(FOLDER.length), data);
     }),
   );
   const failed = results.find((result) => result.status === 'rejected');
   if (failed) throw failed.reason as Error;
-  return found;
+  return contents;
 }
 
 /** Pictures that the page does not have yet, by name. */
@@ -145,8 +145,8 @@ function piecesOf(surfaces: readonly Surface[], offset: Point, rule: Rule, budge
       for (const part of parts) {
         for (const [number, piece] of splitIntoPieces(part.arrays).entries()) {
           // Split triangles, and positions without placements, belong to this region only.
-          const own = part.arrays === arrays ? `${same} ${number}` : null;
-          if (part.placements?.length !== 0) pieces.push({ ...piece, name, same: own, placements: part.placements });
+          const key = part.arrays === arrays ? `${same} ${number}` : null;
+          if (part.placements?.length !== 0) pieces.push({ ...piece, name, same: key, placements: part.placements });
           if (pieces.length > MAX_PIECES) throw new Error(`expected at most ${MAX_PIECES} pieces of geometry`);
         }
       }

@@ -87,19 +87,19 @@ export type Glb = ReturnType<typeof openGlb>;
 export function openGlb(bytes: Uint8Array<ArrayBuffer>, parts: ReadonlyMap<string, Uint8Array>, maxBytes = MAX_BYTES) {
   const { document, chunk } = chunksOf(bytes);
   const decoded = new Map<number, Promise<Uint8Array>>();
-  let spent = 0;
+  let allocatedBytes = 0;
 
   /** Limits the total size, because many entries of a damaged document can describe the same bytes. */
-  function spend(size: number): void {
-    spent += size;
-    if (spent > maxBytes) throw new Error(`the arrays take more than ${maxBytes} bytes`);
+  function allocate(size: number): void {
+    allocatedBytes += size;
+    if (allocatedBytes > maxBytes) throw new Error(`the arrays take more than ${maxBytes} bytes`);
   }
 
   function bufferOf(number: number): Uint8Array {
     const entry = entryAt(document.buffers, number, 'buffer');
-    const found = entry.uri === undefined ? chunk : parts.get(entry.uri);
-    if (!found) throw new Error(`the buffer ${entry.uri ?? number} is missing`);
-    return found;
+    const buffer = entry.uri === undefined ? chunk : parts.get(entry.uri);
+    if (!buffer) throw new Error(`the buffer ${entry.uri ?? number} is missing`);
+    return buffer;
   }
 
   async function viewOf(number: number): Promise<Uint8Array> {
@@ -108,7 +108,7 @@ export function openGlb(bytes: Uint8Array<ArrayBuffer>, parts: ReadonlyMap<strin
     if (!packed) return slice(bufferOf(view.buffer), view.byteOffset ?? 0, view.byteLength);
     const source = slice(bufferOf(packed.buffer), packed.byteOffset ?? 0, packed.byteLength);
     const data = await decompress(source, packed);
-    spend(data.length);
+    allocate(data.length);
     return data;
   }
 
@@ -132,7 +132,7 @@ export function openGlb(bytes: Uint8Array<ArrayBuffer>, parts: ReadonlyMap<strin
       if (count > 0 && start + (count - 1) * stride + row > data.length) {
         throw new Error(`accessor ${number} reaches beyond its array`);
       }
-      spend(count * row);
+      allocate(count * row);
       const packed = new Uint8Array(count * row);
       if (stride === row) packed.set(data.subarray(start, start + packed.length));
       else {
@@ -155,9 +155,9 @@ export function openGlb(bytes: Uint8Array<ArrayBuffer>, parts: ReadonlyMap<strin
 /** Entry of a list; throws an error that says what is missing. */
 export function entryAt<T>(list: readonly T[] | undefined, number: number | undefined, what: string): T {
   if (number === undefined) throw new Error(`the ${what}'s number is missing`);
-  const found = Array.isArray(list) && isCount(number) ? (list as readonly T[])[number] : undefined;
-  if (typeof found !== 'object' || found === null) throw new Error(`${what} ${number} is missing`);
-  return found;
+  const entry = Array.isArray(list) && isCount(number) ? (list as readonly T[])[number] : undefined;
+  if (typeof entry !== 'object' || entry === null) throw new Error(`${what} ${number} is missing`);
+  return entry;
 }
 
 /** Entries of a list that may be missing. */

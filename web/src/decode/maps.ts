@@ -36,10 +36,10 @@ export function createMaps() {
     async first({ faceSize: size, tile, across, step, color }: FirstMapRequest): Promise<MapUpdate> {
       checkLayout(size, tile, across);
       if (color.length !== FACES) throw new Error(`map: expected six pictures, got ${color.length}`);
-      const whole = new Uint8Array(4 * FACES * size * size);
+      const colors = new Uint8Array(4 * FACES * size * size);
       const faces = await Promise.all(color.map((file) => pixelsOf(file, size, size)));
-      faces.forEach((face, number) => whole.set(face, number * face.length));
-      state = { size, tile, across, step, color: whole, codes: null, changed: [] };
+      faces.forEach((face, number) => colors.set(face, number * face.length));
+      state = { size, tile, across, step, color: colors, codes: null, changed: [] };
       return wholeMap(state);
     },
     async next(request: NextMapRequest): Promise<MapUpdate> {
@@ -91,9 +91,10 @@ async function firstCodes(state: State, { tiles, range }: NextMapRequest) {
   await Promise.all(
     range.map(async (file, face) => {
       const raw = await inflatedFile(file, HEAD_BYTES + PADDING_BYTES + MAX_TEXEL_BYTES * area);
-      const own = tiles.filter((number) => Math.floor(number / perFace) === face).map((number) => number % perFace);
-      const place = codes.subarray(face * area, (face + 1) * area);
-      changed.set(withFileName(file, () => decodeRanges(raw, place, null, own, state)), face * area);
+      const inFace = tiles.filter((number) => Math.floor(number / perFace) === face);
+      const faceTiles = inFace.map((number) => number % perFace);
+      const faceCodes = codes.subarray(face * area, (face + 1) * area);
+      changed.set(withFileName(file, () => decodeRanges(raw, faceCodes, null, faceTiles, state)), face * area);
     }),
   );
   return { codes, changed };

@@ -47,10 +47,10 @@ export function readPlanes(raw: Uint8Array) {
 
   function word(): number {
     const plane = planes[WORDS] as Uint8Array;
-    const half = plane.length >> 1;
+    const wordCount = plane.length >> 1;
     const index = read[WORDS] as number;
-    const [high, low] = [plane[index], plane[half + index]];
-    if (index >= half || high === undefined || low === undefined) throw damaged('fewer bytes');
+    const [high, low] = [plane[index], plane[wordCount + index]];
+    if (index >= wordCount || high === undefined || low === undefined) throw damaged('fewer bytes');
     read[WORDS] = index + 1;
     return (high << 8) | low;
   }

@@ -109,9 +109,9 @@ const START_SLOPE = 0.45;
 
 /** Pose south of and above the world, looking at its centre. */
 export function startPose({ origin, cell, counts }: Layout): Pose {
-  const middle = origin.map((low, axis) => low + (cell * (counts[axis] as number)) / 2) as [number, number, number];
+  const center = origin.map((low, axis) => low + (cell * (counts[axis] as number)) / 2) as [number, number, number];
   const distance = START_DISTANCE * cell * Math.max(counts[0], counts[2]);
   const [height, southward] = [distance * Math.sin(START_SLOPE), distance * Math.cos(START_SLOPE)];
-  const position = [middle[0], origin[1] + height, middle[2] + southward] as const;
+  const position = [center[0], origin[1] + height, center[2] + southward] as const;
   return { position, yaw: 0, pitch: -START_SLOPE };
 }

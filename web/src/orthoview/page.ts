@@ -73,17 +73,17 @@ function main(): void {
         fatal(failure);
         return;
       }
-      const told: Failure = isPassing(failure) ? { ...failure, message: `${failure.message}; ${AGAIN}` } : failure;
+      const report: Failure = isPassing(failure) ? { ...failure, message: `${failure.message}; ${AGAIN}` } : failure;
       const isKnown = problems.some(({ kind, message }) =>
-        isPassing(told) ? kind === told.kind : message === told.message,
+        isPassing(report) ? kind === report.kind : message === report.message,
       );
-      if (!isKnown) show([...problems, told]);
+      if (!isKnown) show([...problems, report]);
     },
     recovered: () => show(problems.filter((failure) => !isPassing(failure))),
   });
   let [ground, home]: [number, Pose] = [0, { position: [0, 0, 0], yaw: 0, pitch: 0 }];
-  const begun = readLink(location.hash);
-  const fly = createFly(canvas, begun ?? home, () => ground, createThumbMark(root).show);
+  const linkedPose = readLink(location.hash);
+  const fly = createFly(canvas, linkedPose ?? home, () => ground, createThumbMark(root).show);
   const panel = createPanel(root, () => fly.setPose(home));
   window.addEventListener('hashchange', () => fly.setPose(readLink(location.hash) ?? fly.pose));
   canvas.addEventListener('webglcontextlost', () => fatal({ kind: 'other', message: LOST }));
@@ -91,7 +91,7 @@ function main(): void {
   function onOpen(layout: Layout): void {
     ground = layout.origin[1];
     home = startPose(layout);
-    if (!begun) fly.setPose(home);
+    if (!linkedPose) fly.setPose(home);
     isOpen = true;
   }
 
@@ -186,8 +186,8 @@ function folderOf(url: URL): URL {
 }
 
 function number(query: URLSearchParams, name: string, usual: number, least: number, greatest: number): number {
-  const given = query.get(name);
-  const value = given === null || given === '' ? usual : Number(given);
+  const text = query.get(name);
+  const value = text === null || text === '' ? usual : Number(text);
   return Number.isFinite(value) ? Math.min(Math.max(value, least), greatest) : usual;
 }
 

@@ -69,7 +69,7 @@ export function createAtlas(
   const pendings = new Map<number, Pending>();
   let order: readonly number[] = [];
   let waiting: { region: number; done: () => void }[] = [];
-  let kept: readonly WorkerMemory[] = [];
+  let workerMemory: readonly WorkerMemory[] = [];
 
   /** Resumes the first region that is not complete. */
   function resumeNext(): void {
@@ -157,10 +157,10 @@ export function createAtlas(
     open.stop.abort();
     open.region.dispose();
     waiting = waiting.filter(({ region }) => region !== open.number);
-    const needed = [...opens.values()].flatMap((other) => [...other.needed()]);
-    const request = { kind: 'forget', buffers: store.keep(new Set(needed)), region: open.number } as const;
+    const neededFiles = [...opens.values()].flatMap((other) => [...other.needed()]);
+    const request = { kind: 'forget', buffers: store.keep(new Set(neededFiles)), region: open.number } as const;
     Promise.all([loading.geometry(request), loading.maps(request)])
-      .then((answers) => (kept = answers))
+      .then((answers) => (workerMemory = answers))
       // The error of a stopped worker is reported to its pending requests.
       .catch(() => undefined);
   }
@@ -225,7 +225,7 @@ export function createAtlas(
     get holding(): Holding {
       const isWaiting = [...pendings.values()].some(({ hasFailed }) => !hasFailed);
       const areLoading = [...opens.values()].some(({ state }) => state === 'loading');
-      return { regions: [...opens.keys(), ...pendings.keys()], isLoading: isWaiting || areLoading, kept };
+      return { regions: [...opens.keys(), ...pendings.keys()], isLoading: isWaiting || areLoading, kept: workerMemory };
     },
     dispose(): void {
       for (const { stop } of pendings.values()) stop.abort();

@@ -115,7 +115,7 @@ export function createStore() {
   const textures = new Map<string, Texture>();
   /** Names of the files in the geometry worker: shared buffers, and the file of dynamic objects. */
   const buffers = new Set<string>();
-  const held = new Map<string, { arrays: MeshArrays; users: number }>();
+  const sharedArrays = new Map<string, { arrays: MeshArrays; users: number }>();
 
   return {
     textures,
@@ -123,18 +123,18 @@ export function createStore() {
     /** Returns the arrays of a mesh, shared with other meshes of the same name; counts a user. */
     take(name: string | null, make: () => MeshArrays): MeshArrays {
       if (name === null) return make();
-      const entry = held.get(name) ?? { arrays: make(), users: 0 };
-      held.set(name, entry);
+      const entry = sharedArrays.get(name) ?? { arrays: make(), users: 0 };
+      sharedArrays.set(name, entry);
       entry.users += 1;
       return entry.arrays;
     },
     /** Releases a mesh's arrays; returns true if no other mesh uses them. */
     give(name: string | null): boolean {
-      const entry = name === null ? undefined : held.get(name);
+      const entry = name === null ? undefined : sharedArrays.get(name);
       if (!entry || name === null) return true;
       entry.users -= 1;
       if (entry.users > 0) return false;
-      held.delete(name);
+      sharedArrays.delete(name);
       return true;
     },
     /** Frees all files but these; returns the buffers that the worker must free. */
@@ -150,7 +150,7 @@ export function createStore() {
     },
     /** Number of arrays that several meshes share. */
     get shared(): number {
-      return [...held.values()].filter(({ users }) => users > 1).length;
+      return [...sharedArrays.values()].filter(({ users }) => users > 1).length;
     },
   };
 }

@@ -8,16 +8,20 @@ import type { Pose, Vector } from '../control/pose';
 import { type MorphState, NOTHING_NEAR } from './stage';
 import { distanceBetween, type World } from './world';
 
-/** Hysteresis: another centre must be nearer by this share of the centres' distance, at most this many metres. */
-const [GAP_SHARE, GAP_MAX] = [0.1, 2] as const;
+/** Hysteresis: share of two centres' distance by which another centre must be nearer. */
+const GAP_SHARE = 0.1;
+/** Greatest hysteresis, metres. */
+const GAP_MAX = 2;
 /** Share of its limit that a nearer region must have left to take over, so that it is not left at once. */
-const ROOM_SHARE = 0.3;
+const MIN_MARGIN_SHARE = 0.3;
 /** Margin in metres beyond the user's position at which a radius may begin to fold. */
 const SLACK = 0.5;
 /** Tolerance for rounding, so that the last radius always counts as sufficient. */
 const ROUNDED = 1 - 1e-9;
-/** Share of the limit to which a landing position is clamped, and within which no other region is needed. */
-const [LANDING, HERE_SHARE] = [0.9, 0.5] as const;
+/** Share of the limit to which a landing position is clamped. */
+const LANDING_SHARE = 0.9;
+/** Least margin of a landing position, as a share of the limit, with which the current region serves. */
+const HERE_SHARE = 0.5;
 
 /** Interface of a journey to the regions. */
 export interface Regions {
@@ -94,7 +98,7 @@ export function createJourney(
     const isNearer = distanceTo(next, place) + gap <= distanceTo(current, place);
     const isAsLarge = offer.radius >= from.radius && !regions.isCoarse(next);
     const isAlike = from.strength === 0 || isAsLarge || regions.isComplete(next);
-    if (isNearer && isAlike && marginAt(there, place) >= ROOM_SHARE * there.metres) return true;
+    if (isNearer && isAlike && marginAt(there, place) >= MIN_MARGIN_SHARE * there.metres) return true;
     // At its edge the picture is replaced even by one that is less similar.
     const isAtEdge = marginAt(here, place) < (1 - FREE) * here.metres;
     return isAtEdge && marginAt(there, place) >= Math.max(marginAt(here, place), 0) + gap;
@@ -111,7 +115,7 @@ export function createJourney(
   /** Returns the pose at which the user lands if the region begins with a state. */
   function landing(region: number, grown: MorphState, target: Pose): Pose {
     const { center, metres } = limitOf(region, grown);
-    return { ...target, position: clampToLimit(target.position, { center, metres: LANDING * metres }) };
+    return { ...target, position: clampToLimit(target.position, { center, metres: LANDING_SHARE * metres }) };
   }
 
   /** Moves the user if the region of the place can be shown. */
@@ -140,16 +144,17 @@ export function createJourney(
     const limit = limitOf(current, regions.grown(current));
     if (leaving) ahead = leaving.region === current ? null : leaving.region;
     else ahead = goal === null ? places.ahead({ place, current, ahead, limit }) : null;
-    const other = leaving ? ahead : (goal ?? ahead);
-    const wanted = [...new Set([current, other ?? current])];
+    const secondRegion = leaving ? ahead : (goal ?? ahead);
+    const order = [...new Set([current, secondRegion ?? current])];
     const isAwaited = goal !== null && !leaving;
-    if (other !== null && (isAwaited || distanceTo(other, place) < distanceTo(current, place))) wanted.reverse();
+    const isNearer = secondRegion !== null && distanceTo(secondRegion, place) < distanceTo(current, place);
+    if (isNearer || (secondRegion !== null && isAwaited)) order.reverse();
     for (const region of opened) {
-      if (!wanted.includes(region)) regions.close(region);
+      if (!order.includes(region)) regions.close(region);
     }
-    for (const region of wanted) regions.open(region);
-    opened = wanted;
-    regions.prefer(wanted);
+    for (const region of order) regions.open(region);
+    opened = order;
+    regions.prefer(order);
   }
 
   regions.open(first);
@@ -205,8 +210,8 @@ export function createJourney(
     /** Least radius of the region's morph that does not fold at the user's position. */
     get least(): number {
       const { center, fold_margin } = places.of(current);
-      const away = user ? distance(user.position, { center, metres: fold_margin }) : 0;
-      return (ROUNDED * Math.min(away + SLACK, fold_margin)) / settings.marginShare;
+      const distanceToCenter = user ? distance(user.position, { center, metres: fold_margin }) : 0;
+      return (ROUNDED * Math.min(distanceToCenter + SLACK, fold_margin)) / settings.marginShare;
     },
   };
 }

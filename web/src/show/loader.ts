@@ -170,10 +170,10 @@ async function loadSharper(job: Job, ring: number, { layout, maps, range }: Shar
   }
   await job.mayReplace(ring);
   signal.throwIfAborted();
-  const turn = turnOf(ring);
-  region.cubes[turn].dispose();
-  region.cubes[turn] = createCube(renderer, layout.face_size, range);
-  await uploads.add(cubeSteps(renderer, region.cubes[turn], update, ring, layout), signal);
+  const index = turnOf(ring);
+  region.cubes[index].dispose();
+  region.cubes[index] = createCube(renderer, layout.face_size, range);
+  await uploads.add(cubeSteps(renderer, region.cubes[index], update, ring, layout), signal);
 }
 
 /** Applies a ring's changes; the whole map is requested only for the last ring. */

@@ -76,20 +76,20 @@ export function createPainter(
       [shared.map.value, shared.codes.value] = [cube.color, cube.codes];
       shared.coding.value.set(cube.scale.least, cube.scale.step, cube.size, cube.hasRange ? 1 : 0);
       shared.opacity.value = opacity;
-      const others = without.guests ? [] : (guests?.meshes ?? []);
-      if (others.length > 0) guests?.place(region.entry.center);
+      const guestMeshes = without.guests ? [] : (guests?.meshes ?? []);
+      if (guestMeshes.length > 0) guests?.place(region.entry.center);
       const groups = region.groups.slice(0, ring + 1);
-      const drawn = opacity < 1 ? [...groups.flatMap(meshesOf), ...others] : [];
-      near.children = [...groups, ...others] as Object3D[];
+      const fadingMeshes = opacity < 1 ? [...groups.flatMap(meshesOf), ...guestMeshes] : [];
+      near.children = [...groups, ...guestMeshes] as Object3D[];
       renderer.clearDepth();
       if (opacity < 1) {
         // Depth prepass: otherwise an occluded surface would shine through.
-        setWrites(drawn, false, true);
+        setWrites(fadingMeshes, false, true);
         renderer.render(near, camera);
-        setWrites(drawn, true, false);
+        setWrites(fadingMeshes, true, false);
       }
       renderer.render(near, camera);
-      if (opacity < 1) setWrites(drawn, true, true);
+      if (opacity < 1) setWrites(fadingMeshes, true, true);
       if (!without.map) renderer.render(far, camera);
       near.children = [];
     },

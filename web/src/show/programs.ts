@@ -29,13 +29,13 @@ export function createPrograms(renderer: WebGLRenderer, camera: Camera, shared: 
   return {
     /** Resolves when the GPU has the programs for pieces like these. */
     async ready(samples: readonly Piece[]): Promise<void> {
-      const needed: (Promise<void> | undefined)[] = [];
+      const compilations: (Promise<void> | undefined)[] = [];
       for (const piece of samples) {
         const kind = Object.keys(definesOf(piece, texturesOf(piece.material, () => picture))).join(' ');
         if (!programs.has(kind)) programs.set(kind, make(piece));
-        needed.push(programs.get(kind));
+        compilations.push(programs.get(kind));
       }
-      await Promise.all(needed);
+      await Promise.all(compilations);
     },
     /** Discards all programs after the graphics were lost. */
     forget: (): void => programs.clear(),

@@ -40,9 +40,9 @@ export function createRegion(renderer: WebGLRenderer, entry: RegionEntry, size: 
 
 /** Returns the cube with a ring's map. */
 export function cubeOf(region: Region, ring: number): Cube {
-  const found = region.cubes.find((cube) => cube.holds === ring);
-  if (!found) throw new Error(`the map of ring ${ring} is missing`);
-  return found;
+  const cubeOfRing = region.cubes.find((cube) => cube.holds === ring);
+  if (!cubeOfRing) throw new Error(`the map of ring ${ring} is missing`);
+  return cubeOfRing;
 }
 
 /** Whether a ring has a map. */

@@ -142,19 +142,19 @@ export function grow(now: MorphState, ring: number, seconds: number, settings: G
   const goal = settings.radii[ring - 1];
   if (goal === undefined) return NOTHING_NEAR;
   const rate = (settings.speed * Math.PI) / 180 / settings.reach;
-  let left = seconds;
+  let remainingSeconds = seconds;
   let strength = now.radius === 0 ? 0 : now.strength;
-  const begins = settings.radii.find((each) => each >= least) ?? Number.POSITIVE_INFINITY;
-  if (strength === 0 && begins > goal) return { radius: goal, strength };
-  const radius = strength === 0 ? begins : now.radius;
+  const firstRadius = settings.radii.find((each) => each >= least) ?? Number.POSITIVE_INFINITY;
+  if (strength === 0 && firstRadius > goal) return { radius: goal, strength };
+  const radius = strength === 0 ? firstRadius : now.radius;
   if (strength < 1) {
-    const whole = 1 / (Math.max(settings.nearShare, MIN_SHARE) * radius * rate);
-    const needed = (1 - strength) * whole;
-    strength = left >= needed ? 1 : strength + left / whole;
-    left = Math.max(0, left - needed);
+    const growthSeconds = 1 / (Math.max(settings.nearShare, MIN_SHARE) * radius * rate);
+    const missingSeconds = (1 - strength) * growthSeconds;
+    strength = remainingSeconds >= missingSeconds ? 1 : strength + remainingSeconds / growthSeconds;
+    remainingSeconds = Math.max(0, remainingSeconds - missingSeconds);
   }
   if (strength < 1 || radius >= goal) return { radius: Math.min(radius, goal), strength };
-  const inverse = 1 / radius - (1 - settings.nearShare) * rate * left;
+  const inverse = 1 / radius - (1 - settings.nearShare) * rate * remainingSeconds;
   return { radius: inverse <= 1 / goal ? goal : 1 / inverse, strength };
 }
 
@@ -180,9 +180,9 @@ const STRATEGIES: Readonly<Record<string, Strategy>> = {
 
 /** Returns the strategy of a name in an address; clovr by default. */
 export function strategyOf(name: string | null): Strategy {
-  const found = Object.hasOwn(STRATEGIES, name ?? 'clovr') ? STRATEGIES[name ?? 'clovr'] : undefined;
-  if (!found) {
+  const strategy = Object.hasOwn(STRATEGIES, name ?? 'clovr') ? STRATEGIES[name ?? 'clovr'] : undefined;
+  if (!strategy) {
     throw new BundleError(`strategy: expected ${Object.keys(STRATEGIES).join(', ')}, got ${name ?? ''}`, 'address');
   }
-  return found;
+  return strategy;
 }

@@ -46,12 +46,12 @@ function mergeMeshes(meshes: readonly Arrays[]): Arrays {
   const all = <T extends Float32Array | Uint16Array>(rowsOf: (mesh: Arrays) => T | null): T | null => {
     const rows = meshes.map(rowsOf).filter((each) => each !== null);
     if (!rows[0]) return null;
-    const found = new (rows[0].constructor as new (size: number) => T)(rows.reduce((sum, own) => sum + own.length, 0));
+    const merged = new (rows[0].constructor as new (size: number) => T)(rows.reduce((sum, own) => sum + own.length, 0));
     rows.reduce((start, own) => {
-      found.set(own, start);
+      merged.set(own, start);
       return start + own.length;
     }, 0);
-    return found;
+    return merged;
   };
   return {
     ...first,
@@ -93,9 +93,10 @@ type Triple = [number, number, number];
 function isHarmless({ center, radius, longest }: Ball, rows: Float32Array, rule: Rule): boolean {
   const [x, y, z] = pointOf(center, rows);
   const stretch = stretchOf(rows);
-  const [level, away] = [Math.hypot(x, z), Math.hypot(x, y, z)];
-  const around = radius * stretch;
-  return rule.isHarmless(longest * stretch, [Math.max(level - around, 0), level + around], Math.max(away - around, 0));
+  const [rhoOfCenter, distance] = [Math.hypot(x, z), Math.hypot(x, y, z)];
+  const placedRadius = radius * stretch;
+  const range = [Math.max(rhoOfCenter - placedRadius, 0), rhoOfCenter + placedRadius] as const;
+  return rule.isHarmless(longest * stretch, range, Math.max(distance - placedRadius, 0));
 }
 
 /** Upper bound of a placement's stretch of lengths; for placements without shear, the greatest scale. */
@@ -117,17 +118,17 @@ function pointOf([x, y, z]: Readonly<Triple>, rows: Float32Array): Triple {
 /** A mesh in one placement; normals are transformed by the cofactor matrix, as in the shader. */
 function transformMesh(mesh: Arrays, rows: Float32Array): Arrays {
   const at = (row: number, column: number): number => rows[4 * (row % 3) + (column % 3)] as number;
-  const turned = new Float32Array(ROWS);
+  const cofactors = new Float32Array(ROWS);
   for (let row = 0; row < 3; row++) {
     for (let column = 0; column < 3; column++) {
       const [i, j] = [row + 1, column + 1];
-      turned[4 * row + column] = at(i, j) * at(i + 1, j + 1) - at(i, j + 1) * at(i + 1, j);
+      cofactors[4 * row + column] = at(i, j) * at(i + 1, j + 1) - at(i, j + 1) * at(i + 1, j);
     }
   }
   return {
     ...mesh,
     positions: transformVectors(mesh.positions, rows),
-    normals: mesh.normals && transformVectors(mesh.normals, turned),
+    normals: mesh.normals && transformVectors(mesh.normals, cofactors),
   };
 }
 

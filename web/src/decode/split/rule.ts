@@ -32,13 +32,17 @@ const REACH_AT_REST = 0.1;
 /** Greatest share of the first radius for which `reach` counts. */
 const MAX_REACH = 0.35;
 /** Least D as a share of B: points nearer to the user than to the centre are not cut more finely. */
-const CLEAREST = 0.75;
-/** Shares of ρ up to which c is acceptable for every user: while R grows, and where it rests. */
-const [WIDEST, WIDEST_AT_REST] = [0.03, 0.004] as const;
-/** Shortest edge that is cut, and tolerated overshoot of a circle, as shares of its distance from the axis. */
-const [SHORTEST, MISSED] = [0.002, 5e-4] as const;
+const MIN_DISTANCE_SHARE = 0.75;
+/** Share of ρ up to which c is acceptable for every user while R grows. */
+const WIDTH_SHARE = 0.03;
+/** Share of ρ up to which c is acceptable for every user where R rests. */
+const WIDTH_SHARE_AT_REST = 0.004;
+/** Length of the shortest edge that is cut, as a share of its ρ. */
+const SHORTEST_SHARE = 0.002;
+/** Tolerated overshoot of a circle, as a share of its radius. */
+const OVERSHOOT = 5e-4;
 /** Share of the first radius that is the least distance from the axis in the bounds. */
-const CORE = 1 / 8;
+const CORE_SHARE = 1 / 8;
 /** Factor by which points of a triangle may be nearer to the axis and to O than its edge. */
 const SPREAD = 1.1;
 
@@ -49,12 +53,12 @@ export function createRule({ radii, nearShare, reach }: Growth, tolerance = TOLE
   const inner = nearShare * first;
   const least = Math.min(reach, MAX_REACH * first);
   const kinks = [...new Set(radii.flatMap((radius) => [nearShare * radius, radius]))]
-    .filter((radius) => radius > CORE * first)
+    .filter((radius) => radius > CORE_SHARE * first)
     .sort((a, b) => a - b);
   const atRest = (rho: number, distance: number, u: number): number =>
-    Math.max(rangeAt(rho, distance, u), coarser * WIDEST_AT_REST * rho);
+    Math.max(rangeAt(rho, distance, u), coarser * WIDTH_SHARE_AT_REST * rho);
   const growing = (rho: number, distance: number): number =>
-    Math.max(rangeAt(rho, distance, least), coarser * WIDEST * rho);
+    Math.max(rangeAt(rho, distance, least), coarser * WIDTH_SHARE * rho);
   const bands = bandsOf(kinks, (rho) => growing(rho, rho));
 
   /** Greatest slope of the weight for points from a distance from the axis on, for all R. */
@@ -70,19 +74,19 @@ export function createRule({ radii, nearShare, reach }: Growth, tolerance = TOLE
 
   /** Second derivatives, radians by the squares of c, of the horizontal length, and of the length. */
   function formAt(rho: number, distance: number, u: number, isFlat: boolean): Vector {
-    const away = clear(distance, u);
-    const q = u / away;
+    const leastDistance = clear(distance, u);
+    const q = u / leastDistance;
     const slope = isFlat ? 0 : slopeAt(rho);
-    const mixed = ((8 / 3) * q * q * slope) / away;
+    const mixed = ((8 / 3) * q * q * slope) / leastDistance;
     const along = q * q * slope * slope + 0.75 * mixed;
-    const across = (q * (1 + q / 2) * slope) / Math.max(rho, CORE * first);
-    const any = (0.3 * q * q) / (away * away) + mixed / 3;
+    const across = (q * (1 + q / 2) * slope) / Math.max(rho, CORE_SHARE * first);
+    const any = (0.3 * q * q) / (leastDistance * leastDistance) + mixed / 3;
     return [along, across, any];
   }
 
   const forLengths = 6 * tolerance * (1 - RANGE_SHARE);
   const usersAt = (rho: number): number => Math.max(least, REACH_AT_REST * rho);
-  const shortestAt = (rho: number): number => SHORTEST * Math.max(rho, CORE * first);
+  const shortestAt = (rho: number): number => SHORTEST_SHARE * Math.max(rho, CORE_SHARE * first);
 
   return {
     /** Radius beyond which no edge is cut: everything there is shown as O sees it, so flat surfaces stay flat. */
@@ -105,17 +109,17 @@ export function createRule({ radii, nearShare, reach }: Growth, tolerance = TOLE
       const [level, length] = [Math.hypot(dx, dz), Math.hypot(dx, dy, dz)];
       const nearest = segmentDistance([a[0], 0, a[2]], [dx, 0, dz]);
       const shortest = shortestAt(nearest);
-      if (nearest >= outer * (1 - MISSED) || length <= shortest) return 0;
+      if (nearest >= outer * (1 - OVERSHOOT) || length <= shortest) return 0;
       const farthest = Math.max(Math.hypot(a[0], a[2]), Math.hypot(b[0], b[2]));
-      const isFlat = farthest <= inner * (1 + MISSED);
+      const isFlat = farthest <= inner * (1 + OVERSHOOT);
       const range = farthest - nearest;
       const [rho, distance] = [nearest / SPREAD, segmentDistance(a, [dx, dy, dz]) / SPREAD];
       const u = usersAt(nearest);
       if (!isFlat && range > atRest(rho, distance, u)) {
         const circles = range > growing(rho, distance) ? bands : kinks;
-        const at = cutAt(circles, [a[0], a[2]], [dx, dz], [nearest, farthest]);
+        const cutShare = cutAt(circles, [a[0], a[2]], [dx, dz], [nearest, farthest]);
         // An edge that overshoots the outermost circle only slightly is practically beyond it.
-        if (at > 0 || farthest > outer * (1 + MISSED)) return at;
+        if (cutShare > 0 || farthest > outer * (1 + OVERSHOOT)) return cutShare;
       }
       const [along, across, any] = formAt(rho, distance, u, isFlat);
       const bent = along * range * range + across * level * level + any * length * length;
@@ -127,7 +131,7 @@ export function createRule({ radii, nearShare, reach }: Growth, tolerance = TOLE
 
 /** D, for users at a distance u. */
 function clear(distance: number, u: number): number {
-  return Math.max(distance - u, CLEAREST * distance, 1e-9);
+  return Math.max(distance - u, MIN_DISTANCE_SHARE * distance, 1e-9);
 }
 
 /** Ascending radii, with others in between so that neighbours are at most `apart` from each other. */
@@ -162,16 +166,17 @@ function cutAt(
   [dx, dz]: readonly [number, number],
   [nearest, farthest]: readonly [number, number],
 ): number {
-  const low = countBelow(circles, nearest * (1 + MISSED));
-  const high = countBelow(circles, farthest * (1 - MISSED));
+  const low = countBelow(circles, nearest * (1 + OVERSHOOT));
+  const high = countBelow(circles, farthest * (1 - OVERSHOOT));
   if (high <= low) return 0;
   const power = 31 - Math.clz32(low ^ high);
   const radius = circles[((high >> power) << power) - 1] as number;
   const squared = dx * dx + dz * dz;
-  const along = x * dx + z * dz;
-  const root = Math.sqrt(along * along - squared * (x * x + z * z - radius * radius));
-  const shares = [(-along - root) / squared, (-along + root) / squared].filter((share) => share > 0 && share < 1);
-  return shares.sort((a, b) => Math.abs(a - 0.5) - Math.abs(b - 0.5))[0] ?? 0;
+  const projection = x * dx + z * dz;
+  const root = Math.sqrt(projection * projection - squared * (x * x + z * z - radius * radius));
+  const shares = [(-projection - root) / squared, (-projection + root) / squared];
+  const inner = shares.filter((share) => share > 0 && share < 1);
+  return inner.sort((a, b) => Math.abs(a - 0.5) - Math.abs(b - 0.5))[0] ?? 0;
 }
 
 /** Number of entries of an ascending list below a value. */

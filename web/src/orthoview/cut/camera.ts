@@ -108,11 +108,11 @@ interface Plane {
 /** Half-spaces of a picture's sides, and the one in front of the camera. */
 export function frustumOf(camera: Camera): readonly Plane[] {
   const { position, back, width, height } = camera;
-  const middle = directionAt(camera, width / 2, height / 2);
+  const middleDirection = directionAt(camera, width / 2, height / 2);
   /** Half-space that contains the middle of the picture; its plane passes through the camera. */
   const halfSpace = (across: Triple): Plane => {
     const [x, y, z] = unit(across);
-    const normal: Triple = dot([x, y, z], middle) < 0 ? [-x, -y, -z] : [x, y, z];
+    const normal: Triple = dot([x, y, z], middleDirection) < 0 ? [-x, -y, -z] : [x, y, z];
     return { normal, offset: -dot(normal, position) };
   };
   const places = [[0, 0], [width, 0], [width, height], [0, height]] as const;

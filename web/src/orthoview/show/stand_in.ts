@@ -56,28 +56,29 @@ export function choose(
   /** Returns the views of the cells below that cover a cell; null if they do not. */
   function below(level: number, place: Triple, depth: number): Shown[] | null {
     if (level === 0 || depth === 0) return null;
-    const found: Shown[] = [];
+    const covering: Shown[] = [];
     for (const child of childrenOf(place)) {
       const cell = cells.at(level - 1, child);
       if (!cell) return null;
       if (cell.mask === 0) continue;
-      const own = isFull(level - 1, child) ? all(level - 1, child).slice(-views) : below(level - 1, child, depth - 1);
-      if (!own) return null;
-      found.push(...own);
+      const full = isFull(level - 1, child) ? all(level - 1, child).slice(-views) : null;
+      const childViews = full ?? below(level - 1, child, depth - 1);
+      if (!childViews) return null;
+      covering.push(...childViews);
     }
-    return found;
+    return covering;
   }
 
   /** Returns the views of the nearest cell above with any loaded, fully loaded cells first. */
   function standIn(cell: Drawn): Shown[] {
-    let some: Shown[] = [];
+    let firstViews: Shown[] = [];
     for (let level = cell.level + 1; level < cells.layout.levels; level++) {
       const place = ancestorOf(cell.place, level - cell.level);
       const box = { level: cell.level, place: cell.place };
       if (isFull(level, place)) return all(level, place, box).slice(-views);
-      if (some.length === 0) some = all(level, place, box);
+      if (firstViews.length === 0) firstViews = all(level, place, box);
     }
-    return some;
+    return firstViews;
   }
 
   function show(cell: Drawn, isRequested: boolean): void {
@@ -91,10 +92,10 @@ export function choose(
     if (isRequested) missing.push(...absent.map((direction) => ({ level, place, direction })));
     if (absent.length === 0) return draw(ready);
     if (isFull(level, place)) return draw(complete(ready, loaded, directions.length));
-    let found = below(level, place, MAX_DEPTH) ?? standIn(cell);
-    if (found.length === 0) found = all(level, place);
-    if (found.length === 0) holes += 1;
-    shown.push(...found);
+    let standIns = below(level, place, MAX_DEPTH) ?? standIn(cell);
+    if (standIns.length === 0) standIns = all(level, place);
+    if (standIns.length === 0) holes += 1;
+    shown.push(...standIns);
   }
 
   for (const leaf of cut.leaves) {

@@ -124,9 +124,9 @@ export class Resident<Layer extends { readonly bytes: number }> {
   }
 
   #remove(name: string): void {
-    const found = this.#views.get(name);
-    if (!found) return;
-    const { level, place, direction, layers, bytes } = found;
+    const entry = this.#views.get(name);
+    if (!entry) return;
+    const { level, place, direction, layers, bytes } = entry;
     layers.forEach((layer) => this.drop(layer));
     this.#views.delete(name);
     this.bytes -= bytes;

@@ -72,10 +72,10 @@ export async function openRecords(files: Files): Promise<Records> {
   // Newest first.
   for (let number = generation; number > 0; number--) {
     const path = `${generationFolder(number)}generation.json`;
-    const found = await readDocument(files, path, 'orthoview_generation');
-    overlays.push({ number, cells: fields(found['cells'], path) });
-    shards.push(...shardsOf(found['shards'], generationFolder(number), path));
-    geometry.push(...shardsOf(found['geometry'], generationFolder(number), path));
+    const document = await readDocument(files, path, 'orthoview_generation');
+    overlays.push({ number, cells: fields(document['cells'], path) });
+    shards.push(...shardsOf(document['shards'], generationFolder(number), path));
+    geometry.push(...shardsOf(document['geometry'], generationFolder(number), path));
   }
   return {
     layout,
@@ -172,8 +172,8 @@ async function masksOf(views: unknown, { directions }: Layout, shapes: readonly 
   const masks = await Promise.all(shapes.map((count, level) => wordsOf(views[level], 4 * count, 'views', file)));
   if (masks.some((mask, level) => mask.length !== shapes[level]))
     throw damaged(file, `views: expected levels of ${shapes} cells, got ${masks.map((mask) => mask.length)}`);
-  const most = 2 ** directions.length;
-  const isWrong = (bits: number): boolean => bits >= most && bits !== AS_BEFORE;
+  const maskLimit = 2 ** directions.length;
+  const isWrong = (bits: number): boolean => bits >= maskLimit && bits !== AS_BEFORE;
   if (masks.some((mask) => mask.some(isWrong)))
     throw damaged(file, `views: expected bits of ${directions.length} directions`);
   return masks;

@@ -73,10 +73,10 @@ export class Arena {
   free({ page, first, words }: Place): void {
     const { gaps } = page;
     const next = gaps.findIndex((gap) => gap.first > first);
-    const at = next < 0 ? gaps.length : next;
-    gaps.splice(at, 0, { first, words });
-    this.#join(gaps, at);
-    this.#join(gaps, at - 1);
+    const index = next < 0 ? gaps.length : next;
+    gaps.splice(index, 0, { first, words });
+    this.#join(gaps, index);
+    this.#join(gaps, index - 1);
     if (gaps[0]?.words !== page.words) return;
     // Destroying a buffer does not affect pictures that were submitted before.
     page.buffer.destroy();
@@ -101,9 +101,9 @@ export class Arena {
 
   #grow(words: number): { page: Page; gap: Gap } {
     const { maxBufferSize, maxStorageBufferBindingSize } = this.device.limits;
-    const most = Math.floor(Math.min(maxBufferSize, maxStorageBufferBindingSize) / 4 / UNIT) * UNIT;
-    if (words > most) throw new Error(`a view of ${4 * words} bytes is larger than the graphics allow`);
-    const size = Math.min(Math.max(words, PAGE), most);
+    const maxWords = Math.floor(Math.min(maxBufferSize, maxStorageBufferBindingSize) / 4 / UNIT) * UNIT;
+    if (words > maxWords) throw new Error(`a view of ${4 * words} bytes is larger than the graphics allow`);
+    const size = Math.min(Math.max(words, PAGE), maxWords);
     const usage = GPUBufferUsage.STORAGE | GPUBufferUsage.COPY_DST;
     const buffer = this.device.createBuffer({ label: 'page of views', size: 4 * size, usage });
     const gap = { first: 0, words: size };

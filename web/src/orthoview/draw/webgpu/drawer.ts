@@ -97,8 +97,8 @@ export class WebgpuDrawer implements Drawer<Layer, Mesh> {
     for (const band of bands) triangles = this.#drawBand(encoder, picture, band);
     this.#uniforms.with(picture.numbers.all);
     this.#submit(encoder, bands);
-    const drawn = 2 * work.calls.length + work.pages.length + meshes.length;
-    return { splats: work.splats, triangles, calls: bands.length * drawn };
+    const callsPerBand = 2 * work.calls.length + work.pages.length + meshes.length;
+    return { splats: work.splats, triangles, calls: bands.length * callsPerBand };
   }
 
   get isDone(): boolean {
@@ -164,8 +164,8 @@ export class WebgpuDrawer implements Drawer<Layer, Mesh> {
   ): void {
     const groups = new Map<Page, GPUBindGroup>();
     for (const page of work.pages) {
-      const given = [views, parts, listed, page.buffer].map((buffer) => ({ buffer }));
-      groups.set(page, this.#createGroup(this.kernels.splatLayout, [bound, ...given, ...found]));
+      const inputs = [views, parts, listed, page.buffer].map((buffer) => ({ buffer }));
+      groups.set(page, this.#createGroup(this.kernels.splatLayout, [bound, ...inputs, ...found]));
     }
     const pass = encoder.beginComputePass({ label: 'splats' });
     const call = (pipeline: GPUComputePipeline, page: Page, count: number, called: Called): void => {

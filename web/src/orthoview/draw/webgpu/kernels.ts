@@ -89,16 +89,16 @@ export class Numbers {
   /** Adds a call; returns the byte offset of its uniforms. */
   put(band: Band, { first = 0, count = 0, round = 0, page = 0 }: Called): number {
     const { projector, grid, nearest, parts } = this.common;
-    const at = SLOT * this.#used;
-    const floats = new Float32Array(this.#data, at, SLOT / 4);
+    const offset = SLOT * this.#used;
+    const floats = new Float32Array(this.#data, offset, SLOT / 4);
     [...projector.rows, ...projector.rays].forEach((vector, n) => floats.set(vector, 4 * n));
-    new Uint32Array(this.#data, at + 96, 12).set([
+    new Uint32Array(this.#data, offset + 96, 12).set([
       ...[projector.width, band.rows, band.first, grid],
       ...[first, count, round, 0],
       ...[parts, page, 0, 0],
     ]);
     floats[36] = nearest;
     this.#used += 1;
-    return at;
+    return offset;
   }
 }

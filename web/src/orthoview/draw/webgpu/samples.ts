@@ -17,11 +17,11 @@ export interface Band {
 export function bandsOf(device: GPUDevice, width: number, height: number, grid: number): Band[] {
   const { maxStorageBufferBindingSize, maxTextureDimension2D } = device.limits;
   const rows = Math.min(Math.min(maxStorageBufferBindingSize, MAX) / (4 * width), maxTextureDimension2D);
-  const most = Math.max(Math.floor(rows / grid), 1) * grid;
-  return Array.from({ length: Math.ceil(height / most) }, (_, n) => ({
+  const rowsPerBand = Math.max(Math.floor(rows / grid), 1) * grid;
+  return Array.from({ length: Math.ceil(height / rowsPerBand) }, (_, n) => ({
     number: n,
-    first: n * most,
-    rows: Math.min(most, height - n * most),
+    first: n * rowsPerBand,
+    rows: Math.min(rowsPerBand, height - n * rowsPerBand),
   }));
 }
 
@@ -62,10 +62,10 @@ export class Samples {
 
   /** Render targets for all bands of at most this many rows: a picture's commands must not replace them. */
   targets(width: number, rows: number): Targets {
-    const found = this.#targets;
-    if (found && found.color.width === width && found.color.height === rows) return found;
-    found?.color.destroy();
-    found?.depth.destroy();
+    const targets = this.#targets;
+    if (targets && targets.color.width === width && targets.color.height === rows) return targets;
+    targets?.color.destroy();
+    targets?.depth.destroy();
     const usage = GPUTextureUsage.RENDER_ATTACHMENT | GPUTextureUsage.TEXTURE_BINDING;
     const create = (format: GPUTextureFormat): GPUTexture =>
       this.device.createTexture({ label: 'samples', size: [width, rows], format, usage });
