@@ -99,9 +99,7 @@ function decodeFace(
         }
         for (let x = column * tile; x < (column + 1) * tile; x++) {
           const place = y * size + x;
-          if (isListed[column]) {
-            face.changed[place] = planes.changed(predictChange(face, x, y, size)) ? 1 : 0;
-          }
+          if (isListed[column]) face.changed[place] = planes.changed(predictChange(face, x, y, size)) ? 1 : 0;
           const u = (2 * x + 1) / size - 1;
           texel(face, x, y, size, Math.sqrt(1 + u * u + v * v), row, columns, walk, scale, planes);
         }
@@ -144,8 +142,7 @@ function texel(
   const byColumn = m > 0 ? scale.code(predictValue(columns, x), distance, neighbour) : -1;
   if (isNew) {
     let guess = neighbour;
-    let trust: Trust =
-      left !== NOTHING && above !== NOTHING && Math.abs(left - above) <= CALM ? TRUST.calm : TRUST.low;
+    let trust: Trust = left !== NOTHING && above !== NOTHING && Math.abs(left - above) <= CALM ? TRUST.calm : TRUST.low;
     if (n >= MIN_TEXELS && m >= MIN_TEXELS) {
       if (Math.abs(byRow - byColumn) <= FIT) {
         guess = scale.code((predictValue(row, 0) * n + predictValue(columns, x) * m) / (n + m), distance, byRow);

@@ -1,7 +1,7 @@
 /** Panel of statistics, and the buttons below the picture. */
 import { button, icon, ICONS, make, write } from '../ui/dom';
 import { bytes, count, metres, milliseconds, rate } from '../ui/format';
-import type { Facts } from './show/facts';
+import type { Facts } from './show/stock';
 
 const NAMES = {
   frame: 'Frame',

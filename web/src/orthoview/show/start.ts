@@ -1,9 +1,7 @@
 /** Choice of the graphics back end, and of the WebGPU device. */
-import { WebglDrawer } from '../draw/webgl/drawer';
+import { createWebglDrawer } from '../draw/webgl/drawer';
 import type { Layout } from '../store/layout';
-import { stockOf } from './stock';
-
-export type Graphics = 'webgl' | 'webgpu';
+import { type Graphics, stockOf } from './stock';
 
 export interface StartSettings {
   /** Requested back end; null for WebGPU if available, else WebGL 2. */
@@ -21,7 +19,7 @@ export async function startStock(canvas: HTMLCanvasElement, layout: Layout, sett
   const { graphics, bytes } = settings;
   const webgpu = graphics === 'webgl' ? null : await startWebgpu(canvas, layout, graphics === 'webgpu', settings);
   if (webgpu) return { stock: stockOf(layout, webgpu, bytes), graphics: 'webgpu' as Graphics };
-  return { stock: stockOf(layout, new WebglDrawer(canvas, layout), bytes), graphics: 'webgl' as Graphics };
+  return { stock: stockOf(layout, createWebglDrawer(canvas, layout), bytes), graphics: 'webgl' as Graphics };
 }
 
 /** Returns a WebGPU drawer; null if none is available, an error if WebGPU was requested by name. */

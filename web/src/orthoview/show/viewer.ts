@@ -8,10 +8,9 @@ import { GEOMETRY, type Layout, nameOf, subtreeOf, type Triple, type ViewKey, vi
 import { Catalog } from './catalog';
 import { Queue } from './queue';
 import { type Readers, startReaders } from './readers';
-import { type Facts, factsOf, NOTHING } from './facts';
 import { type Choice, choose, type GeometryState } from './stand_in';
-import { type Graphics, startStock } from './start';
-import type { Stock } from './stock';
+import { startStock } from './start';
+import { type Facts, factsOf, type Graphics, NOTHING, type Stock } from './stock';
 
 export interface ViewerSettings extends Omit<Settings, 'isAround'> {
   readonly base: URL;

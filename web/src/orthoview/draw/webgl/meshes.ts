@@ -3,7 +3,7 @@ import { ROWS } from '../../../decode/placements';
 import type { Piece } from '../../decode/leaf';
 import type { Triple } from '../../store/layout';
 import type { Projector } from '../sight';
-import { type Program, programOf } from './gl';
+import { programOf } from './gl';
 import { MESH_FRAGMENT, MESH_VERTEX } from './shaders';
 
 /** A piece of geometry on the GPU. */
@@ -20,22 +20,14 @@ export interface Mesh {
   readonly bytes: number;
 }
 
-export class Meshes {
-  readonly #gl: WebGL2RenderingContext;
-  readonly #program: Program;
-  readonly #white: WebGLTexture;
+export function createMeshes(gl: WebGL2RenderingContext) {
+  const { at, program } = programOf(gl, MESH_VERTEX, MESH_FRAGMENT);
+  const white = gl.createTexture();
+  gl.bindTexture(gl.TEXTURE_2D, white);
+  gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA, 1, 1, 0, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array([255, 255, 255, 255]));
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
 
-  constructor(gl: WebGL2RenderingContext) {
-    this.#gl = gl;
-    this.#program = programOf(gl, MESH_VERTEX, MESH_FRAGMENT);
-    this.#white = gl.createTexture();
-    gl.bindTexture(gl.TEXTURE_2D, this.#white);
-    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA, 1, 1, 0, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array([255, 255, 255, 255]));
-    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
-  }
-
-  upload(piece: Piece): Mesh {
-    const gl = this.#gl;
+  function upload(piece: Piece): Mesh {
     const array = gl.createVertexArray();
     gl.bindVertexArray(array);
     const buffers: WebGLBuffer[] = [];
@@ -71,7 +63,7 @@ export class Meshes {
       material: piece.material,
       array,
       buffers,
-      textures: images.map((image) => (image ? this.#textureOf(image) : null)),
+      textures: images.map((image) => (image ? createTexture(image) : null)),
       kind: piece.indices instanceof Uint16Array ? gl.UNSIGNED_SHORT : gl.UNSIGNED_INT,
       corners: piece.indices.length,
       copies: piece.placements.length / ROWS,
@@ -79,15 +71,14 @@ export class Meshes {
     };
   }
 
-  drop({ array, buffers, textures }: Mesh): void {
-    this.#gl.deleteVertexArray(array);
-    for (const buffer of buffers) this.#gl.deleteBuffer(buffer);
-    for (const texture of textures) this.#gl.deleteTexture(texture);
+  function drop({ array, buffers, textures }: Mesh): void {
+    gl.deleteVertexArray(array);
+    for (const buffer of buffers) gl.deleteBuffer(buffer);
+    for (const texture of textures) gl.deleteTexture(texture);
   }
 
   /** Draws meshes into the bound samples with `nearest` as the near distance; returns the number of triangles. */
-  draw(meshes: readonly Mesh[], { eye, rows, width, height }: Projector, nearest: number): number {
-    const [gl, { at, program }] = [this.#gl, this.#program];
+  function draw(meshes: readonly Mesh[], { eye, rows, width, height }: Projector, nearest: number): number {
     gl.useProgram(program);
     gl.uniform3fv(at('gradients'), rows.flat());
     gl.uniform2f(at('screen'), width, height);
@@ -105,7 +96,7 @@ export class Meshes {
       gl.uniform1f(at('unlit'), material.isUnlit ? 1 : 0);
       textures.forEach((texture, unit) => {
         gl.activeTexture(gl.TEXTURE0 + unit);
-        gl.bindTexture(gl.TEXTURE_2D, texture ?? this.#white);
+        gl.bindTexture(gl.TEXTURE_2D, texture ?? white);
       });
       gl.bindVertexArray(mesh.array);
       // Stand-ins for missing arrays of a piece: face normals, and white.
@@ -118,8 +109,7 @@ export class Meshes {
     return triangles;
   }
 
-  #textureOf(image: ImageBitmap): WebGLTexture {
-    const gl = this.#gl;
+  function createTexture(image: ImageBitmap): WebGLTexture {
     const texture = gl.createTexture();
     gl.bindTexture(gl.TEXTURE_2D, texture);
     gl.texImage2D(gl.TEXTURE_2D, 0, gl.SRGB8_ALPHA8, gl.RGBA, gl.UNSIGNED_BYTE, image);
@@ -128,4 +118,6 @@ export class Meshes {
     image.close();
     return texture;
   }
+
+  return { upload, drop, draw };
 }

@@ -8,7 +8,7 @@ import { Arena, type Page, type Place, GrowingBuffer, SLOT } from './buffers';
 import { type Called, type Kernels, Numbers } from './kernels';
 import { COLOR, type Mesh, type Meshes } from './meshes';
 import { GROUP, ROW } from './sample_shaders';
-import { type Band, bandsOf, Samples, type Targets, tilesOf } from './samples';
+import { type Band, bandsOf, createSamples, type Samples, type Targets, tilesOf } from './samples';
 import { type Work, workOf } from './work';
 
 /** Layer of a view on the GPU. */
@@ -57,7 +57,7 @@ export class WebgpuDrawer implements Drawer<Layer, Mesh> {
     readonly meshes: Meshes,
   ) {
     this.#arena = new Arena(device);
-    this.#samples = new Samples(device);
+    this.#samples = createSamples(device);
     this.#uniforms = new GrowingBuffer(device, 'calls', GPUBufferUsage.UNIFORM);
     const storage = (label: string): GrowingBuffer => new GrowingBuffer(device, label, GPUBufferUsage.STORAGE);
     [this.#views, this.#parts, this.#listed] = [storage('views'), storage('parts'), storage('listed')];

@@ -47,20 +47,12 @@ fn corner(
   out.normal = vec3<f32>(dot(x, normal), dot(y, normal), dot(z, normal));
   out.uv = uv;
   out.color = color.rgb;
-  let gradients = draw.gradients;
-  let shown = vec3<f32>(
-    dot(gradients[0].xyz, out.point),
-    dot(gradients[1].xyz, out.point),
-    dot(gradients[2].xyz, out.point),
-  );
-  let row = shown.y - f32(draw.size.z) * shown.z;
+  let p = out.point;
+  let xyw = vec3<f32>(dot(draw.gradients[0].xyz, p), dot(draw.gradients[1].xyz, p), dot(draw.gradients[2].xyz, p));
+  let row = xyw.y - f32(draw.size.z) * xyw.z;
+  let clip = vec2<f32>(2.0 * xyw.x / f32(draw.size.x) - xyw.z, xyw.z - 2.0 * row / f32(draw.size.y));
   // Depths are the near distance divided by the distance along the axis, as for splats.
-  out.place = vec4<f32>(
-    2.0 * shown.x / f32(draw.size.x) - shown.z,
-    shown.z - 2.0 * row / f32(draw.size.y),
-    draw.nearest,
-    shown.z,
-  );
+  out.place = vec4<f32>(clip, draw.nearest, xyw.z);
   return out;
 }
 

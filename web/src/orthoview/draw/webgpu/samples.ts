@@ -36,40 +36,35 @@ export interface Targets {
   readonly depth: GPUTexture;
 }
 
-export class Samples {
-  readonly #orders: GrowingBuffer;
-  readonly #colors: GrowingBuffer;
-  readonly #tiles: GrowingBuffer;
-  #targets: Targets | null = null;
+export type Samples = ReturnType<typeof createSamples>;
 
-  constructor(readonly device: GPUDevice) {
-    const usage = GPUBufferUsage.STORAGE | GPUBufferUsage.COPY_SRC;
-    const storage = (label: string): GrowingBuffer => new GrowingBuffer(device, label, usage);
-    [this.#orders, this.#colors, this.#tiles] = [storage('orders'), storage('colors'), storage('tiles')];
-  }
+export function createSamples(device: GPUDevice) {
+  const usage = GPUBufferUsage.STORAGE | GPUBufferUsage.COPY_SRC;
+  const storage = (label: string): GrowingBuffer => new GrowingBuffer(device, label, usage);
+  const [orders, colors, tiles] = [storage('orders'), storage('colors'), storage('tiles')];
+  let targets: Targets | null = null;
 
-  /** Buffer that begins with the number of splats of unoccluded parts. */
-  get counts(): GPUBuffer {
-    return this.#tiles.ofSize(0);
-  }
-
-  /** Buffers for a band of samples. */
-  buffers(width: number, rows: number): { orders: GPUBuffer; colors: GPUBuffer; tiles: GPUBuffer } {
-    const bytes = 4 * width * rows;
-    const tiles = this.#tiles.ofSize(4 * (1 + tilesOf(width, rows)));
-    return { orders: this.#orders.ofSize(bytes), colors: this.#colors.ofSize(bytes), tiles };
-  }
-
-  /** Render targets for all bands of at most this many rows: a picture's commands must not replace them. */
-  targets(width: number, rows: number): Targets {
-    const targets = this.#targets;
-    if (targets && targets.color.width === width && targets.color.height === rows) return targets;
-    targets?.color.destroy();
-    targets?.depth.destroy();
-    const usage = GPUTextureUsage.RENDER_ATTACHMENT | GPUTextureUsage.TEXTURE_BINDING;
-    const create = (format: GPUTextureFormat): GPUTexture =>
-      this.device.createTexture({ label: 'samples', size: [width, rows], format, usage });
-    this.#targets = { color: create(COLOR), depth: create(DEPTH) };
-    return this.#targets;
-  }
+  return {
+    /** Buffer that begins with the number of splats of unoccluded parts. */
+    get counts(): GPUBuffer {
+      return tiles.ofSize(0);
+    },
+    /** Buffers for a band of samples. */
+    buffers(width: number, rows: number): Record<'orders' | 'colors' | 'tiles', GPUBuffer> {
+      const bytes = 4 * width * rows;
+      const tileBytes = 4 * (1 + tilesOf(width, rows));
+      return { orders: orders.ofSize(bytes), colors: colors.ofSize(bytes), tiles: tiles.ofSize(tileBytes) };
+    },
+    /** Render targets for all bands of at most this many rows: a picture's commands must not replace them. */
+    targets(width: number, rows: number): Targets {
+      if (targets && targets.color.width === width && targets.color.height === rows) return targets;
+      targets?.color.destroy();
+      targets?.depth.destroy();
+      const textureUsage = GPUTextureUsage.RENDER_ATTACHMENT | GPUTextureUsage.TEXTURE_BINDING;
+      const create = (format: GPUTextureFormat): GPUTexture =>
+        device.createTexture({ label: 'samples', size: [width, rows], format, usage: textureUsage });
+      targets = { color: create(COLOR), depth: create(DEPTH) };
+      return targets;
+    },
+  };
 }

@@ -2,7 +2,7 @@
 import type { Layout } from '../../store/layout';
 import { WebgpuDrawer } from './drawer';
 import { kernelsOf } from './kernels';
-import { Meshes } from './meshes';
+import { createMeshes } from './meshes';
 
 /** Callback for failures of the graphics: fatal if the device is lost, not fatal if memory is short. */
 export type Failed = (message: string, isFatal: boolean) => void;
@@ -14,7 +14,7 @@ export async function start(canvas: HTMLCanvasElement, layout: Layout, device: G
   const format = navigator.gpu.getPreferredCanvasFormat();
   device.pushErrorScope('validation');
   const kernels = kernelsOf(device, format);
-  const meshes = new Meshes(device, kernels.uniformLayout);
+  const meshes = createMeshes(device, kernels.uniformLayout);
   const error = await device.popErrorScope();
   if (error) throw new Error(error.message);
   const context = canvas.getContext('webgpu');
