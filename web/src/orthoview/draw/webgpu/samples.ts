@@ -36,8 +36,6 @@ export interface Targets {
   readonly depth: GPUTexture;
 }
 
-export type Samples = ReturnType<typeof createSamples>;
-
 export function createSamples(device: GPUDevice) {
   const usage = GPUBufferUsage.STORAGE | GPUBufferUsage.COPY_SRC;
   const storage = (label: string): GrowingBuffer => new GrowingBuffer(device, label, usage);

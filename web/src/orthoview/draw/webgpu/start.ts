@@ -1,6 +1,6 @@
 /** Entry point in a separate script that only browsers with WebGPU load. */
 import type { Layout } from '../../store/layout';
-import { WebgpuDrawer } from './drawer';
+import { createWebgpuDrawer } from './drawer';
 import { kernelsOf } from './kernels';
 import { createMeshes } from './meshes';
 
@@ -21,7 +21,7 @@ export async function start(canvas: HTMLCanvasElement, layout: Layout, device: G
   if (!context) throw new Error('this browser has no WebGPU for pictures');
   context.configure({ device, format, alphaMode: 'opaque' });
   tellFailures(device, failed);
-  return new WebgpuDrawer(context, layout, device, kernels, meshes);
+  return createWebgpuDrawer(context, layout, device, kernels, meshes);
 }
 
 /** Reports the first failure, because others follow it, and once that memory is short. */
