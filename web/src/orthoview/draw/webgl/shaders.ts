@@ -62,9 +62,8 @@ void main() {
   if (is_surfel) {
     // A surfel seen edge-on is a line: only the sample of its centre shows it.
     bool is_flat = abs(determinant) <= 1.2e-7 * (abs(du.x) + abs(dv.x)) * (abs(du.y) + abs(dv.y));
-    float inverse = is_flat ? 0.0 : 1.0 / determinant;
-    v_inverse = is_flat ? vec4(1e9) : vec4(dv.y, -dv.x, -du.y, du.x) * inverse;
-    vec4 change = vec4(dv.y, -dv.x, -du.y, du.x) * inverse;
+    vec4 change = vec4(dv.y, -dv.x, -du.y, du.x) * (is_flat ? 0.0 : 1.0 / determinant);
+    v_inverse = is_flat ? vec4(1e9) : change;
     v_nearness = vec3(inverse_w, slope.x * change.x + slope.y * change.z, slope.x * change.y + slope.y * change.w);
     half_size = is_flat ? vec2(0.0) : RADIUS * sqrt(vec2(du.x * du.x + dv.x * dv.x, du.y * du.y + dv.y * dv.y));
   } else {
@@ -178,15 +177,12 @@ void main() {
   vec4 at = vec4(position, 1.0);
   v_point = vec3(dot(row_x, at), dot(row_y, at), dot(row_z, at)) + offset;
   // Normals are transformed by the cofactor matrix, for any scale and handedness.
-  vec3 x = cross(row_y.xyz, row_z.xyz);
-  vec3 y = cross(row_z.xyz, row_x.xyz);
-  vec3 z = cross(row_x.xyz, row_y.xyz);
-  v_normal = vec3(dot(x, normal), dot(y, normal), dot(z, normal));
+  v_normal = normal * mat3(cross(row_y.xyz, row_z.xyz), cross(row_z.xyz, row_x.xyz), cross(row_x.xyz, row_y.xyz));
   v_uv = uv;
   v_color = color.rgb;
-  vec3 shown = vec3(dot(gradients[0], v_point), dot(gradients[1], v_point), dot(gradients[2], v_point));
-  vec2 place = 2.0 * shown.xy / screen - shown.z;
-  gl_Position = vec4(place.x, -place.y, shown.z - 2.0 * nearest, shown.z);
+  vec3 xyw = vec3(dot(gradients[0], v_point), dot(gradients[1], v_point), dot(gradients[2], v_point));
+  vec2 clip = 2.0 * xyw.xy / screen - xyw.z;
+  gl_Position = vec4(clip.x, -clip.y, xyw.z - 2.0 * nearest, xyw.z);
 }
 `;
 
