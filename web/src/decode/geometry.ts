@@ -9,7 +9,7 @@ import { concatPlacements, isIdentity, originOf, type PlacedNode, placedByMesh, 
 import { splitPlaced } from './split/placed';
 import { createRule, NO_GROWTH, type Rule, TOLERANCE } from './split/rule';
 import { type Budget, splitArrays } from './split/triangles';
-import { type Arrays, FOLDER, pictureName, primitiveOf, sameOf } from './surfaces';
+import { type Arrays, FOLDER, pictureName, primitiveOf, arraysKey } from './surfaces';
 
 /** Greatest number of pieces of a file; each needs a draw call. */
 const MAX_PIECES = 2 ** 18;
@@ -28,17 +28,18 @@ export interface Decoded {
 }
 
 /** Decodes a file; `kept` has the buffers of earlier requests and receives those of this one. */
-export async function decodeGeometry(request: GeometryRequest, kept: Buffers): Promise<Decoded> {
-  const parts = await partsOf(request.parts, kept);
+export async function decodeGeometry(request: GeometryRequest, buffers: Buffers): Promise<Decoded> {
+  const parts = await partsOf(request.parts, buffers);
   const { name } = request.glb;
-  const content = await fileOf(request, kept);
+  const content = await fileOf(request, buffers);
   try {
-    const glb = openGlb(content, kept);
+    const glb = openGlb(content, buffers);
     const [surfaces, offset] = await surfacesOf(glb, request);
     const pieces = splitPieces(surfaces, offset, request);
-    const own = surfaces.flatMap(({ arrays, placed }) => placed.map((where) => trianglesOf(arrays, where)));
-    const drawn = pieces.map((piece) => trianglesOf(piece, piece));
-    const triangles = { own: own.reduce((sum, n) => sum + n, 0), drawn: drawn.reduce((sum, n) => sum + n, 0) };
+    const ofFile = surfaces.flatMap(({ arrays, placed }) => placed.map((where) => trianglesOf(arrays, where)));
+    const ofPieces = pieces.map((piece) => trianglesOf(piece, piece));
+    const [own = 0, drawn = 0] = [ofFile, ofPieces].map((counts) => counts.reduce((sum, count) => sum + count, 0));
+    const triangles = { own, drawn };
     return { pieces, images: await imagesOf(glb, parts, request.known), triangles };
   } catch (error) {
     const reason = messageOf(error);
@@ -47,15 +48,15 @@ export async function decodeGeometry(request: GeometryRequest, kept: Buffers): P
 }
 
 /** Content of the file itself; that of dynamic objects is cached, because every region asks for it. */
-async function fileOf({ glb, isDynamic }: GeometryRequest, kept: Buffers): Promise<Uint8Array<ArrayBuffer>> {
+async function fileOf({ glb, isDynamic }: GeometryRequest, buffers: Buffers): Promise<Uint8Array<ArrayBuffer>> {
   const name = glb.name.slice(FOLDER.length);
   if (glb.data === null) {
-    const content = kept.get(name);
+    const content = buffers.get(name);
     if (!content) throw new Error(`${glb.name} is missing`);
     return content;
   }
   const content = await contentOf(glb);
-  if (isDynamic) kept.set(name, content);
+  if (isDynamic) buffers.set(name, content);
   return content;
 }
 
@@ -65,13 +66,13 @@ function trianglesOf({ indices }: Pick<Piece, 'indices'>, { placements }: Pick<P
 }
 
 /** Contents of parts by name. Buffers are sent only once, so valid ones are cached even if another part is damaged. */
-async function partsOf(parts: readonly FileData[], kept: Buffers): Promise<Map<string, Uint8Array<ArrayBuffer>>> {
+async function partsOf(parts: readonly FileData[], buffers: Buffers): Promise<Map<string, Uint8Array<ArrayBuffer>>> {
   const contents = new Map<string, Uint8Array<ArrayBuffer>>();
   const results = await Promise.allSettled(
     parts.map(async (part) => {
       const data = await contentOf(part);
       contents.set(part.name, data);
-      if (part.name.endsWith('.bin')) kept.set(part.name.slice(FOLDER.length), data);
+      if (part.name.endsWith('.bin')) buffers.set(part.name.slice(FOLDER.length), data);
     }),
   );
   const failed = results.find((result) => result.status === 'rejected');
@@ -118,7 +119,7 @@ async function surfacesOf(glb: Glb, { glb: file, center, isDynamic }: GeometryRe
       return { name, placements: isPlain ? null : concatPlacements(rows, offset) };
     });
     for (const primitive of entries(entryAt(glb.document.meshes, mesh, 'mesh').primitives, 'primitives')) {
-      surfaces.push({ arrays: await primitiveOf(glb, primitive), same: sameOf(glb, primitive, file.name), placed });
+      surfaces.push({ arrays: await primitiveOf(glb, primitive), same: arraysKey(glb, primitive, file.name), placed });
     }
   }
   return [surfaces, offset];

@@ -39,12 +39,12 @@ export async function primitiveOf(glb: Glb, { attributes = {}, indices, material
 }
 
 /** Key that is equal for primitives with the same bytes of the same files; `name` is that of the GLB. */
-export function sameOf(glb: Glb, { attributes = {}, indices }: Primitive, name: string): string {
-  const places = Object.entries({ ...attributes, indices }).map(([attribute, accessor]) => {
+export function arraysKey(glb: Glb, { attributes = {}, indices }: Primitive, name: string): string {
+  const locations = Object.entries({ ...attributes, indices }).map(([attribute, accessor]) => {
     const place = accessor === undefined ? '' : glb.placeOf(accessor);
     return `${attribute}=${place.startsWith(':') ? name : ''}${place}`;
   });
-  return places.sort().join(' ');
+  return locations.sort().join(' ');
 }
 
 function finite(rows: Numbers, what: string): Float32Array {

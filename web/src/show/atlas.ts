@@ -65,18 +65,18 @@ export function createAtlas(
 ) {
   const { renderer, store } = loading;
   const { nearShare } = world;
-  const opens = new Map<number, OpenRegion>();
-  const pendings = new Map<number, Pending>();
+  const openRegions = new Map<number, OpenRegion>();
+  const pendingRegions = new Map<number, Pending>();
   let order: readonly number[] = [];
   let waiting: { region: number; done: () => void }[] = [];
   let workerMemory: readonly WorkerMemory[] = [];
 
   /** Resumes the first region that is not complete. */
   function resumeNext(): void {
-    const next = order.find((region) => isLoading(opens.get(region)));
-    const called = waiting.filter(({ region }) => region === next);
+    const next = order.find((region) => isLoading(openRegions.get(region)));
+    const resumed = waiting.filter(({ region }) => region === next);
     waiting = waiting.filter(({ region }) => region !== next);
-    for (const { done } of called) done();
+    for (const { done } of resumed) done();
   }
 
   /** Waits until a ring can be fetched and it is the region's turn. */
@@ -99,11 +99,11 @@ export function createAtlas(
   function request(number: number, from: MorphState | null = null): void {
     const pending: Pending = { stop: new AbortController(), from, hasFailed: false };
     const { signal } = pending.stop;
-    pendings.set(number, pending);
+    pendingRegions.set(number, pending);
     world.open(number, signal).then(
       (arriving) => {
         if (signal.aborted) return;
-        pendings.delete(number);
+        pendingRegions.delete(number);
         const { stage } = begin(number, arriving, pending.stop);
         if (pending.from) stage.enter(pending.from);
       },
@@ -121,7 +121,7 @@ export function createAtlas(
     const stage = createStage({ ...manifest.growth, radii, nearShare }, manner);
     const region = createRegion(renderer, entry, manifest.map.face_size, store, loading.shared);
     const open = createOpenRegion(number, region, stage, stop, manifest);
-    opens.set(number, open);
+    openRegions.set(number, open);
     const finish = (state: OpenRegion['state']): void => {
       open.state = state;
       resumeNext();
@@ -153,11 +153,11 @@ export function createAtlas(
   }
 
   function end(open: OpenRegion): void {
-    opens.delete(open.number);
+    openRegions.delete(open.number);
     open.stop.abort();
     open.region.dispose();
     waiting = waiting.filter(({ region }) => region !== open.number);
-    const neededFiles = [...opens.values()].flatMap((other) => [...other.needed()]);
+    const neededFiles = [...openRegions.values()].flatMap((other) => [...other.needed()]);
     const request = { kind: 'forget', buffers: store.keep(new Set(neededFiles)), region: open.number } as const;
     Promise.all([loading.geometry(request), loading.maps(request)])
       .then((answers) => (workerMemory = answers))
@@ -167,23 +167,23 @@ export function createAtlas(
 
   const regions: Regions = {
     open(region) {
-      if (!opens.has(region) && !pendings.has(region)) request(region);
+      if (!openRegions.has(region) && !pendingRegions.has(region)) request(region);
     },
     close(region) {
-      pendings.get(region)?.stop.abort();
-      pendings.delete(region);
-      const open = opens.get(region);
+      pendingRegions.get(region)?.stop.abort();
+      pendingRegions.delete(region);
+      const open = openRegions.get(region);
       if (open) end(open);
     },
     prefer(next) {
       order = next;
       resumeNext();
     },
-    offer: (region, from) => opens.get(region)?.stage.offer(from) ?? null,
-    isComplete: (region) => opens.get(region)?.state === 'complete',
-    isCoarse: (region) => opens.get(region)?.region.entry.isCoarse ?? false,
+    offer: (region, from) => openRegions.get(region)?.stage.offer(from) ?? null,
+    isComplete: (region) => openRegions.get(region)?.state === 'complete',
+    isCoarse: (region) => openRegions.get(region)?.region.entry.isCoarse ?? false,
     enter(region, from) {
-      const [pending, open] = [pendings.get(region), opens.get(region)];
+      const [pending, open] = [pendingRegions.get(region), openRegions.get(region)];
       if (pending) pending.from = from;
       else if (!open) throw new Error(`region ${region} is not open`);
       else {
@@ -192,19 +192,19 @@ export function createAtlas(
       }
     },
     leave(region) {
-      const open = opens.get(region);
+      const open = openRegions.get(region);
       if (!open) return;
       open.stage.leave();
       open.shown = null;
     },
-    grown: (region) => opens.get(region)?.shown?.grown ?? null,
+    grown: (region) => openRegions.get(region)?.shown?.grown ?? null,
   };
   return {
     ...regions,
-    find: (region: number): OpenRegion | null => opens.get(region) ?? null,
+    find: (region: number): OpenRegion | null => openRegions.get(region) ?? null,
     /** Advances a region by some seconds; radii smaller than `least` would fold. */
     advance(region: number, seconds: number, least: number): Shown | null {
-      const open = opens.get(region);
+      const open = openRegions.get(region);
       // Its manifest is not loaded yet.
       if (!open) return null;
       const before = lastOf(open.shown);
@@ -215,22 +215,23 @@ export function createAtlas(
     },
     /** Reloads what failed. */
     retry(): void {
-      for (const open of [...opens.values()].filter(({ state }) => state === 'failed')) {
+      for (const open of [...openRegions.values()].filter(({ state }) => state === 'failed')) {
         const { grown } = open.shown ?? {};
         end(open);
         request(open.number, grown);
       }
-      for (const [number, { hasFailed, from }] of pendings) if (hasFailed) request(number, from);
+      for (const [number, { hasFailed, from }] of pendingRegions) if (hasFailed) request(number, from);
     },
     get holding(): Holding {
-      const isWaiting = [...pendings.values()].some(({ hasFailed }) => !hasFailed);
-      const areLoading = [...opens.values()].some(({ state }) => state === 'loading');
-      return { regions: [...opens.keys(), ...pendings.keys()], isLoading: isWaiting || areLoading, kept: workerMemory };
+      const isWaiting = [...pendingRegions.values()].some(({ hasFailed }) => !hasFailed);
+      const areLoading = [...openRegions.values()].some(({ state }) => state === 'loading');
+      const regions = [...openRegions.keys(), ...pendingRegions.keys()];
+      return { regions, isLoading: isWaiting || areLoading, kept: workerMemory };
     },
     dispose(): void {
-      for (const { stop } of pendings.values()) stop.abort();
-      pendings.clear();
-      for (const open of [...opens.values()]) end(open);
+      for (const { stop } of pendingRegions.values()) stop.abort();
+      pendingRegions.clear();
+      for (const open of [...openRegions.values()]) end(open);
     },
   };
 }

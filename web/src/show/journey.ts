@@ -62,9 +62,9 @@ export function createJourney(
   let current = first;
   let ahead: number | null = null;
   let leaving: { region: number; pose: Pose | null; since: number } | null = null;
-  let going: { region: number; target: Pose } | null = null;
+  let jump: { region: number; target: Pose } | null = null;
   let user: Pose | null = null;
-  let opened: readonly number[] = [first];
+  let openRegions: readonly number[] = [first];
 
   const { places } = settings;
 
@@ -94,17 +94,17 @@ export function createJourney(
     const [from, offer] = [regions.grown(current), offerOf(next)];
     if (!from || !offer) return false;
     const gap = Math.min(GAP_SHARE * distanceTo(next, places.of(current).center), GAP_MAX);
-    const [here, there] = [limitOf(current, from), limitOf(next, offer)];
+    const [currentLimit, nextLimit] = [limitOf(current, from), limitOf(next, offer)];
     const isNearer = distanceTo(next, place) + gap <= distanceTo(current, place);
     const isAsLarge = offer.radius >= from.radius && !regions.isCoarse(next);
     const isAlike = from.strength === 0 || isAsLarge || regions.isComplete(next);
-    if (isNearer && isAlike && marginAt(there, place) >= MIN_MARGIN_SHARE * there.metres) return true;
+    if (isNearer && isAlike && marginAt(nextLimit, place) >= MIN_MARGIN_SHARE * nextLimit.metres) return true;
     // At its edge the picture is replaced even by one that is less similar.
-    const isAtEdge = marginAt(here, place) < (1 - FREE) * here.metres;
-    return isAtEdge && marginAt(there, place) >= Math.max(marginAt(here, place), 0) + gap;
+    const isAtEdge = marginAt(currentLimit, place) < (1 - FREE) * currentLimit.metres;
+    return isAtEdge && marginAt(nextLimit, place) >= Math.max(marginAt(currentLimit, place), 0) + gap;
   }
 
-  function take(region: number, from: MorphState, pose: Pose | null): void {
+  function takeOver(region: number, from: MorphState, pose: Pose | null): void {
     leaving = { region: current, pose, since: 0 };
     if (region !== current) {
       regions.enter(region, from);
@@ -120,8 +120,8 @@ export function createJourney(
 
   /** Moves the user if the region of the place can be shown. */
   function depart(pose: Pose): void {
-    if (!going) return;
-    const { region, target } = going;
+    if (!jump) return;
+    const { region, target } = jump;
     const from = regions.grown(current);
     const isHere = region === current;
     const offer = isHere ? from : regions.offer(region, from ?? NOTHING_NEAR);
@@ -130,8 +130,8 @@ export function createJourney(
     const limit = limitOf(region, offer);
     const fits = isHere || marginAt(limit, target.position) > (1 - FREE) * limit.metres;
     const place = landing(region, fits ? offer : NOTHING_NEAR, target);
-    going = null;
-    take(region, fits && from ? from : NOTHING_NEAR, from ? pose : null);
+    jump = null;
+    takeOver(region, fits && from ? from : NOTHING_NEAR, from ? pose : null);
     if (!from) leaving = null;
     user = place;
     settings.moved(place);
@@ -139,7 +139,7 @@ export function createJourney(
 
   /** Closes unneeded regions and loads needed ones, first the region of the user's current or future position. */
   function arrange(place: Vector): void {
-    const goal = going?.region ?? null;
+    const goal = jump?.region ?? null;
     // At most two regions are open during a cross-fade.
     const limit = limitOf(current, regions.grown(current));
     if (leaving) ahead = leaving.region === current ? null : leaving.region;
@@ -149,11 +149,11 @@ export function createJourney(
     const isAwaited = goal !== null && !leaving;
     const isNearer = secondRegion !== null && distanceTo(secondRegion, place) < distanceTo(current, place);
     if (isNearer || (secondRegion !== null && isAwaited)) order.reverse();
-    for (const region of opened) {
+    for (const region of openRegions) {
       if (!order.includes(region)) regions.close(region);
     }
     for (const region of order) regions.open(region);
-    opened = order;
+    openRegions = order;
     regions.prefer(order);
   }
 
@@ -173,8 +173,8 @@ export function createJourney(
       }
       if (!leaving) depart(pose);
       arrange(user.position);
-      if (!leaving && !going && ahead !== null && mayCross(ahead, user.position)) {
-        take(ahead, regions.grown(current) ?? NOTHING_NEAR, null);
+      if (!leaving && !jump && ahead !== null && mayCross(ahead, user.position)) {
+        takeOver(ahead, regions.grown(current) ?? NOTHING_NEAR, null);
         arrange(user.position);
       }
       const share = leaving && settings.fade > 0 ? leaving.since / settings.fade : 1;
@@ -183,14 +183,14 @@ export function createJourney(
     /** Moves to another place when its region can be shown. */
     go(target: Pose): void {
       const region = places.nearest(target.position);
-      const here = limitOf(current, regions.grown(current));
+      const currentLimit = limitOf(current, regions.grown(current));
       // Near the centre the current region serves at once; a nearer one takes over later.
-      const isHere = marginAt(here, target.position) >= HERE_SHARE * here.metres;
-      going = { region: isHere ? current : region, target };
+      const isHere = marginAt(currentLimit, target.position) >= HERE_SHARE * currentLimit.metres;
+      jump = { region: isHere ? current : region, target };
     },
     /** Stops waiting for a region whose loading has failed. */
     failed(region: number): void {
-      if (going?.region === region && region !== current && regions.offer(region, NOTHING_NEAR) === null) going = null;
+      if (jump?.region === region && region !== current && regions.offer(region, NOTHING_NEAR) === null) jump = null;
     },
     /** Area where the user may be. */
     get bounds(): Bounds {
@@ -205,7 +205,7 @@ export function createJourney(
     },
     /** Region that the user is moving to; null for none. */
     get goal(): number | null {
-      return going?.region ?? null;
+      return jump?.region ?? null;
     },
     /** Least radius of the region's morph that does not fold at the user's position. */
     get least(): number {

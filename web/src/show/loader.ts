@@ -22,7 +22,7 @@ export interface Loading {
   readonly maps: Decoder;
   readonly fetch: Fetch;
   readonly programs: Programs;
-  readonly warm: (meshes: readonly PieceMesh[]) => void;
+  readonly warmUp: (meshes: readonly PieceMesh[]) => void;
 }
 
 /** Loading of one region. */
@@ -185,8 +185,8 @@ async function applyChange(job: Job, ring: number, change: MapEntry, isLast: boo
 
 /** Adds geometry to the group of a ring; it is shown when complete. */
 async function receiveParts(job: Job, ring: number, { number, parts, samples, triangles }: Geometry): Promise<void> {
-  const { renderer, region, store, uploads, geometry, programs, signal, warm } = job;
-  const resources = { gl: renderer.getContext() as WebGL2RenderingContext, store, warm };
+  const { renderer, region, store, uploads, geometry, programs, signal, warmUp } = job;
+  const resources = { gl: renderer.getContext() as WebGL2RenderingContext, store, warmUp };
   const pictures = createPictures(renderer, (name, texture) => {
     // Another region may have loaded it meanwhile.
     if (store.textures.has(name)) texture.dispose();

@@ -23,7 +23,7 @@ export interface MeshResources {
   readonly gl: WebGL2RenderingContext;
   readonly store: Store;
   /** Makes three.js initialize meshes. */
-  readonly warm: (meshes: readonly PieceMesh[]) => void;
+  readonly warmUp: (meshes: readonly PieceMesh[]) => void;
 }
 
 /** Resources of a mesh that are freed with it. */

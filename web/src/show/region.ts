@@ -85,7 +85,7 @@ export function* partSteps(region: Region, ring: number, part: Part, resources: 
       const textures = texturesOf(piece.material, (uri) => resources.store.textures.get(uri) ?? null);
       return prepared.make(region.materials.of(piece, textures, cut));
     });
-    resources.warm(meshes);
+    resources.warmUp(meshes);
     group.add(...meshes);
   };
   try {

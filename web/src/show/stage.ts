@@ -27,7 +27,7 @@ export type Stage = ReturnType<typeof createStage>;
 export function createStage(settings: GrowthSettings & { readonly fade: number }, { isSmooth, isWhole }: Manner) {
   let arrived = -1;
   let ring = -1;
-  let since = 0;
+  let fadeSeconds = 0;
   let isFading = false;
   let isEntered = false;
   let grown = NOTHING_NEAR;
@@ -46,16 +46,16 @@ export function createStage(settings: GrowthSettings & { readonly fade: number }
   }
 
   /** Without smoothness everything is shown at once, as soon as it does not fold. */
-  function immediate(least: number): MorphState {
+  function immediateState(least: number): MorphState {
     const radius = settings.radii[ring - 1];
     if (radius === undefined) return NOTHING_NEAR;
     return { radius, strength: grown.strength === 1 || radius >= least ? 1 : 0 };
   }
 
   function release(): void {
-    const free = waiting.filter((entry) => isFree(entry.ring));
+    const unblocked = waiting.filter((entry) => isFree(entry.ring));
     waiting = waiting.filter((entry) => !isFree(entry.ring));
-    for (const { done } of free) done();
+    for (const { done } of unblocked) done();
   }
 
   /** The map of `next` replaces that of `next` − 2. */
@@ -86,15 +86,15 @@ export function createStage(settings: GrowthSettings & { readonly fade: number }
     /** Advances by some seconds; radii smaller than `least` would fold. */
     advance(seconds: number, least = 0): Shown | null {
       if (!isShowable()) return null;
-      grown = isSmooth ? grow(grown, ring, isFading ? 0 : seconds, settings, least) : immediate(least);
+      grown = isSmooth ? grow(grown, ring, isFading ? 0 : seconds, settings, least) : immediateState(least);
       if (!isFading && arrived > ring) {
         isFading = true;
-        since = 0;
+        fadeSeconds = 0;
         return { ring, grown, fading: { ring: ring + 1, share: 0 } };
       }
       if (!isFading) return { ring, grown, fading: null };
-      since += seconds;
-      const share = settings.fade > 0 ? Math.min(since / settings.fade, 1) : 1;
+      fadeSeconds += seconds;
+      const share = settings.fade > 0 ? Math.min(fadeSeconds / settings.fade, 1) : 1;
       if (share < 1) return { ring, grown, fading: { ring: ring + 1, share } };
       ring += 1;
       isFading = false;

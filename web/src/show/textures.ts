@@ -100,7 +100,7 @@ function* boxSteps(
   for (let first = 0; first < box.height; first += rows) {
     const part = { ...box, y: box.y + first, height: Math.min(rows, box.height - first) };
     const texels = data.subarray(first * row, (first + part.height) * row);
-    yield { kind: 'map', bytes: texels.byteLength, run: () => put(renderer, gl, texture, part, texels) };
+    yield { kind: 'map', bytes: texels.byteLength, run: () => uploadTexels(renderer, gl, texture, part, texels) };
   }
 }
 
@@ -113,7 +113,7 @@ function bindForUpload(renderer: WebGLRenderer, target: 'TEXTURE_2D' | 'TEXTURE_
   state.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false);
 }
 
-function put(
+function uploadTexels(
   renderer: WebGLRenderer,
   gl: WebGL2RenderingContext,
   texture: CubeTexture,

@@ -74,7 +74,7 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings) {
     maps: mapWorker.decode,
     fetch: settings.fetch,
     programs,
-    warm(meshes) {
+    warmUp(meshes) {
       // An empty draw makes three.js create everything that the first draw of a mesh needs.
       for (const { geometry } of meshes) geometry.setDrawRange(0, 0);
       warming.children = [...meshes];

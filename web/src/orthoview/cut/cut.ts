@@ -119,7 +119,7 @@ export function cut(cells: Cells, camera: Camera, settings: Settings): Cut {
   const planes = frustumOf(camera);
   const units = layout.directions.map((direction) => frameOf(direction).axes[2]);
   const raise = liftOf(settings.lift);
-  const [drawn, leaves]: [Drawn[], Drawn[]] = [[], []];
+  const [drawnCells, leaves]: [Drawn[], Drawn[]] = [[], []];
   const hasGeometry = settings.geometry && layout.geometry;
   const unknown = new Map<string, { tier: number; place: Triple }>();
 
@@ -139,7 +139,7 @@ export function cut(cells: Cells, camera: Camera, settings: Settings): Cut {
     if (!isFine && level === 0 && hasGeometry) {
       draw(leaves);
       requireGuests(place);
-    } else if (isFine || level === 0 || !refine(level - 1, place, containment)) draw(drawn);
+    } else if (isFine || level === 0 || !refine(level - 1, place, containment)) draw(drawnCells);
   }
 
   /** Requires the records of a leaf's guests, which locate their geometry. */
@@ -169,8 +169,8 @@ export function cut(cells: Cells, camera: Camera, settings: Settings): Cut {
   const root = cells.at(top, [0, 0, 0]);
   if (root) visit(top, [0, 0, 0], root.mask, 'across');
   else addUnknown(top, [0, 0, 0]);
-  for (const list of [drawn, leaves]) list.sort((a, b) => a.distance - b.distance);
-  return { cells: drawn, leaves, reach, unknown: [...unknown.values()] };
+  for (const list of [drawnCells, leaves]) list.sort((a, b) => a.distance - b.distance);
+  return { cells: drawnCells, leaves, reach, unknown: [...unknown.values()] };
 }
 
 /** Distance of a cube's nearest point. */

@@ -99,7 +99,7 @@ async function subtreeOf(
   const masks = shapes.map((count) => new Uint32Array(count).fill(AS_BEFORE));
   const generations = shapes.map((count) => new Uint16Array(count));
   const guests = new Map<string, Triple[]>();
-  const put = async (cells: Fields, number: number, file: string): Promise<void> => {
+  const addCells = async (cells: Fields, number: number, file: string): Promise<void> => {
     const known = await masksOf(cells['views'], layout, shapes, file);
     for (const { index, leaf, guest } of await guestsOf(cells['guests'], layout, tier, place, file)) {
       if (masks[0]?.[index] !== AS_BEFORE) continue;
@@ -118,14 +118,14 @@ async function subtreeOf(
   for (const { number, cells } of overlays) {
     if (!Object.hasOwn(cells, name)) continue;
     const file = `${generationFolder(number)}generation.json`;
-    await put(fields(cells[name], file), number, file);
+    await addCells(fields(cells[name], file), number, file);
   }
   const digest = digests[`${name}.json`];
   let [shards, geometry]: [readonly Shard[], readonly Shard[]] = [[], []];
   if (digest !== undefined) {
     const file = `${FOLDER}/done/${name}.json`;
     const record = await readDocument(files, file, 'orthoview_subtree', String(digest));
-    await put(record, 0, file);
+    await addCells(record, 0, file);
     shards = shardsOf(record['shards'], '', file);
     geometry = shardsOf(record['geometry'], '', file);
   }

@@ -31,29 +31,29 @@ export function createMeshes(gl: WebGL2RenderingContext) {
     const array = gl.createVertexArray();
     gl.bindVertexArray(array);
     const buffers: WebGLBuffer[] = [];
-    const fill = (target: number, data: ArrayBufferView<ArrayBuffer>): void => {
+    const fillBuffer = (target: number, data: ArrayBufferView<ArrayBuffer>): void => {
       const buffer = gl.createBuffer();
       buffers.push(buffer);
       gl.bindBuffer(target, buffer);
       gl.bufferData(target, data, gl.STATIC_DRAW);
     };
-    const attribute = (place: number, data: Float32Array | Uint16Array | null, width: number): number => {
+    const addAttribute = (place: number, data: Float32Array | Uint16Array | null, width: number): number => {
       if (!data) return 0;
-      fill(gl.ARRAY_BUFFER, data as ArrayBufferView<ArrayBuffer>);
+      fillBuffer(gl.ARRAY_BUFFER, data as ArrayBufferView<ArrayBuffer>);
       const isFloat = data instanceof Float32Array;
       gl.enableVertexAttribArray(place);
       gl.vertexAttribPointer(place, width, isFloat ? gl.FLOAT : gl.UNSIGNED_SHORT, !isFloat, 0, 0);
       return data.byteLength;
     };
-    let bytes = attribute(0, piece.positions, 3) + attribute(1, piece.normals, 3);
-    bytes += attribute(2, piece.uvs, 2) + attribute(3, piece.colors, 4);
-    fill(gl.ARRAY_BUFFER, piece.placements as ArrayBufferView<ArrayBuffer>);
+    let bytes = addAttribute(0, piece.positions, 3) + addAttribute(1, piece.normals, 3);
+    bytes += addAttribute(2, piece.uvs, 2) + addAttribute(3, piece.colors, 4);
+    fillBuffer(gl.ARRAY_BUFFER, piece.placements as ArrayBufferView<ArrayBuffer>);
     for (let row = 0; row < 3; row++) {
       gl.enableVertexAttribArray(4 + row);
       gl.vertexAttribPointer(4 + row, 4, gl.FLOAT, false, 4 * ROWS, 16 * row);
       gl.vertexAttribDivisor(4 + row, 1);
     }
-    fill(gl.ELEMENT_ARRAY_BUFFER, piece.indices as ArrayBufferView<ArrayBuffer>);
+    fillBuffer(gl.ELEMENT_ARRAY_BUFFER, piece.indices as ArrayBufferView<ArrayBuffer>);
     gl.bindVertexArray(null);
     const images = [piece.image, piece.glow];
     // Mipmaps add a third.
