@@ -27,7 +27,7 @@ export interface Decoded {
   readonly triangles: Triangles;
 }
 
-/** Decodes a file; `kept` has the buffers of earlier requests and receives those of this one. */
+/** Decodes a file; `buffers` has those of earlier requests and receives those of this one. */
 export async function decodeGeometry(request: GeometryRequest, buffers: Buffers): Promise<Decoded> {
   const parts = await partsOf(request.parts, buffers);
   const { name } = request.glb;

@@ -33,7 +33,7 @@ export function readPlanes(raw: Uint8Array) {
     planes.push(raw.subarray(start, end));
   }
   if (end !== raw.length) throw damaged('more bytes');
-  // Number of bits read from each plane, or of words from that of words.
+  // Number of bits read from each plane; for the last plane, number of words.
   const read = new Uint32Array(PLANES);
 
   /** Reads bits that lie in one byte. */

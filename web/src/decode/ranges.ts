@@ -101,7 +101,7 @@ function decodeFace(
           const place = y * size + x;
           if (isListed[column]) face.changed[place] = planes.changed(predictChange(face, x, y, size)) ? 1 : 0;
           const u = (2 * x + 1) / size - 1;
-          texel(face, x, y, size, Math.sqrt(1 + u * u + v * v), row, columns, walk, scale, planes);
+          decodeTexel(face, x, y, size, Math.sqrt(1 + u * u + v * v), row, columns, walk, scale, planes);
         }
       }
     }
@@ -109,7 +109,7 @@ function decodeFace(
 }
 
 /** Decodes a texel if it is new, and adds it to the lines through it. */
-function texel(
+function decodeTexel(
   face: Face,
   x: number,
   y: number,

@@ -38,7 +38,7 @@ export async function primitiveOf(glb: Glb, { attributes = {}, indices, material
   };
 }
 
-/** Key that is equal for primitives with the same bytes of the same files; `name` is that of the GLB. */
+/** Key that is equal for primitives with the same bytes of the same files; `name` is the name of the GLB. */
 export function arraysKey(glb: Glb, { attributes = {}, indices }: Primitive, name: string): string {
   const locations = Object.entries({ ...attributes, indices }).map(([attribute, accessor]) => {
     const place = accessor === undefined ? '' : glb.placeOf(accessor);

@@ -177,7 +177,7 @@ function graphicsOf(name: string | null): Graphics | null {
   return name === 'webgl' || name === 'webgpu' ? name : null;
 }
 
-/** Returns the address as that of a folder. */
+/** Returns the address with a slash at its end and without a fragment. */
 function folderOf(url: URL): URL {
   if (!url.pathname.endsWith('/')) url.pathname += '/';
   url.hash = '';

@@ -36,7 +36,7 @@ export interface Regions {
   isComplete(region: number): boolean;
   /** Whether its maps are coarse and finer ones are to come. */
   isCoarse(region: number): boolean;
-  /** Shows it from now on, in a state as similar as possible to that of another region. */
+  /** Shows it from now on, in a state as similar as possible to the state `from` of another region. */
   enter(region: number, from: MorphState): void;
   /** Stops showing it. */
   leave(region: number): void;
@@ -195,7 +195,7 @@ export function createJourney(
     /** Area where the user may be. */
     get bounds(): Bounds {
       const here = limitOf(current, regions.grown(current));
-      // A picture with its own pose stays there.
+      // A picture that fades out with its own pose does not limit the user.
       const shown = leaving && !leaving.pose ? [here, limitOf(leaving.region, regions.grown(leaving.region))] : [here];
       const offer = !leaving && ahead !== null ? offerOf(ahead) : null;
       return { shown, open: offer && ahead !== null ? [here, limitOf(ahead, offer)] : [here] };

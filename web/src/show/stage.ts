@@ -58,7 +58,7 @@ export function createStage(settings: GrowthSettings & { readonly fade: number }
     for (const { done } of unblocked) done();
   }
 
-  /** The map of `next` replaces that of `next` − 2. */
+  /** Whether the map of ring `next` may replace the map of ring `next` − 2. */
   function isFree(next: number): boolean {
     return ring >= next - 1 || arrived < 1;
   }

@@ -12,7 +12,7 @@ import { Shards } from './shards';
 /** A requested view or, with the direction `GEOMETRY`, a leaf's geometry. */
 export interface ViewRequest extends ViewKey {
   readonly generation: number;
-  /** Shards with its chunks, including those of a second layer if there is one; or the files of geometry. */
+  /** Shards with the view's chunks in all layers; or the files of the leaf's geometry. */
   readonly shards: readonly Shard[];
 }
 

@@ -12,7 +12,7 @@ const CACHE_BYTES = 1 << 25;
 type Range = { readonly offset: number; readonly length: number } | { readonly suffixLength: number };
 
 export class Shards {
-  /** Whole shards: small ones, and those of servers without range requests. */
+  /** Whole shards: small ones, and all shards of servers without range requests. */
   readonly #whole = new LruCache<Promise<Bytes>>(CACHE_BYTES);
 
   /** Shards of the requested views, by their paths with the folders of their generations. */

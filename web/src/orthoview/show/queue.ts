@@ -1,4 +1,4 @@
-/** Requests for views: highest priority first, cancelled when no longer wanted, retried if that may help. */
+/** Requests for views: highest priority first, cancelled when no longer needed, retried after temporary failures. */
 import { type Failure, isPassing } from '../store/error';
 
 /** Least and greatest delay before a failed view is requested again, seconds; the delay doubles each time. */
@@ -46,7 +46,7 @@ export class Queue<Job> {
     return [...this.#requested.keys()].filter(isRetried).length;
   }
 
-  /** Replaces the wanted views; the first one has the highest priority. */
+  /** Replaces the requests; the first one has the highest priority. */
   replace(requests: Map<string, Job>): void {
     this.#requested = requests;
     for (const [id, running] of this.#running) {
@@ -57,7 +57,7 @@ export class Queue<Job> {
     this.fill();
   }
 
-  /** Requests wanted views up to the limit of concurrent requests. */
+  /** Sends requests up to the limit of concurrent ones. */
   fill(): void {
     const busy = new Set([...this.#running.values()].map(({ name }) => name));
     const now = this.settings.now();

@@ -28,8 +28,8 @@ export type LoadedDirections = (level: number, place: Triple) => readonly number
 export type GeometryState = 'loaded' | 'coming' | 'undrawable';
 
 /**
- * Chooses for each cell of a cut its own views, or those of the cells below it, or those of a cell above it. Leaves
- * that are to be drawn as geometry are treated alike until it is loaded, with that of their guests.
+ * Chooses for each cell of a cut its own views, or the views of cells below it, or of a cell above it. A leaf that is
+ * to be drawn as geometry is drawn from views, too, until its geometry and that of its guests is loaded.
  */
 export function choose(
   cut: Cut,
@@ -47,7 +47,7 @@ export function choose(
   const all = (level: number, place: Triple, box: CellKey | null = null): Shown[] =>
     loadedDirections(level, place).map((direction) => ({ level, place, direction, box }));
 
-  /** Whether enough views are loaded to draw a cell; after a turn they may differ from the wanted ones. */
+  /** Whether enough views are loaded to draw a cell; after a turn they may differ from the chosen ones. */
   const isFull = (level: number, place: Triple): boolean => {
     const mask = cells.at(level, place)?.mask ?? 0;
     return mask !== 0 && loadedDirections(level, place).length >= countOf(mask, { views });

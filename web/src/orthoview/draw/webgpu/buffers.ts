@@ -1,4 +1,4 @@
-/** Buffers of numbers that change with each picture, and pages of views, so that one call draws many of them. */
+/** Buffers of numbers that change with each picture, and pages of views, so that one call draws many views. */
 import type { GpuResource } from '../drawer';
 
 /** Bytes between two sets of uniforms, because dynamic offsets are aligned. */

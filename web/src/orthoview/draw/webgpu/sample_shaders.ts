@@ -15,7 +15,7 @@ struct Draw {
   rays: array<vec4<f32>, 3>,
   // Width and height of the drawn samples, their first row in the picture, samples along an axis of a pixel.
   size: vec4<u32>,
-  // First part, number of them, number of the round.
+  // First part, number of parts, number of the round.
   work: vec4<u32>,
   // Number of all parts, number of the page.
   all: vec4<u32>,
