@@ -84,22 +84,16 @@ export interface Facts extends FrameCounts {
 
 /** Facts before the first picture. */
 export const NOTHING: Omit<Facts, 'unhidden'> = {
-  views: 0,
-  standIns: 0,
-  waiting: 0,
-  holes: 0,
-  splats: 0,
-  leaves: 0,
-  triangles: 0,
-  calls: 0,
-  bytes: 0,
-  kept: 0,
-  isComplete: false,
-  graphics: null,
+  ...factsOf({ shown: [], near: [], holes: 0 }, { splats: 0, triangles: 0, calls: 0 }, { bytes: 0, views: 0 }),
+  ...{ waiting: 0, isComplete: false, graphics: null },
 };
 
 /** Facts of a picture that do not depend on requests. */
-export function factsOf({ shown, near, holes }: Choice, counts: FrameCounts, { bytes, views: kept }: Stock) {
+export function factsOf(
+  { shown, near, holes }: Pick<Choice, 'shown' | 'near' | 'holes'>,
+  counts: FrameCounts,
+  { bytes, views: kept }: Pick<Stock, 'bytes' | 'views'>,
+) {
   const standIns = shown.filter(({ box }) => box !== null).length;
   return { views: shown.length, standIns, holes, ...counts, leaves: near.length, bytes, kept };
 }
