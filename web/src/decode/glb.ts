@@ -215,7 +215,7 @@ const MAX_ARRAY_BYTES = 2 ** 28;
  * Greatest number of bytes that a compressed byte decodes to: version 0 of the vertex codec spends at least two bits on
  * 16 bytes of a column, the index codecs spend at least a byte on a triangle, or on an index.
  */
-const MAX_GROWTH = 64;
+const MAX_EXPANSION = 64;
 /** Allowed size of short arrays in any case, bytes, because their last block may be padded. */
 const MIN_BYTES = 2 ** 16;
 const MAX_STRIDE = 256;
@@ -237,7 +237,7 @@ const FILTERS: ReadonlyMap<string, Strides> = new Map([
 async function decompress(source: Uint8Array, { count, byteStride, mode, filter = 'NONE' }: Compression) {
   const isSized = isCount(count) && isCount(byteStride) && byteStride > 0;
   const size = count * byteStride;
-  if (!isSized || size > Math.min(MAX_ARRAY_BYTES, MIN_BYTES + MAX_GROWTH * source.length)) {
+  if (!isSized || size > Math.min(MAX_ARRAY_BYTES, MIN_BYTES + MAX_EXPANSION * source.length)) {
     throw new Error(`${source.length} compressed bytes claim ${count} rows of ${byteStride} bytes`);
   }
   if (!MODES.get(mode)?.(byteStride) || (mode === 'TRIANGLES' && count % 3 !== 0)) {

@@ -14,13 +14,15 @@ import { type Failure, isPassing } from './store/error';
 import type { Layout } from './store/layout';
 
 /** Vertical field of view, radians. */
-const ANGLE = Math.PI / 3;
+const FIELD_OF_VIEW = Math.PI / 3;
 /** Greatest ratio of canvas pixels to CSS pixels: finer canvases take more splats than phones draw. */
-const SHARPEST = 1.5;
-/** Seconds between two updates of the panel and of the address. */
-const [PANEL_EVERY, LINK_EVERY] = [0.25, 0.5] as const;
+const MAX_PIXEL_RATIO = 1.5;
+/** Seconds between two updates of the panel. */
+const PANEL_SECONDS = 0.25;
+/** Least seconds between two updates of the address. */
+const LINK_SECONDS = 0.5;
 /** Default GPU memory for views: 512 MiB, a quarter of it on small screens. */
-const BYTES = 1 << 29;
+const DEFAULT_BYTES = 1 << 29;
 
 declare global {
   interface Window {
@@ -57,13 +59,13 @@ function main(): void {
       reader: new URL('orthoview-read.js', import.meta.url),
       webgpu: new URL('orthoview-webgpu.js', import.meta.url),
     },
-    views: number(query, 'views', 3, 1, 8),
-    error: number(query, 'error', 1, 0.1, 64),
+    views: numberOf(query, 'views', 3, 1, 8),
+    error: numberOf(query, 'error', 1, 0.1, 64),
     geometry: query.get('geometry') !== '0',
-    lift: number(query, 'lift', 0, 0, 90),
-    grid: Math.round(Math.sqrt(number(query, 'samples', 1, 1, 16))),
+    lift: numberOf(query, 'lift', 0, 0, 90),
+    grid: Math.round(Math.sqrt(numberOf(query, 'samples', 1, 1, 16))),
     graphics: graphicsOf(query.get('graphics')),
-    bytes: number(query, 'megabytes', (isSmall ? BYTES / 4 : BYTES) >> 20, 1, 1 << 14) * 2 ** 20,
+    bytes: numberOf(query, 'megabytes', (isSmall ? DEFAULT_BYTES / 4 : DEFAULT_BYTES) >> 20, 1, 1 << 14) * 2 ** 20,
     workers: Math.min(Math.max((navigator.hardwareConcurrency || 2) - 1, 1), 4),
     received: meter.receive,
     opened: onOpen,
@@ -72,11 +74,11 @@ function main(): void {
         fatal(failure);
         return;
       }
-      const report: Failure = isPassing(failure) ? { ...failure, message: `${failure.message}; ${AGAIN}` } : failure;
-      const isKnown = problems.some(({ kind, message }) =>
-        isPassing(report) ? kind === report.kind : message === report.message,
-      );
-      if (!isKnown) show([...problems, report]);
+      const isTemporary = isPassing(failure);
+      const report = isTemporary ? { ...failure, message: `${failure.message}; ${RETRY_NOTE}` } : failure;
+      const isSame = ({ kind, message }: Failure): boolean =>
+        isTemporary ? kind === report.kind : message === report.message;
+      if (!problems.some(isSame)) show([...problems, report]);
     },
     recovered: () => show(problems.filter((failure) => !isPassing(failure))),
   });
@@ -85,7 +87,7 @@ function main(): void {
   const fly = createFly(canvas, linkedPose ?? home, () => ground, createThumbMark(root).show);
   const panel = createPanel(root, () => fly.setPose(home));
   window.addEventListener('hashchange', () => fly.setPose(readLink(location.hash) ?? fly.pose));
-  canvas.addEventListener('webglcontextlost', () => fatal({ kind: 'other', message: LOST }));
+  canvas.addEventListener('webglcontextlost', () => fatal({ kind: 'other', message: GRAPHICS_LOST }));
 
   function onOpen(layout: Layout): void {
     ground = layout.origin[1];
@@ -99,7 +101,7 @@ function main(): void {
     viewer.retry();
   }
 
-  let [last, sincePanel, sinceLink]: [number, number, number] = [performance.now(), PANEL_EVERY, 0];
+  let [last, sincePanel, sinceLink]: [number, number, number] = [performance.now(), PANEL_SECONDS, 0];
   let [linked, isOpen] = ['', false];
   window.orthoview = {
     get facts() {
@@ -119,16 +121,16 @@ function main(): void {
     const seconds = Math.max(now - last, 0) / 1000;
     last = now;
     const pose = fly.update(seconds);
-    const ratio = Math.min(window.devicePixelRatio || 1, SHARPEST);
+    const ratio = Math.min(window.devicePixelRatio || 1, MAX_PIXEL_RATIO);
     const [width, height] = [canvas.clientWidth, canvas.clientHeight].map((size) =>
       Math.max(Math.round(size * ratio), 1),
     );
     if (canvas.width !== width || canvas.height !== height)
       [canvas.width, canvas.height] = [width as number, height as number];
-    viewer.frame(cameraOf(pose, ANGLE, canvas.width, canvas.height));
+    viewer.frame(cameraOf(pose, FIELD_OF_VIEW, canvas.width, canvas.height));
     sincePanel += seconds;
     sinceLink += seconds;
-    if (sincePanel >= PANEL_EVERY) {
+    if (sincePanel >= PANEL_SECONDS) {
       sincePanel = 0;
       const { received, rate } = meter.read();
       panel.update({
@@ -141,7 +143,7 @@ function main(): void {
       });
     }
     const link = writeLink(pose);
-    if (isOpen && sinceLink >= LINK_EVERY && link !== linked) {
+    if (isOpen && sinceLink >= LINK_SECONDS && link !== linked) {
       // Browsers reject more than a few hundred changes of the address in half a minute.
       [sinceLink, linked] = [0, link];
       history.replaceState(null, '', link);
@@ -151,8 +153,8 @@ function main(): void {
   requestAnimationFrame(frame);
 }
 
-const AGAIN = 'the loaded views stay, and the others are requested again';
-const LOST = 'The browser has reset the graphics.';
+const RETRY_NOTE = 'the loaded views stay, and the others are requested again';
+const GRAPHICS_LOST = 'The browser has reset the graphics.';
 
 /** Titles and texts of failures after which nothing can be shown. */
 const FATAL: Readonly<Record<Failure['kind'], { readonly title: string; readonly text: string }>> = {
@@ -184,10 +186,10 @@ function folderOf(url: URL): URL {
   return url;
 }
 
-function number(query: URLSearchParams, name: string, usual: number, least: number, greatest: number): number {
+function numberOf(query: URLSearchParams, name: string, fallback: number, least: number, greatest: number): number {
   const text = query.get(name);
-  const value = text === null || text === '' ? usual : Number(text);
-  return Number.isFinite(value) ? Math.min(Math.max(value, least), greatest) : usual;
+  const value = text === null || text === '' ? fallback : Number(text);
+  return Number.isFinite(value) ? Math.min(Math.max(value, least), greatest) : fallback;
 }
 
 try {

@@ -15,9 +15,9 @@ const GAP_MAX = 2;
 /** Share of its limit that a nearer region must have left to take over, so that it is not left at once. */
 const MIN_MARGIN_SHARE = 0.3;
 /** Margin in metres beyond the user's position at which a radius may begin to fold. */
-const SLACK = 0.5;
+const MARGIN_METRES = 0.5;
 /** Tolerance for rounding, so that the last radius always counts as sufficient. */
-const ROUNDED = 1 - 1e-9;
+const ROUNDING_FACTOR = 1 - 1e-9;
 /** Share of the limit to which a landing position is clamped. */
 const LANDING_SHARE = 0.9;
 /** Least margin of a landing position, as a share of the limit, with which the current region serves. */
@@ -211,7 +211,7 @@ export function createJourney(
     get least(): number {
       const { center, fold_margin } = places.of(current);
       const distanceToCenter = user ? distance(user.position, { center, metres: fold_margin }) : 0;
-      return (ROUNDED * Math.min(distanceToCenter + SLACK, fold_margin)) / settings.marginShare;
+      return (ROUNDING_FACTOR * Math.min(distanceToCenter + MARGIN_METRES, fold_margin)) / settings.marginShare;
     },
   };
 }

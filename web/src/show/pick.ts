@@ -79,7 +79,7 @@ export function createPicker(renderer: WebGLRenderer) {
 }
 
 /** Field of view of the single pixel, degrees. */
-const ANGLE = 0.5;
+const PIXEL_ANGLE = 0.5;
 
 /** Returns the distance along a ray in metres, in the frame of `draw`; null without a hit. */
 export function castRay(
@@ -89,7 +89,7 @@ export function castRay(
   direction: Vector,
   draw: (eye: PerspectiveCamera) => void,
 ): number | null {
-  const eye = new PerspectiveCamera(ANGLE, 1, NEAR, FAR);
+  const eye = new PerspectiveCamera(PIXEL_ANGLE, 1, NEAR, FAR);
   eye.position.set(...origin);
   eye.lookAt(new Vector3(...origin).add(new Vector3(...direction)));
   eye.updateMatrixWorld(true);

@@ -110,7 +110,7 @@ export function createUploads(now: () => number = () => performance.now(), fligh
 export type StepKind = 'map' | 'picture' | 'arrays' | 'mesh' | 'program';
 
 /** Number of bytes whose upload takes as long as an empty step. */
-const UNIT = 2 ** 16;
+const UNIT_BYTES = 2 ** 16;
 /** Initial milliseconds per unit: those of a slow computer. */
 const INITIAL: Readonly<Record<StepKind, number>> = { map: 0.2, picture: 0.2, arrays: 0.1, mesh: 0.5, program: 2.5 };
 const LEARNING_RATE = 0.15;
@@ -121,7 +121,7 @@ const MAX_RATIO = 4;
 function createCosts() {
   const known = new Map<StepKind, number>();
   const unit = (kind: StepKind): number => known.get(kind) ?? INITIAL[kind];
-  const units = (bytes: number): number => 1 + bytes / UNIT;
+  const units = (bytes: number): number => 1 + bytes / UNIT_BYTES;
   return {
     /** Expected duration of a step, milliseconds. */
     expected: ({ kind, bytes }: Step): number => unit(kind) * units(bytes),

@@ -5,8 +5,10 @@ import { CONNECTION_BITS, type Layout } from '../store/layout';
 export const WORDS = 3;
 /** Parts along each axis of a view. */
 const PARTS = 4;
-/** Greatest number of connected neighbours of a ball; number of all neighbours. */
-const [MAX_NEIGHBOURS, ALL] = [4, 8] as const;
+/** Greatest number of connected neighbours of a ball. */
+const MAX_BALL_NEIGHBOURS = 4;
+/** Number of all neighbours of a pixel. */
+const ALL_NEIGHBOURS = 8;
 
 /** Splats [first, first + count), and their range of columns, rows and depth steps; `high` is exclusive. */
 export interface Part {
@@ -45,8 +47,9 @@ export function pack(color: Numbers, depth: Numbers, normal: Numbers, layout: La
     const [r, g, b] = [color[3 * pixel], color[3 * pixel + 1], color[3 * pixel + 2]] as [number, number, number];
     words[index] = r | (g << 8) | (b << 16) | ((steps >>> 8) << 24);
     words[index + 1] = normalOf(normal, pixel, layout.normalBits) | ((steps & 255) << 24);
-    const near = neighbours[pixel] as number;
-    words[index + 2] = x | (y << 12) | (near > MAX_NEIGHBOURS ? 1 << 24 : 0) | (near === ALL ? 1 << 25 : 0);
+    const connected = neighbours[pixel] as number;
+    const flags = (connected > MAX_BALL_NEIGHBOURS ? 1 << 24 : 0) | (connected === ALL_NEIGHBOURS ? 1 << 25 : 0);
+    words[index + 2] = x | (y << 12) | flags;
     count += 1;
     return steps;
   }
@@ -83,11 +86,8 @@ function countSplats(depth: Numbers): number {
 /** Both components of a normal in 24 bits; 8-bit components are unchanged. */
 function normalOf(normal: Numbers, pixel: number, bits: number): number {
   if (bits === 16) return (normal[2 * pixel] as number) | ((normal[2 * pixel + 1] as number) << 12);
-  const [high, middle, low] = [normal[3 * pixel], normal[3 * pixel + 1], normal[3 * pixel + 2]] as [
-    number,
-    number,
-    number,
-  ];
+  const first = 3 * pixel;
+  const [high, middle, low] = [normal[first], normal[first + 1], normal[first + 2]] as [number, number, number];
   return (high << 4) | (middle >> 4) | ((((middle & 15) << 8) | low) << 12);
 }
 

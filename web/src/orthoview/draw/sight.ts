@@ -10,7 +10,7 @@ export const SQUARED_RADIUS = 0.5;
 /** Least cosine between a surfel's normal and the direction of its view. */
 export const MIN_COSINE = 0.25;
 /** Multiple of a view's least distance below which the bounds of a part in the picture are not computed. */
-const CLOSE = 8;
+const CLOSE_FACTOR = 8;
 /** Number of four-component vectors per view in the shader. */
 export const VECTORS = 10;
 
@@ -135,7 +135,7 @@ export function boundsOf(sight: Sight, { low, high }: Part, width: number, heigh
   if (isLeft || isRight || isAbove || isBelow || isBehind) return null;
   const nearness = nearest < least ? Number.POSITIVE_INFINITY : 1 / nearest;
   // At this distance the ellipse from the derivative at a splat's centre may extend far beyond the part.
-  if (nearest < CLOSE * least) return { low: [0, 0], high: [width, height], nearness };
+  if (nearest < CLOSE_FACTOR * least) return { low: [0, 0], high: [width, height], nearness };
   return {
     low: [Math.max(Math.floor(from[0]) - 1, 0), Math.max(Math.floor(from[1]) - 1, 0)],
     high: [Math.min(Math.floor(to[0]) + 2, width), Math.min(Math.floor(to[1]) + 2, height)],

@@ -29,9 +29,9 @@ export class GrowingBuffer {
 }
 
 /** Least number of 32-bit words in a page: 32 MB. */
-const PAGE = 1 << 23;
+const MIN_PAGE_WORDS = 1 << 23;
 /** Alignment of all places in words. */
-const UNIT = 64;
+const ALIGNMENT_WORDS = 64;
 
 /** Range of words in a page. */
 export interface Place extends GpuResource {
@@ -59,7 +59,7 @@ export class Arena {
 
   /** Uploads words to the GPU. */
   put(words: Uint32Array<ArrayBuffer>): Place {
-    const wanted = Math.max(Math.ceil(words.length / UNIT), 1) * UNIT;
+    const wanted = Math.max(Math.ceil(words.length / ALIGNMENT_WORDS), 1) * ALIGNMENT_WORDS;
     const { page, gap } = this.#find(wanted) ?? this.#grow(wanted);
     const place: Place = { page, first: gap.first, words: wanted, bytes: 4 * wanted };
     gap.first += wanted;
@@ -101,9 +101,10 @@ export class Arena {
 
   #grow(words: number): { page: Page; gap: Gap } {
     const { maxBufferSize, maxStorageBufferBindingSize } = this.device.limits;
-    const maxWords = Math.floor(Math.min(maxBufferSize, maxStorageBufferBindingSize) / 4 / UNIT) * UNIT;
+    const maxBytes = Math.min(maxBufferSize, maxStorageBufferBindingSize);
+    const maxWords = Math.floor(maxBytes / 4 / ALIGNMENT_WORDS) * ALIGNMENT_WORDS;
     if (words > maxWords) throw new Error(`a view of ${4 * words} bytes is larger than the graphics allow`);
-    const size = Math.min(Math.max(words, PAGE), maxWords);
+    const size = Math.min(Math.max(words, MIN_PAGE_WORDS), maxWords);
     const usage = GPUBufferUsage.STORAGE | GPUBufferUsage.COPY_DST;
     const buffer = this.device.createBuffer({ label: 'page of views', size: 4 * size, usage });
     const gap = { first: 0, words: size };

@@ -4,7 +4,7 @@ import { COLOR, DEPTH } from './meshes';
 import { TILE } from './sample_shaders';
 
 /** Greatest number of bytes for the depths of a band's samples, and for their colours. */
-const MAX = 1 << 26;
+const MAX_BAND_BYTES = 1 << 26;
 
 /** Range of rows of samples. */
 export interface Band {
@@ -16,7 +16,7 @@ export interface Band {
 /** Splits a picture into bands of whole pixels. */
 export function bandsOf(device: GPUDevice, width: number, height: number, grid: number): Band[] {
   const { maxStorageBufferBindingSize, maxTextureDimension2D } = device.limits;
-  const rows = Math.min(Math.min(maxStorageBufferBindingSize, MAX) / (4 * width), maxTextureDimension2D);
+  const rows = Math.min(Math.min(maxStorageBufferBindingSize, MAX_BAND_BYTES) / (4 * width), maxTextureDimension2D);
   const rowsPerBand = Math.max(Math.floor(rows / grid), 1) * grid;
   return Array.from({ length: Math.ceil(height / rowsPerBand) }, (_, n) => ({
     number: n,

@@ -15,9 +15,9 @@ import {
 } from '../sight';
 
 /** 32-bit words per part. */
-export const PART = 8;
+export const PART_WORDS = 8;
 /** Shares of a picture's splats after which the depths of tiles are updated; the last call draws the rest. */
-const BATCHES = [1 / 16, 1 / 8, 1 / 4, 1 / 2] as const;
+const BATCH_SHARES = [1 / 16, 1 / 8, 1 / 4, 1 / 2] as const;
 
 /** Layer of a view in a page of words. */
 export interface Placed<Page> {
@@ -101,7 +101,7 @@ function orderOf(depth: number): number {
 function assignCalls<Page>(visible: readonly VisiblePart<Page>[], splats: number, nearest: number) {
   const sorted = [...visible].sort((a, b) => compareNumbers(b.bounds.nearness, a.bounds.nearness));
   const pages = [...new Set(visible.map(({ page }) => page))];
-  const parts = new Uint32Array(PART * visible.length);
+  const parts = new Uint32Array(PART_WORDS * visible.length);
   const indices = new Map<VisiblePart<Page>, number>();
   const calls: Call<Page>[] = [];
   for (const batch of batchesOf(sorted, splats)) {
@@ -112,7 +112,7 @@ function assignCalls<Page>(visible: readonly VisiblePart<Page>[], splats: number
       calls.push({ page, begins, first: indices.size, count: pageParts.length });
       begins = false;
       for (const part of pageParts) {
-        parts.set(wordsOf(part, pages.indexOf(page), nearest), PART * indices.size);
+        parts.set(wordsOf(part, pages.indexOf(page), nearest), PART_WORDS * indices.size);
         indices.set(part, indices.size);
       }
     }
@@ -139,7 +139,7 @@ export function batchesOf<P extends { readonly count: number }>(parts: readonly 
   let [drawn, reached] = [0, 0];
   for (const part of parts) {
     // A batch ends when the splats so far reach a share of all that they had not reached before.
-    const newlyReached = BATCHES.filter((share) => drawn >= splats * share).length;
+    const newlyReached = BATCH_SHARES.filter((share) => drawn >= splats * share).length;
     if (newlyReached > reached) batches.push([]);
     reached = newlyReached;
     batches.at(-1)?.push(part);
