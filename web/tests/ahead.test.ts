@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import type { Texture } from 'three';
 import { createStore, type MeshArrays } from '../src/show/buffers';
-import { createPrefetch } from '../src/show/job';
+import { createPrefetch } from '../src/show/loader';
 import { createUploads, type Step } from '../src/show/uploads';
 
 const SIZES: Readonly<Record<string, number>> = { a: 10, b: 20, c: 30 };
@@ -21,7 +21,7 @@ function countingFetch(fails = false) {
 test('a prefetched file is not fetched again, and no longer counts as prefetched', async () => {
   const { asked, fetch } = countingFetch();
   const ahead = createPrefetch(fetch, sizeOf);
-  ahead.want(['a', 'b', 'a'], signal);
+  ahead.begin(['a', 'b', 'a'], signal);
   assert.deepEqual([asked, ahead.bytes], [['a', 'b'], 30]);
   assert.equal((await ahead.fetch('b', signal)).byteLength, 20);
   assert.deepEqual([asked, ahead.bytes], [['a', 'b'], 10]);
@@ -32,13 +32,13 @@ test('a prefetched file is not fetched again, and no longer counts as prefetched
 test('prefetching stays within its limit of bytes', () => {
   const { asked, fetch } = countingFetch();
   const ahead = createPrefetch(fetch, sizeOf, 45);
-  ahead.want(['a', 'c', 'b'], signal);
+  ahead.begin(['a', 'c', 'b'], signal);
   assert.deepEqual([asked, ahead.bytes], [['a', 'c'], 40]);
 });
 
 test('a failed prefetch is reported when the file is requested', async () => {
   const ahead = createPrefetch(countingFetch(true).fetch, sizeOf);
-  ahead.want(['a'], signal);
+  ahead.begin(['a'], signal);
   await assert.rejects(ahead.fetch('a', signal), /the server is gone/);
 });
 

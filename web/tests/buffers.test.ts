@@ -35,7 +35,7 @@ test('arrays are sent in steps of limited size, small ones together', () => {
   const buffers = createBuffers<'position' | 'normal' | 'color' | 'index'>(gl, {
     position: { rows: position, width: 3 },
     normal: null,
-    color: { rows: color, width: 4, isShare: true },
+    color: { rows: color, width: 4, isNormalized: true },
     index: { rows: index, width: 1 },
   });
   const sizes: number[] = [];

@@ -1,10 +1,9 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { readManifest } from '../src/bundle/parse';
+import type { Decoder } from '../src/decode/messages';
 import { createStore } from '../src/show/buffers';
-import type { Decoder } from '../src/show/decoder';
-import type { RegionLoading, Loading } from '../src/show/job';
-import { loadRegion } from '../src/show/loader';
+import { type Loading, loadRegion, type RegionLoading } from '../src/show/loader';
 import { manifest } from './support/manifest';
 
 const [FIRST, SECOND, THIRD, SHARED] = [
@@ -58,7 +57,7 @@ function createRegion() {
     number: 0,
     arrived: (ring: number) => arrived.push(ring),
     received: (bytes: number) => (made.bytes += bytes),
-    turn: async (ring: number) => rings[ring],
+    waitForRing: async (ring: number) => rings[ring],
     mayReplace: async () => undefined,
     signal: stop.signal,
   } as unknown as RegionLoading;
