@@ -17,17 +17,7 @@ const [NOBODY, SOME, ALL, REST] = ['#e6ebf2', '#ffb52e', '#35d07f', '#3a434e'].m
 /** Pieces of a full turn of the ring; y is 0 inside and 1 outside. */
 const PIECES = 96;
 
-export interface Ball {
-  readonly meshes: readonly Drawn[];
-  /**
-   * Sets the world position, the radius, the share of users who aim at it, and the elapsed share of the holding time.
-   */
-  show(at: Vector | null, radius: number, share: number, held: number): void;
-  /** Places it for pictures whose centre is at the origin. */
-  place(center: Point): void;
-}
-
-export function createBall(shared: Shared): Ball {
+export function createBall(shared: Shared) {
   const color = new Vector4(1, 1, 1, 1);
   const size = { value: 1 };
   const body = createMesh(new SphereGeometry(1, 40, 28), shared, NEAR_VERTEX, { SMOOTH: '' }, {
@@ -46,10 +36,13 @@ export function createBall(shared: Shared): Ball {
   let middle: Vector = [0, 0, 0];
 
   return {
-    get meshes() {
+    get meshes(): readonly Drawn[] {
       return meshes;
     },
-    show(at, radius, share, held) {
+    /**
+     * Sets the world position, the radius, the share of users who aim at it, and the elapsed share of the holding time.
+     */
+    show(at: Vector | null, radius: number, share: number, held: number): void {
       meshes = at ? [body, done, rest] : [];
       if (!at) return;
       middle = at;
@@ -59,7 +52,8 @@ export function createBall(shared: Shared): Ball {
       set(done, 'shares', [0, held]);
       set(rest, 'shares', [held, 1]);
     },
-    place(center) {
+    /** Places it for pictures whose centre is at the origin. */
+    place(center: Point): void {
       const [x, y, z] = subtract(middle, center);
       const { value: radius } = size;
       (body.material.uniforms['placement']?.value as Matrix4).makeScale(radius, radius, radius).setPosition(x, y, z);

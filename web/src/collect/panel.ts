@@ -32,12 +32,8 @@ export interface TrialState {
   readonly roundTrip: number | null;
 }
 
-export interface CollectPanel {
-  update(state: CardState): void;
-}
-
 /** Builds the card above the page's buttons; `start` begins a run. */
-export function createPanel(root: HTMLElement, start: () => void): CollectPanel {
+export function createPanel(root: HTMLElement, start: () => void) {
   const instruction = make('p', { class: 'collect-words', role: 'status' });
   const title = make('h2', {}, 'Sphere collection');
   const figureNames = ['Left', 'Level', 'Aiming', 'Spheres', 'Misses'] as const;
@@ -89,7 +85,7 @@ export function createPanel(root: HTMLElement, start: () => void): CollectPanel 
   }
 
   return {
-    update(state) {
+    update(state: CardState): void {
       write(instruction, state.instruction);
       instruction.hidden = state.instruction === '';
       write(otherScores, state.otherScores);

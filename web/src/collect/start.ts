@@ -232,23 +232,17 @@ function trialState(task: Task, trial: Trial, now: number, frames: number | null
   };
 }
 
-interface Frames {
-  /** Frames per second since the restart; null before the second one. */
-  readonly rate: number | null;
-  restart(now: number): void;
-  count(now: number): void;
-}
-
-function createFrames(): Frames {
+function createFrames() {
   let [counted, first, last] = [0, 0, 0];
   return {
-    get rate() {
+    /** Frames per second since the restart; null before the second one. */
+    get rate(): number | null {
       return counted > 0 && last > first ? counted / (last - first) : null;
     },
-    restart(now) {
+    restart(now: number): void {
       [counted, first, last] = [0, now, now];
     },
-    count(now) {
+    count(now: number): void {
       counted += 1;
       last = now;
     },

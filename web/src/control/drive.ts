@@ -64,13 +64,8 @@ export function hasOtherPurpose(event: KeyboardEvent): boolean {
 
 const TEXT_FIELDS = 'input, textarea, select, [contenteditable], dialog[open]';
 
-export interface Keys {
-  readonly drive: Drive;
-  dispose(): void;
-}
-
 /** Listens to keys of a window or an element. */
-export function createKeys(source: EventTarget): Keys {
+export function createKeys(source: EventTarget) {
   const pressedCodes = new Set<string>();
   const controller = new AbortController();
   const listen = (name: string, action: (event: Event) => void): void =>
@@ -98,14 +93,14 @@ export function createKeys(source: EventTarget): Keys {
   });
 
   return {
-    get drive() {
+    get drive(): Drive {
       const sums = [0, 0, 0, 0];
       for (const code of pressedCodes) AXES[code]?.forEach((value, axis) => (sums[axis] = (sums[axis] ?? 0) + value));
       const [right = 0, ahead = 0, turn = 0, look = 0] = sums;
       const [clampedRight, clampedAhead] = clampLength(right, ahead);
       return { right: clampedRight, ahead: clampedAhead, turn: Math.sign(turn), look: Math.sign(look), isRunning };
     },
-    dispose: () => controller.abort(),
+    dispose: (): void => controller.abort(),
   };
 }
 

@@ -8,21 +8,7 @@ const [NEAREST, FARTHEST, USUAL] = [0.3, 2000, 4] as const;
 /** Full speed: radians per second, zoom exponent per second, and pan distances per second. */
 const [TURN, ZOOM, PAN] = [1.4, 1.2, 0.8] as const;
 
-export interface Orbit {
-  readonly pose: Pose;
-  /** Advances by some seconds: sideways and turning orbit, ahead zooms in; with haste, steps move the point instead. */
-  update(seconds: number, drive: Drive): void;
-  /** Orbits by radians by which the view turns to the left and up. */
-  rotate(left: number, up: number): void;
-  /** Multiplies the distance. */
-  zoom(factor: number): void;
-  /** Moves eye and point, as shares of their distance, to the right and up in the picture. */
-  pan(right: number, up: number): void;
-  /** Starts at a pose; the point lies ahead of it. */
-  setPose(pose: Pose): void;
-}
-
-export function createOrbit(start: Pose, bounds: () => Bounds | null): Orbit {
+export function createOrbit(start: Pose, bounds: () => Bounds | null) {
   let view: Pose = start;
   let away: number = USUAL;
 
@@ -37,6 +23,7 @@ export function createOrbit(start: Pose, bounds: () => Bounds | null): Orbit {
     view = { position: eye, yaw, pitch: clamp(Math.atan2(y, level), -STEEPEST, STEEPEST) };
   }
 
+  /** Orbits by radians by which the view turns to the left and up. */
   function rotate(left: number, up: number): void {
     if (left === 0 && up === 0) return;
     const point = target();
@@ -47,6 +34,7 @@ export function createOrbit(start: Pose, bounds: () => Bounds | null): Orbit {
     else put(allowed, point);
   }
 
+  /** Multiplies the distance. */
   function zoom(factor: number): void {
     if (!(factor > 0) || factor === 1) return;
     const wanted = clamp(away * factor, NEAREST, FARTHEST);
@@ -57,6 +45,7 @@ export function createOrbit(start: Pose, bounds: () => Bounds | null): Orbit {
     view = { ...view, position };
   }
 
+  /** Moves eye and point, as shares of their distance, to the right and up in the picture. */
   function pan(right: number, up: number): void {
     const shift = addScaled(addScaled([0, 0, 0], rightOf(view.yaw), right * away), upOf(view), up * away);
     const share = allowedShare(view.position, addScaled(view.position, shift, 1), bounds());
@@ -64,10 +53,11 @@ export function createOrbit(start: Pose, bounds: () => Bounds | null): Orbit {
   }
 
   return {
-    get pose() {
+    get pose(): Pose {
       return view;
     },
-    update(seconds, { right, ahead: nearer, turn, look, isRunning }) {
+    /** Advances by some seconds: sideways and turning orbit, ahead zooms in; with haste, steps move the point instead. */
+    update(seconds: number, { right, ahead: nearer, turn, look, isRunning }: Drive): void {
       if (isRunning) pan(PAN * seconds * right, PAN * seconds * nearer);
       else zoom(Math.exp(-ZOOM * seconds * nearer));
       const aside = isRunning ? turn : turn - right;
@@ -77,7 +67,8 @@ export function createOrbit(start: Pose, bounds: () => Bounds | null): Orbit {
     rotate,
     zoom,
     pan,
-    setPose(pose) {
+    /** Starts at a pose; the point lies ahead of it. */
+    setPose(pose: Pose): void {
       view = pose;
       away = USUAL;
     },

@@ -35,16 +35,6 @@ export interface PointerActions {
   go(x: number, y: number): void;
 }
 
-export interface Pointers {
-  /** Movement command of the left thumb. */
-  readonly drive: Drive;
-  /** Locks the pointer to look around without a button, until Escape. */
-  lock(): void;
-  /** Discards all fingers, because the mode has changed. */
-  release(): void;
-  dispose(): void;
-}
-
 /** A finger, or a mouse with a button down. */
 interface Down {
   readonly x: number;
@@ -53,7 +43,7 @@ interface Down {
   readonly task: 'turn' | 'step' | 'pan';
 }
 
-export function createPointers(element: HTMLElement, actions: PointerActions): Pointers {
+export function createPointers(element: HTMLElement, actions: PointerActions) {
   const downs = new Map<number, Down>();
   const stop = new AbortController();
   let drive = NO_MOTION;
@@ -145,6 +135,7 @@ export function createPointers(element: HTMLElement, actions: PointerActions): P
     actions.zoom(Math.exp(WHEEL * event.deltaY * (WHEEL_PIXELS[event.deltaMode] ?? 1) * (event.ctrlKey ? 6 : 1)));
   }
 
+  /** Locks the pointer to look around without a button, until Escape. */
   function lock(): void {
     if (actions.mode() !== 'walk') return;
     // Browsers refuse a lock in frames and shortly after Escape; dragging still works.
@@ -162,6 +153,7 @@ export function createPointers(element: HTMLElement, actions: PointerActions): P
   element.addEventListener('wheel', wheel, { signal, passive: false });
   element.addEventListener('contextmenu', (event) => event.preventDefault(), { signal });
 
+  /** Discards all fingers, because the mode has changed. */
   function release(): void {
     downs.clear();
     rest();
@@ -169,12 +161,13 @@ export function createPointers(element: HTMLElement, actions: PointerActions): P
   }
 
   return {
-    get drive() {
+    /** Movement command of the left thumb. */
+    get drive(): Drive {
       return drive;
     },
     lock,
     release,
-    dispose() {
+    dispose(): void {
       release();
       stop.abort();
     },
@@ -186,25 +179,20 @@ const [LONGEST, PAUSE, STILL] = [300, 400, 16] as const;
 
 type Event = Pick<PointerEvent, 'pointerId' | 'clientX' | 'clientY' | 'timeStamp'>;
 
-export interface Taps {
-  down(event: Event): void;
-  up(event: Event): void;
-}
-
 /** `twice` receives the second tap. */
-export function createTaps(twice: (event: Event) => void): Taps {
+export function createTaps(twice: (event: Event) => void) {
   const downs = new Map<number, Event>();
   let last: Event | null = null;
 
   const isNear = (a: Event, b: Event): boolean => Math.hypot(a.clientX - b.clientX, a.clientY - b.clientY) <= STILL;
 
   return {
-    down(event) {
+    down(event: Event): void {
       // Two simultaneous fingers are no tap.
       if (downs.size > 0) last = null;
       downs.set(event.pointerId, event);
     },
-    up(event) {
+    up(event: Event): void {
       const begun = downs.get(event.pointerId);
       const isAlone = downs.size === 1;
       downs.delete(event.pointerId);

@@ -17,17 +17,9 @@ export interface CallEvents {
   readonly refuse: (sentence: string) => void;
 }
 
-export interface Call {
-  /** Returns this page's offer. */
-  offer(): Promise<string>;
-  /** Returns the answer to an offer. */
-  answer(offer: string): Promise<string>;
-  /** Applies the other page's answer. */
-  take(answer: string): Promise<void>;
-  close(): void;
-}
+export type Call = ReturnType<typeof createCall>;
 
-export function createCall({ opened, ended, refuse }: CallEvents, later: Clock['later']): Call {
+export function createCall({ opened, ended, refuse }: CallEvents, later: Clock['later']) {
   // There is no STUN server: pages connect in a local network, or if they have public addresses.
   const connection = new RTCPeerConnection({ iceServers: [] });
   const channel = connection.createDataChannel('files', CHANNEL);
@@ -55,13 +47,16 @@ export function createCall({ opened, ended, refuse }: CallEvents, later: Clock['
   }
 
   return {
+    /** Returns this page's offer. */
     offer: localDescription,
-    async answer(offer) {
+    /** Returns the answer to an offer. */
+    async answer(offer: string): Promise<string> {
       await connection.setRemoteDescription({ type: 'offer', sdp: offer });
       return localDescription();
     },
-    take: (answer) => connection.setRemoteDescription({ type: 'answer', sdp: answer }),
-    close() {
+    /** Applies the other page's answer. */
+    take: (answer: string): Promise<void> => connection.setRemoteDescription({ type: 'answer', sdp: answer }),
+    close(): void {
       channel.onclose = connection.onconnectionstatechange = null;
       connection.close();
     },
@@ -130,13 +125,7 @@ const [RATE, BURST, MIN] = [24_576, 12_288, 64] as const;
 const MAX_WAITING = 64;
 
 /** Queue of signals that respects the rate limit of a room. */
-export interface Outbox {
-  send(user: number, payload: Uint8Array): void;
-  /** Discards queued signals. */
-  clear(): void;
-}
-
-export function createOutbox(send: (user: number, payload: Uint8Array) => void, clock: Clock): Outbox {
+export function createOutbox(send: (user: number, payload: Uint8Array) => void, clock: Clock) {
   const bucket = createBucket(RATE, BURST, clock.now);
   let waiting: (readonly [user: number, payload: Uint8Array])[] = [];
   let isWaiting = false;
@@ -159,12 +148,13 @@ export function createOutbox(send: (user: number, payload: Uint8Array) => void, 
   }
 
   return {
-    send(user, payload) {
+    send(user: number, payload: Uint8Array): void {
       if (waiting.length >= MAX_WAITING) return;
       waiting.push([user, payload]);
       if (!isWaiting) flush();
     },
-    clear() {
+    /** Discards queued signals. */
+    clear(): void {
       waiting = [];
     },
   };

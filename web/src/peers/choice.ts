@@ -5,19 +5,16 @@ import { onStorage } from '../rooms/ticket';
 /** Key of the choice in the storage; files are exchanged if there is no entry. */
 const STORAGE_KEY = 'nearfar peers';
 
-export interface Choice {
-  readonly isOn: boolean;
-  set(isOn: boolean): void;
-}
+type Choice = ReturnType<typeof createChoice>;
 
-export function createChoice(storage: () => Storage = () => localStorage): Choice {
+export function createChoice(storage: () => Storage = () => localStorage) {
   // Without a storage the choice holds for this page only.
   let isOn = onStorage(storage, (store) => store.getItem(STORAGE_KEY)) !== 'off';
   return {
-    get isOn() {
+    get isOn(): boolean {
       return isOn;
     },
-    set(isWanted) {
+    set(isWanted: boolean): void {
       isOn = isWanted;
       onStorage(storage, (store) => (isWanted ? store.removeItem(STORAGE_KEY) : store.setItem(STORAGE_KEY, 'off')));
     },

@@ -21,20 +21,6 @@ export interface Wanted extends FileEntry {
   readonly slowest: number;
 }
 
-export interface Downloads {
-  /** Number of open requests, including abandoned ones that have not ended. */
-  readonly open: number;
-  /** Whether the page can take a request: it has room, and no abandoned request is open. */
-  readonly isFree: boolean;
-  /** Requests a file; `received` is called with its bytes, and with a negative number if they do not count. */
-  ask(file: Wanted, signal: AbortSignal, received: Received): Promise<Answer>;
-  /** Handles a message; returns a sentence if the page violates the protocol. */
-  hear(message: Extract<Message, { readonly request: number }>): string | null;
-  tick(): void;
-  /** Ends all requests, because the page is gone. */
-  end(): void;
-}
-
 interface Download {
   readonly file: Wanted;
   readonly received: Received;
@@ -51,7 +37,7 @@ interface Download {
 }
 
 /** Creates the downloads from a page; `refuse` is called with a sentence if a file has the wrong content. */
-export function createDownloads(send: (message: Message) => void, refuse: (sentence: string) => void): Downloads {
+export function createDownloads(send: (message: Message) => void, refuse: (sentence: string) => void) {
   const downloads = new Map<number, Download>();
   let last = 0;
 
@@ -93,13 +79,16 @@ export function createDownloads(send: (message: Message) => void, refuse: (sente
   }
 
   return {
-    get open() {
+    /** Number of open requests, including abandoned ones that have not ended. */
+    get open(): number {
       return downloads.size;
     },
-    get isFree() {
+    /** Whether the page can take a request: it has room, and no abandoned request is open. */
+    get isFree(): boolean {
       return downloads.size < MAX_OPEN && ![...downloads.values()].some(({ isOver }) => isOver);
     },
-    ask(file, signal, received) {
+    /** Requests a file; `received` is called with its bytes, and with a negative number if they do not count. */
+    ask(file: Wanted, signal: AbortSignal, received: Received): Promise<Answer> {
       signal.throwIfAborted();
       const request = ++last;
       return new Promise((done, failed) => {
@@ -118,7 +107,8 @@ export function createDownloads(send: (message: Message) => void, refuse: (sente
         send({ kind: 'want', request, key: file.sha256 });
       });
     },
-    hear(message) {
+    /** Handles a message; returns a sentence if the page violates the protocol. */
+    hear(message: Extract<Message, { readonly request: number }>): string | null {
       const { request } = message;
       const download = downloads.get(request);
       if (!download) return 'a message answers no open request';
@@ -133,7 +123,7 @@ export function createDownloads(send: (message: Message) => void, refuse: (sente
       give(download, 'none');
       return null;
     },
-    tick() {
+    tick(): void {
       for (const [request, download] of downloads) {
         if (download.isOver) continue;
         download.quiet += 1;
@@ -143,7 +133,8 @@ export function createDownloads(send: (message: Message) => void, refuse: (sente
         if (isLate || TICK * download.quiet > patience) giveUp(request, download, 'silent');
       }
     },
-    end() {
+    /** Ends all requests, because the page is gone. */
+    end(): void {
       const all = [...downloads.values()];
       downloads.clear();
       for (const download of all) give(download, 'silent');

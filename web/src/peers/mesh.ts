@@ -26,23 +26,7 @@ export interface MeshSettings {
   readonly ended: (user: number) => void;
 }
 
-export interface Mesh {
-  /** User's own number; null outside the room. */
-  readonly own: number | null;
-  /** Users who have violated the protocol, with the violation: no more connections to them. */
-  readonly dropped: ReadonlyMap<number, string>;
-  hear(frame: FromServer): void;
-  /** Forgets all users, because the user has left the room. */
-  clear(): void;
-  /** Begins to connect; or ends all connections and tells all others that this page does not connect. */
-  begin(isOn: boolean): void;
-  /** Records that a user has sent its list of files, which ends waiting for it. */
-  greeted(user: number): void;
-  /** Disconnects a user who has violated the protocol. */
-  drop(user: number, sentence: string): void;
-  /** Resolves when all users present at first have sent their lists of files or do not connect, or after a timeout. */
-  readonly ready: Promise<void>;
-}
+export type Mesh = ReturnType<typeof createMesh>;
 
 interface Place {
   readonly attempt: number;
@@ -52,7 +36,7 @@ interface Place {
   hasGreeted: boolean;
 }
 
-export function createMesh({ clock, create, signal, opened, ended }: MeshSettings): Mesh {
+export function createMesh({ clock, create, signal, opened, ended }: MeshSettings) {
   const users = new Set<number>();
   const places = new Map<number, Place>();
   const dropped = new Map<number, string>();
@@ -240,28 +224,34 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
     own = unannounced = null;
   }
 
+  /** Disconnects a user who has violated the protocol. */
   function drop(user: number, sentence: string): void {
     dropped.set(user, dropped.get(user) ?? sentence);
     fail(user);
   }
 
   return {
+    /** Resolves when all users present at first have sent their lists of files or do not connect, or after a timeout. */
     ready,
+    /** Users who have violated the protocol, with the violation: no more connections to them. */
     dropped,
-    get own() {
+    /** User's own number; null outside the room. */
+    get own(): number | null {
       return own;
     },
     drop,
-    greeted(user) {
+    /** Records that a user has sent its list of files, which ends waiting for it. */
+    greeted(user: number): void {
       const place = places.get(user);
       if (place) place.hasGreeted = true;
       checkReady();
     },
-    clear() {
+    /** Forgets all users, because the user has left the room. */
+    clear(): void {
       forget();
       settle();
     },
-    hear(frame) {
+    hear(frame: FromServer): void {
       if (frame.kind === 'welcome') {
         forget();
         own = frame.user;
@@ -283,7 +273,8 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
       offer();
       checkReady();
     },
-    begin(on) {
+    /** Begins to connect; or ends all connections and tells all others that this page does not connect. */
+    begin(on: boolean): void {
       isOn = on;
       if (!on) {
         for (const [user, place] of [...places]) remove(user, place);

@@ -38,26 +38,9 @@ export interface PeerSettings {
   readonly refuse: (sentence: string) => void;
 }
 
-export interface Peer {
-  /** Number of the user. */
-  readonly number: number;
-  readonly open: number;
-  readonly isFree: boolean;
-  /** State of a file on the page, as far as it is known. */
-  holds(key: string): Holding;
-  /** Whether the page waits for a file from this one. */
-  awaits(key: string): boolean;
-  /** Sends the state of files; the list may be empty. */
-  tell(holding: Holding, keys: readonly string[]): void;
-  ask(file: Wanted, signal: AbortSignal, received: Received): Promise<Answer>;
-  /** Handles that a file has arrived at this page, or will not. */
-  settle(key: string): void;
-  /** Advances time by a tick; `isSecond` is true once per second. */
-  tick(isSecond: boolean): void;
-  end(): void;
-}
+export type Peer = ReturnType<typeof createPeer>;
 
-export function createPeer({ number, line, shelf, budget, now, sent, greeted, refuse }: PeerSettings): Peer {
+export function createPeer({ number, line, shelf, budget, now, sent, greeted, refuse }: PeerSettings) {
   const known = new Map<string, Holding>();
   const messages = createBucket(RATE, BURST, now);
   const requests = createBucket(REQUEST_RATE, REQUEST_BURST, now);
@@ -128,36 +111,42 @@ export function createPeer({ number, line, shelf, budget, now, sent, greeted, re
   };
 
   return {
+    /** Number of the user. */
     number,
-    get open() {
+    get open(): number {
       return downloads.open;
     },
-    get isFree() {
+    get isFree(): boolean {
       return !isOver && silences.size < MAX_TIMEOUTS && downloads.isFree && requests.secondsTo(1) === 0;
     },
-    holds: (key) => known.get(key) ?? 'gone',
-    tell(holding, keys) {
+    /** State of a file on the page, as far as it is known. */
+    holds: (key: string): Holding => known.get(key) ?? 'gone',
+    /** Sends the state of files; the list may be empty. */
+    tell(holding: Holding, keys: readonly string[]): void {
       let at = 0;
       do {
         send({ kind: 'tell', holding, keys: keys.slice(at, at + MAX_FILES_PER_MESSAGE) });
         at += MAX_FILES_PER_MESSAGE;
       } while (at < keys.length);
     },
-    async ask(file, signal, received) {
+    async ask(file: Wanted, signal: AbortSignal, received: Received): Promise<Answer> {
       requests.take(1);
       const answer = await downloads.ask(file, signal, received);
       if (answer === 'silent') silences.add(ticks);
       if (answer === 'none') known.delete(file.sha256);
       return answer;
     },
+    /** Whether the page waits for a file from this one. */
     awaits: uploads.awaits,
+    /** Handles that a file has arrived at this page, or will not. */
     settle: uploads.settle,
-    tick(isSecond) {
+    /** Advances time by a tick; `isSecond` is true once per second. */
+    tick(isSecond: boolean): void {
       ticks += 1;
       downloads.tick();
       if (isSecond) uploads.tick();
     },
-    end() {
+    end(): void {
       isOver = true;
       downloads.end();
       uploads.end();

@@ -10,7 +10,6 @@ import type { Received, Serve } from '../bundle/source';
 import { sha256 } from '../base/bytes';
 import type { Answer } from './downloads';
 import type { Peer } from './peer';
-import type { Shelf } from './uploads';
 
 /**
  * Timeouts for another page: for the first picture, and later. Pages with software rendering answer about once a
@@ -44,16 +43,9 @@ export interface Counts {
   readonly server: { bytes: number; files: number };
 }
 
-export interface Share {
-  readonly counts: Counts;
-  readonly shelf: Shelf;
-  /** Returns a file's content; `serve` requests it from the server. */
-  get(name: string, signal: AbortSignal, received: Received, serve: Serve): Promise<ArrayBuffer>;
-  /** Sends a newly connected page the lists of files that are present or being received from the server. */
-  greet(peer: Peer): void;
-}
+export type Share = ReturnType<typeof createShare>;
 
-export function createShare(settings: ShareSettings): Share {
+export function createShare(settings: ShareSettings) {
   const { store, described, wanted, isFirst, own, peers, ready, fetch } = settings;
   const counts: Counts = { others: { bytes: 0, files: 0 }, server: { bytes: 0, files: 0 } };
   /** Received bytes of each file in transfer; files requested from the server. */
@@ -142,7 +134,8 @@ export function createShare(settings: ShareSettings): Share {
 
   return {
     counts,
-    async get(name, signal, received, serve) {
+    /** Returns a file's content; `serve` requests it from the server. */
+    async get(name: string, signal: AbortSignal, received: Received, serve: Serve): Promise<ArrayBuffer> {
       const file = described(name);
       // The server's path reports files that are not listed.
       if (!file || file.bytes === 0) return serve(name, signal, received);
@@ -160,14 +153,15 @@ export function createShare(settings: ShareSettings): Share {
         for (const peer of peers()) peer.settle(key);
       }
     },
-    greet(peer) {
+    /** Sends a newly connected page the lists of files that are present or being received from the server. */
+    greet(peer: Peer): void {
       peer.tell('coming', [...requested]);
       peer.tell('here', store.keys);
     },
     shelf: {
-      find: (key) => store.get(key) ?? null,
-      sizeOf: (key) => Math.max(arriving.get(key) ?? 0, 0),
-      obtain(key) {
+      find: (key: string) => store.get(key) ?? null,
+      sizeOf: (key: string) => Math.max(arriving.get(key) ?? 0, 0),
+      obtain(key: string): boolean {
         if (arriving.has(key)) return true;
         for (const name of wanted()) {
           if (described(name)?.sha256 !== key) continue;

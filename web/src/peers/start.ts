@@ -3,7 +3,6 @@ import { LruCache } from '../base/cache';
 import type { FileEntry } from '../bundle/manifest';
 import type { Files } from '../bundle/source';
 import { CLOCK } from '../rooms/clock';
-import type { FromServer } from '../rooms/frames';
 import type { Ask } from '../rooms/server';
 import { createCall, createOutbox, writeSignal } from './call';
 import { createChoice, refusalOfPage, refusalOfServer, SWITCHED_OFF } from './choice';
@@ -39,25 +38,10 @@ export interface Switch {
   set(isOn: boolean): void;
 }
 
-export interface Peers {
-  /** Why this page does not take part in the exchange; null if it does, undefined until the server has answered. */
-  readonly refusal: string | null | undefined;
-  /** Numbers of the users with open channels. */
-  readonly open: readonly number[];
-  /** Users who have violated the protocol, with the violation. */
-  readonly dropped: ReadonlyMap<number, string>;
-  /** Bytes and files received from other pages and from the server; bytes sent to other pages. */
-  readonly counts: Counts & { readonly sent: number };
-  /** The switch; null if the exchange is impossible whatever the user chooses. */
-  readonly switch: Switch | null;
-  /** Handles a frame of the server. */
-  hear(frame: FromServer): void;
-  /** Ends all connections, because the user has left the room. */
-  clear(): void;
-}
+export type Peers = ReturnType<typeof startPeers>;
 
 /** Starts the exchange of files if all sides allow it. */
-export function startPeers({ query, ask, files, wanted, isFirst, signal }: PeersSettings): Peers {
+export function startPeers({ query, ask, files, wanted, isFirst, signal }: PeersSettings) {
   const clock = CLOCK;
   const peers = new Map<number, Peer>();
   const store = new LruCache<Blob>(MAX_STORED_BYTES);
@@ -136,21 +120,28 @@ export function startPeers({ query, ask, files, wanted, isFirst, signal }: Peers
   }
 
   return {
+    /** Users who have violated the protocol, with the violation. */
     dropped: mesh.dropped,
-    get refusal() {
+    /** Why this page does not take part in the exchange; null if it does, undefined until the server has answered. */
+    get refusal(): string | null | undefined {
       return refusal;
     },
-    get open() {
+    /** Numbers of the users with open channels. */
+    get open(): readonly number[] {
       return [...peers.keys()];
     },
-    get counts() {
+    /** Bytes and files received from other pages and from the server; bytes sent to other pages. */
+    get counts(): Counts & { readonly sent: number } {
       return { ...share.counts, sent: sentBytes };
     },
-    get switch() {
+    /** The switch; null if the exchange is impossible whatever the user chooses. */
+    get switch(): Switch | null {
       return refusal === null || refusal === SWITCHED_OFF ? ownSwitch : null;
     },
+    /** Handles a frame of the server. */
     hear: mesh.hear,
-    clear() {
+    /** Ends all connections, because the user has left the room. */
+    clear(): void {
       outbox.clear();
       mesh.clear();
     },

@@ -22,21 +22,6 @@ export interface Shelf {
   sizeOf(key: string): number;
 }
 
-export interface Uploads {
-  /** Handles a request; returns a sentence if it violates the protocol. */
-  want(request: number, key: string): string | null;
-  cancel(request: number): void;
-  /** Whether the other page waits for a file that is in transfer. */
-  awaits(key: string): boolean;
-  /** Handles that a file has arrived, or will not. */
-  settle(key: string): void;
-  /** Reports the progress of files that are waited for. */
-  tick(): void;
-  /** Continues when the browser can buffer more. */
-  pump(): void;
-  end(): void;
-}
-
 /** Subset of the channel that uploads use. */
 export interface Outlet {
   readonly bufferedAmount: number;
@@ -50,7 +35,7 @@ export function createBudget(now: Clock['now']): Bucket {
   return createBucket(BYTES_RATE, BYTES_BURST, now);
 }
 
-export function createUploads(outlet: Outlet, shelf: Shelf, budget: Bucket, now: Clock['now']): Uploads {
+export function createUploads(outlet: Outlet, shelf: Shelf, budget: Bucket, now: Clock['now']) {
   const rate = createBucket(RATE, BURST, now);
   /** Number of times that the page got each file; keys are those of files that were present here. */
   const times = new Map<string, number>();
@@ -108,7 +93,8 @@ export function createUploads(outlet: Outlet, shelf: Shelf, budget: Bucket, now:
   }
 
   return {
-    want(request, key) {
+    /** Handles a request; returns a sentence if it violates the protocol. */
+    want(request: number, key: string): string | null {
       if (request <= last) return 'a request reuses a number';
       last = request;
       if (ready.size + waiting.size >= MAX_OPEN) return 'too many requests are open';
@@ -128,12 +114,14 @@ export function createUploads(outlet: Outlet, shelf: Shelf, budget: Bucket, now:
       }
       return null;
     },
-    cancel(request) {
+    cancel(request: number): void {
       const isOpen = ready.delete(request) || waiting.delete(request);
       if (isOpen) outlet.send({ kind: 'none', request });
     },
-    awaits: (key) => [...waiting.values()].includes(key),
-    settle(key) {
+    /** Whether the other page waits for a file that is in transfer. */
+    awaits: (key: string): boolean => [...waiting.values()].includes(key),
+    /** Handles that a file has arrived, or will not. */
+    settle(key: string): void {
       const found = shelf.find(key);
       for (const [request, wanted] of waiting) {
         if (wanted !== key) continue;
@@ -141,11 +129,13 @@ export function createUploads(outlet: Outlet, shelf: Shelf, budget: Bucket, now:
         queue(request, grant(key, found));
       }
     },
-    tick() {
+    /** Reports the progress of files that are waited for. */
+    tick(): void {
       for (const [request, key] of waiting) outlet.send({ kind: 'wait', request, bytes: shelf.sizeOf(key) });
     },
-    pump: () => resume(),
-    end() {
+    /** Continues when the browser can buffer more. */
+    pump: (): void => resume(),
+    end(): void {
       ready.clear();
       waiting.clear();
       resume();

@@ -24,20 +24,10 @@ import { NAME_VERTEX } from './shaders';
 const ABOVE = 0.2;
 const VISOR = new Vector4(0.03, 0.035, 0.045, 1);
 
-export interface Avatar {
-  /** Meshes of the visible parts of the body. */
-  readonly meshes: readonly Drawn[];
-  /** Assigns the avatar to a user. */
-  be(number: number, name: string): void;
-  /** Sets the body in world space. */
-  show(body: Body): void;
-  /** Updates positions for pictures with this centre at the origin. */
-  place(center: Point): void;
-  dispose(): void;
-}
+export type Avatar = ReturnType<typeof createAvatar>;
 
 /** Creates an avatar without a user. */
-export function createAvatar(shapes: Shapes, shared: Shared): Avatar {
+export function createAvatar(shapes: Shapes, shared: Shared) {
   const own = new Vector4();
   const solid = (shape: BufferGeometry, base: Vector4): Drawn => {
     const uniforms = { base_color: { value: base }, placement: { value: new Matrix4() } };
@@ -61,7 +51,8 @@ export function createAvatar(shapes: Shapes, shared: Shared): Avatar {
   let body: Body | null = null;
 
   return {
-    get meshes() {
+    /** Meshes of the visible parts of the body. */
+    get meshes(): readonly Drawn[] {
       return [
         parts.head,
         parts.visor,
@@ -71,16 +62,19 @@ export function createAvatar(shapes: Shapes, shared: Shared): Avatar {
         ...(body?.pointer ? [ray.mesh] : []),
       ];
     },
-    be(number, name) {
+    /** Assigns the avatar to a user. */
+    be(number: number, name: string): void {
       image.value?.dispose();
       const label = createLabel(name, colorOf(number));
       [image.value, ratio.value] = [label.texture, label.ratio];
       paint(own, number);
     },
-    show(next) {
+    /** Sets the body in world space. */
+    show(next: Body): void {
       body = next;
     },
-    place(center) {
+    /** Updates positions for pictures with this centre at the origin. */
+    place(center: Point): void {
       if (!body) return;
       const { head, left, right } = body;
       const [x, y, z] = subtract(head.position, center);
@@ -90,7 +84,7 @@ export function createAvatar(shapes: Shapes, shared: Shared): Avatar {
       setPoint(title, 'begin', [x, y + ABOVE, z]);
       ray.place(body, center);
     },
-    dispose() {
+    dispose(): void {
       image.value?.dispose();
       for (const { material } of [...Object.values(parts), ray.mesh, title]) material.dispose();
     },

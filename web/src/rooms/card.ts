@@ -34,17 +34,8 @@ export interface Room {
   readonly exchanges: boolean | null;
 }
 
-export interface RoomCard {
-  /** Button that is held to point at the middle of the picture. */
-  readonly button: HTMLElement;
-  /** Updates the card, a few times a second. */
-  update(state: State, room: Room): void;
-  /** Shows why there is no room. */
-  refuse(words: string): void;
-}
-
 /** Builds the card in the element that holds the panel. */
-export function createRoomCard(root: HTMLElement, commands: CardCommands): RoomCard {
+export function createRoomCard(root: HTMLElement, commands: CardCommands) {
   const chip = make('button', { type: 'button', class: 'chip card here-chip', 'aria-controls': 'here' });
   const list = make('ul', { class: 'here-list' });
   const words = make('p', { class: 'here-words', role: 'status' });
@@ -109,8 +100,10 @@ export function createRoomCard(root: HTMLElement, commands: CardCommands): RoomC
   }
 
   return {
+    /** Button that is held to point at the middle of the picture. */
     button: point,
-    update(state, room) {
+    /** Updates the card, a few times a second. */
+    update(state: State, room: Room): void {
       const isHere = state.kind === 'here';
       write(chip, isHere ? `${room.guests.length + 1} here` : state.kind === 'joining' ? 'Joining' : 'Not connected');
       chip.dataset['wrong'] = String(!isHere && state.kind !== 'joining');
@@ -128,7 +121,8 @@ export function createRoomCard(root: HTMLElement, commands: CardCommands): RoomC
       });
       arrange(list, [you.element, ...others]);
     },
-    refuse(reason) {
+    /** Shows why there is no room. */
+    refuse(reason: string): void {
       write(chip, 'No room');
       write(words, reason);
       chip.dataset['wrong'] = words.dataset['wrong'] = 'true';
@@ -139,20 +133,17 @@ export function createRoomCard(root: HTMLElement, commands: CardCommands): RoomC
   };
 }
 
-interface Row {
-  readonly element: HTMLElement;
-  /** Updates the row; `isMuted` is null for users who cannot be muted. */
-  show(name: string, color: string, isMuted: boolean | null): void;
-}
+type Row = ReturnType<typeof row>;
 
-function row(mute?: (isMuted: boolean) => void): Row {
+function row(mute?: (isMuted: boolean) => void) {
   const dot = make('span', { class: 'here-dot', 'aria-hidden': 'true' });
   const name = make('span', { class: 'here-name' });
   const button = make('button', { type: 'button', class: 'button-icon' }, icon(POINTER));
   button.addEventListener('click', () => mute?.(button.getAttribute('aria-pressed') !== 'true'));
   return {
     element: make('li', {}, dot, name, ...(mute ? [button] : [])),
-    show(text, color, isMuted) {
+    /** Updates the row; `isMuted` is null for users who cannot be muted. */
+    show(text: string, color: string, isMuted: boolean | null): void {
       write(name, text);
       dot.style.setProperty('--color', color);
       const title = `${isMuted ? 'Show' : 'Mute'} the pointer of ${text}`;
@@ -164,14 +155,8 @@ function row(mute?: (isMuted: boolean) => void): Row {
   };
 }
 
-interface Exchange {
-  readonly element: HTMLElement;
-  /** Shows the state; null hides the element. */
-  show(isOn: boolean | null): void;
-}
-
 /** Creates a label about the exchange of files with its switch. */
-function createExchange(set: (isOn: boolean) => void): Exchange {
+function createExchange(set: (isOn: boolean) => void) {
   const box = make('input', { type: 'checkbox' });
   const text = make('span', {});
   const element = make('label', { class: 'here-words here-exchange', hidden: true }, box, text);
@@ -182,7 +167,8 @@ function createExchange(set: (isOn: boolean) => void): Exchange {
   });
   return {
     element,
-    show(isOn) {
+    /** Shows the state; null hides the element. */
+    show(isOn: boolean | null): void {
       element.hidden = isOn === null;
       if (isOn === null) return;
       box.checked = isOn;
@@ -212,30 +198,22 @@ function arrange(list: HTMLElement, wanted: readonly HTMLElement[]): void {
 const [GATHER, PAUSE] = [1, 5] as const;
 
 /** Announcements of arriving users for screen readers; users who arrive together share a sentence. */
-export interface Arrivals {
-  /** Records a user who has arrived, or was present when the connection began. */
-  come(number: number, name: string): void;
-  left(number: number): void;
-  /** Announces arrivals that are due; called often. */
-  tell(now: number): void;
-  /** Begins a new connection; the next `others` users were present before. */
-  begin(others: number): void;
-}
-
-export function createArrivals(announce: (sentence: string) => void): Arrivals {
+export function createArrivals(announce: (sentence: string) => void) {
   const pending = new Map<number, string>();
   let known = 0;
   let [since, last]: [number | null, number] = [null, -Infinity];
 
   return {
-    come(number, name) {
+    /** Records a user who has arrived, or was present when the connection began. */
+    come(number: number, name: string): void {
       if (known > 0) known -= 1;
       else pending.set(number, name);
     },
-    left(number) {
+    left(number: number): void {
       pending.delete(number);
     },
-    tell(now) {
+    /** Announces arrivals that are due; called often. */
+    tell(now: number): void {
       const [name] = pending.values();
       if (name === undefined) {
         since = null;
@@ -247,7 +225,8 @@ export function createArrivals(announce: (sentence: string) => void): Arrivals {
       pending.clear();
       [since, last] = [null, now];
     },
-    begin(others) {
+    /** Begins a new connection; the next `others` users were present before. */
+    begin(others: number): void {
       known = others;
       pending.clear();
     },

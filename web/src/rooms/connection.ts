@@ -34,24 +34,9 @@ export interface ConnectionSettings {
   readonly clock?: Clock;
 }
 
-export interface Connection {
-  readonly state: State;
-  readonly roundTrips: RoundTrips;
-  /** Ticket with which the user gets its number back; empty if there is none. */
-  readonly ticket: Uint8Array;
-  /** Sends the user's pose; returns false if it cannot be sent now. */
-  pose(body: Body, stops: boolean): boolean;
-  /** Sends bytes to another user within the limits of docs/rooms.md; returns false outside the room. */
-  signal(user: number, payload: Uint8Array): boolean;
-  /** Sends a message to the group or the room; returns false if it cannot be sent now. */
-  say(payload: Uint8Array, to: Audience): boolean;
-  /** Reconnects after the end, or immediately while waiting. */
-  retry(): void;
-  /** Leaves the room; immediately if the page is being closed. */
-  leave(isImmediate?: boolean): void;
-}
+export type Connection = ReturnType<typeof connect>;
 
-export function connect(settings: ConnectionSettings): Connection {
+export function connect(settings: ConnectionSettings) {
   const { address, page, onFrame, changed, open = openSocket, clock = CLOCK } = settings;
   const { now, later } = clock;
   const roundTrips = createRoundTrips();
@@ -185,13 +170,15 @@ export function connect(settings: ConnectionSettings): Connection {
   join();
   return {
     roundTrips,
-    get state() {
+    get state(): State {
       return state;
     },
-    get ticket() {
+    /** Ticket with which the user gets its number back; empty if there is none. */
+    get ticket(): Uint8Array {
       return ticket;
     },
-    pose(body, stops) {
+    /** Sends the user's pose; returns false if it cannot be sent now. */
+    pose(body: Body, stops: boolean): boolean {
       if (state.kind !== 'here' || !socket || socket.bufferedAmount > WAITING) return false;
       const time = now();
       sequence += 1;
@@ -201,20 +188,24 @@ export function connect(settings: ConnectionSettings): Connection {
       send({ kind: 'pose', pose: { ...body, sequence, clock, isAcknowledged, stops } }, !stops);
       return true;
     },
-    signal(user, payload) {
+    /** Sends bytes to another user within the limits of docs/rooms.md; returns false outside the room. */
+    signal(user: number, payload: Uint8Array): boolean {
       if (state.kind !== 'here' || !socket) return false;
       send({ kind: 'signal', user, payload });
       return true;
     },
-    say(payload, to) {
+    /** Sends a message to the group or the room; returns false if it cannot be sent now. */
+    say(payload: Uint8Array, to: Audience): boolean {
       if (state.kind !== 'here' || !socket) return false;
       send({ kind: 'say', to, payload });
       return true;
     },
-    retry() {
+    /** Reconnects after the end, or immediately while waiting. */
+    retry(): void {
       if (state.kind === 'waiting' || state.kind === 'ended') join();
     },
-    leave(isImmediate) {
+    /** Leaves the room; immediately if the page is being closed. */
+    leave(isImmediate?: boolean): void {
       if (state.kind === 'here') send({ kind: 'bye' });
       drop(isImmediate);
       set({ kind: 'ended', words: 'You have left the room.' });
@@ -228,31 +219,22 @@ const [EVERY, MAX_OPEN] = [0.25, 64] as const;
 const KEPT = 32;
 
 /** Round trips by the paper's Eq. 3: from the sending of a pose until all others of the group have acknowledged it. */
-export interface RoundTrips {
-  /** Median of the last round trips, seconds; null before the first. */
-  readonly median: number | null;
-  /**
-   * Records a pose that is about to be sent; returns whether it is to be acknowledged. The last pose before a pause is
-   * if another one is open, because that one may be lost and would be settled only after the pause.
-   */
-  send(sequence: number, now: number, isLast: boolean): boolean;
-  /** Records that all others have acknowledged this pose or a later one. */
-  settle(sequence: number, now: number): void;
-  /** Discards open round trips, because the connection is a new one. */
-  forget(): void;
-}
-
-function createRoundTrips(): RoundTrips {
+function createRoundTrips() {
   const open = new Map<number, number>();
   let last = -Infinity;
   let kept: number[] = [];
 
   return {
-    get median() {
+    /** Median of the last round trips, seconds; null before the first. */
+    get median(): number | null {
       const sorted = [...kept].sort((a, b) => a - b);
       return sorted[sorted.length >> 1] ?? null;
     },
-    send(sequence, now, isLast) {
+    /**
+     * Records a pose that is about to be sent; returns whether it is to be acknowledged. The last pose before a pause is
+     * if another one is open, because that one may be lost and would be settled only after the pause.
+     */
+    send(sequence: number, now: number, isLast: boolean): boolean {
       if (now - last < EVERY && !(isLast && open.size > 0)) return false;
       last = now;
       const [oldest] = open.keys();
@@ -260,14 +242,16 @@ function createRoundTrips(): RoundTrips {
       open.set(sequence, now);
       return true;
     },
-    settle(sequence, now) {
+    /** Records that all others have acknowledged this pose or a later one. */
+    settle(sequence: number, now: number): void {
       for (const [sent, time] of open) {
         if (sent > sequence) continue;
         open.delete(sent);
         kept = [...kept, now - time].slice(-KEPT);
       }
     },
-    forget() {
+    /** Discards open round trips, because the connection is a new one. */
+    forget(): void {
       open.clear();
       last = -Infinity;
     },

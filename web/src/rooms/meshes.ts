@@ -131,13 +131,7 @@ export function geometryOf({ places, corners }: Triangles): BufferGeometry {
   return geometry;
 }
 
-export interface Ray {
-  readonly mesh: Drawn;
-  /** Places the pointer of a body, if it has one, for pictures with this centre at the origin. */
-  place(body: Body, center: Point): void;
-}
-
-export function createRay(shapes: Shapes, shared: Shared, color: Vector4): Ray {
+export function createRay(shapes: Shapes, shared: Shared, color: Vector4) {
   const mesh = createMesh(shapes.pointer, shared, POINTER_VERTEX, { UNLIT: '' }, {
     base_color: { value: color },
     begin: { value: new Vector3() },
@@ -145,7 +139,8 @@ export function createRay(shapes: Shapes, shared: Shared, color: Vector4): Ray {
   });
   return {
     mesh,
-    place(body, center) {
+    /** Places the pointer of a body, if it has one, for pictures with this centre at the origin. */
+    place(body: Body, center: Point): void {
       const ends = endsOf(body);
       if (!ends) return;
       setPoint(mesh, 'begin', subtract(ends.begin, center));

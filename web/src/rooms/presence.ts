@@ -16,19 +16,9 @@ export interface Seen extends Guest {
   readonly body: Body;
 }
 
-export interface Presence {
-  /** All other users of the room, sorted by number; a new list after each change. */
-  readonly guests: readonly Guest[];
-  /** Handles a frame of the server. */
-  hear(frame: FromServer, now: number): void;
-  /** Forgets all users, because the connection is closed. */
-  clear(): void;
-  mute(number: number, isMuted: boolean): void;
-  /** Returns the guests with known poses, with their bodies at a time. */
-  at(now: number): Seen[];
-}
+export type Presence = ReturnType<typeof createPresence>;
 
-export function createPresence(): Presence {
+export function createPresence() {
   const tracks = new Map<number, Track>();
   // A returning user keeps its number and stays muted.
   const muted = new Set<number>();
@@ -39,17 +29,20 @@ export function createPresence(): Presence {
     return guests.filter((guest) => guest.number !== number);
   }
 
+  /** Forgets all users, because the connection is closed. */
   function clear(): void {
     tracks.clear();
     guests = [];
   }
 
   return {
-    get guests() {
+    /** All other users of the room, sorted by number; a new list after each change. */
+    get guests(): readonly Guest[] {
       return guests;
     },
     clear,
-    hear(frame, now) {
+    /** Handles a frame of the server. */
+    hear(frame: FromServer, now: number): void {
       if (frame.kind === 'welcome') clear();
       else if (frame.kind === 'left') guests = without(frame.user);
       else if (frame.kind === 'joined') {
@@ -62,12 +55,13 @@ export function createPresence(): Presence {
         tracks.get(frame.user)?.hear(frame.pose, now);
       }
     },
-    mute(number, isMuted) {
+    mute(number: number, isMuted: boolean): void {
       if (isMuted) muted.add(number);
       else muted.delete(number);
       guests = guests.map((guest) => (guest.number === number ? { ...guest, isMuted } : guest));
     },
-    at(now) {
+    /** Returns the guests with known poses, with their bodies at a time. */
+    at(now: number): Seen[] {
       return guests.flatMap((guest) => {
         const body = tracks.get(guest.number)?.at(now);
         if (!body) return [];

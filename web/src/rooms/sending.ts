@@ -6,27 +6,19 @@ const RATE = 72;
 /** Tolerances of "no change": metres; component of a rotation; relative change of a pointer's length. */
 const [STILL, STEADY, SHARE] = [1e-3, 5e-4, 1e-3] as const;
 
-export interface Sender {
-  /** Updates the user's body, once per frame; times are seconds. */
-  update(body: Body, now: number): void;
-  /** Sends the pose again for a new user. */
-  repeat(): void;
-  /** Handles a pause of frames, as in a hidden tab: the user rests and its pointer is hidden. */
-  rest(): void;
-}
-
 /**
  * Creates a sender; `send` gets a pose, and whether none follows until the next movement, and returns whether it was
  * sent.
  */
-export function createSender(send: (body: Body, stops: boolean) => boolean): Sender {
+export function createSender(send: (body: Body, stops: boolean) => boolean) {
   let last: Body | null = null;
   let hasStopped = false;
   let next = -Infinity;
   let isResting = false;
 
   return {
-    update(body, now) {
+    /** Updates the user's body, once per frame; times are seconds. */
+    update(body: Body, now: number): void {
       isResting = false;
       const isSame = last !== null && isSameBody(body, last);
       if ((isSame && hasStopped) || now < next) return;
@@ -35,10 +27,12 @@ export function createSender(send: (body: Body, stops: boolean) => boolean): Sen
       next = Math.max(next + 1 / RATE, now);
       [last, hasStopped] = [body, isSame];
     },
-    repeat() {
+    /** Sends the pose again for a new user. */
+    repeat(): void {
       hasStopped = isResting && last !== null && send(last, true);
     },
-    rest() {
+    /** Handles a pause of frames, as in a hidden tab: the user rests and its pointer is hidden. */
+    rest(): void {
       if (!last) return;
       isResting = true;
       last = { ...last, pointer: null };

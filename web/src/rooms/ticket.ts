@@ -5,11 +5,7 @@
 import { bytesOf, hexOf } from '../base/bytes';
 import type { Connection } from './connection';
 
-export interface TicketStore {
-  /** Removes and returns the ticket of the previous page; empty if there is none. */
-  take(): Uint8Array;
-  put(ticket: Uint8Array): void;
-}
+type TicketStore = ReturnType<typeof createTicketStore>;
 
 /** Acts on a storage; returns null where the browser forbids it, and where it is full. */
 export function onStorage<Result>(storage: () => Storage, action: (storage: Storage) => Result): Result | null {
@@ -21,17 +17,18 @@ export function onStorage<Result>(storage: () => Storage, action: (storage: Stor
 }
 
 /** Creates the store for a room, keyed by its relay's address without a token. */
-export function createTicketStore(relay: string, storage: () => Storage = () => sessionStorage): TicketStore {
+export function createTicketStore(relay: string, storage: () => Storage = () => sessionStorage) {
   const { origin, pathname } = new URL(relay);
   const key = `nearfar ticket ${origin}${pathname}`;
 
   return {
-    take() {
+    /** Removes and returns the ticket of the previous page; empty if there is none. */
+    take(): Uint8Array {
       const text = onStorage(storage, (found) => found.getItem(key)) ?? '';
       onStorage(storage, (found) => found.removeItem(key));
       return /^(?:[\da-f]{2}){1,255}$/.test(text) ? bytesOf(text) : new Uint8Array();
     },
-    put(ticket) {
+    put(ticket: Uint8Array): void {
       if (ticket.length === 0) return;
       onStorage(storage, (found) => found.setItem(key, hexOf(ticket)));
     },

@@ -25,16 +25,9 @@ interface Sample {
   readonly stops: boolean;
 }
 
-export interface Track {
-  /** Records a pose; duplicates are ignored. */
-  hear(pose: Pose, now: number): void;
-  /** Returns the body at a time; null before the first pose. */
-  at(now: number): Body | null;
-  /** Delay in seconds of what is drawn, without the least latency of poses. */
-  readonly behind: number;
-}
+export type Track = ReturnType<typeof createTrack>;
 
-export function createTrack(): Track {
+export function createTrack() {
   let begin = 0n;
   let samples: Sample[] = [];
   let [interval, late, latest] = [INTERVAL, 0, 0];
@@ -96,7 +89,8 @@ export function createTrack(): Track {
   }
 
   return {
-    hear(pose, now) {
+    /** Records a pose; duplicates are ignored. */
+    hear(pose: Pose, now: number): void {
       const newest = samples.at(-1);
       let time = Number(pose.clock - begin) / 1e6;
       const isOther = newest && pose.sequence > newest.sequence && time <= newest.time;
@@ -109,7 +103,8 @@ export function createTrack(): Track {
       compare(now - time, now);
       add({ time, sequence: pose.sequence, body: pose, stops: pose.stops });
     },
-    at(now) {
+    /** Returns the body at a time; null before the first pose. */
+    at(now: number): Body | null {
       if (samples.length === 0) return null;
       const wanted = offset() + interval + Math.min(late, MAX_LATE);
       const change = wanted - (subtracted ?? wanted);
@@ -119,7 +114,8 @@ export function createTrack(): Track {
       drawn = now;
       return bodyAt(now - subtracted);
     },
-    get behind() {
+    /** Delay in seconds of what is drawn, without the least latency of poses. */
+    get behind(): number {
       return subtracted === null ? 0 : subtracted - offset();
     },
   };

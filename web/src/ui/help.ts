@@ -37,14 +37,8 @@ const PAD: readonly Row[] = [
   [['Right stick'], 'look around'],
 ];
 
-export interface Help {
-  toggle(): void;
-  /** Adds a section. */
-  add(title: string, rows: readonly Row[]): void;
-}
-
 /** Creates a dialog in `root`; `absent` returns the names of unavailable commands. */
-export function createHelp(root: HTMLElement, absent: () => readonly Name[]): Help {
+export function createHelp(root: HTMLElement, absent: () => readonly Name[]) {
   const close = make('button', { type: 'button', class: 'button-icon', 'aria-label': 'Close', title: 'Close (Esc)' });
   close.append(icon(ICONS.close));
   const commands = make('section', {});
@@ -75,7 +69,7 @@ export function createHelp(root: HTMLElement, absent: () => readonly Name[]): He
   root.append(dialog);
 
   return {
-    toggle() {
+    toggle(): void {
       if (dialog.open) {
         dialog.close();
         return;
@@ -87,7 +81,8 @@ export function createHelp(root: HTMLElement, absent: () => readonly Name[]): He
       dialog.showModal();
       dialog.scrollTop = 0;
     },
-    add(title, rows) {
+    /** Adds a section. */
+    add(title: string, rows: readonly Row[]): void {
       last.append(part(title, rows));
     },
   };

@@ -11,13 +11,8 @@ const BESIDE = 40;
 /** Initial position. */
 export const MIDDLE = 0.5;
 
-export interface Divider {
-  /** Sets the share of the picture that is conventional, 0 to 1; null removes the divider. */
-  set(share: number | null): void;
-}
-
 /** Creates a divider; `changed` is called after every change, by the user or by `set`. */
-export function createDivider(root: HTMLElement, changed: (share: number | null) => void): Divider {
+export function createDivider(root: HTMLElement, changed: (share: number | null) => void) {
   const label = (side: string, text: string): HTMLElement =>
     make('span', { class: `divider-label divider-${side}`, 'aria-hidden': 'true' }, text);
   const [left, right] = [label('left', 'Conventional'), label('right', 'Continuous')];
@@ -41,6 +36,7 @@ export function createDivider(root: HTMLElement, changed: (share: number | null)
   new ResizeObserver(arrange).observe(layer);
   let share: number | null = null;
 
+  /** Sets the share of the picture that is conventional, 0 to 1; null removes the divider. */
   function set(next: number | null): void {
     const wanted = next === null || Number.isNaN(next) ? null : Math.min(Math.max(next, 0), 1);
     if (wanted === share) return;
@@ -106,15 +102,11 @@ export function nextShare(key: string, share: number): number | null | undefined
   return typeof next === 'number' ? Math.min(Math.max(next, 0), 1) : next;
 }
 
-export interface ThumbMark {
-  show(thumb: Thumb | null): void;
-}
-
-export function createThumbMark(root: HTMLElement): ThumbMark {
+export function createThumbMark(root: HTMLElement) {
   const ring = make('div', { class: 'thumb', hidden: true, 'aria-hidden': 'true' }, make('span', {}));
   root.append(ring);
   return {
-    show(thumb) {
+    show(thumb: Thumb | null): void {
       ring.hidden = thumb === null;
       if (!thumb) return;
       const { x, y, right, down } = thumb;
@@ -125,15 +117,10 @@ export function createThumbMark(root: HTMLElement): ThumbMark {
   };
 }
 
-export interface Wait {
-  readonly begin: () => void;
-  readonly end: () => void;
-}
-
-export function createWait(root: HTMLElement): Wait {
+export function createWait(root: HTMLElement) {
   const line = make('p', { class: 'wait card', role: 'status' }, 'The server loads the scene…');
   return {
-    begin: () => root.append(line),
-    end: () => line.remove(),
+    begin: (): void => root.append(line),
+    end: (): void => line.remove(),
   };
 }

@@ -116,12 +116,7 @@ export function summaryOf(status: Status): string {
   return `${percent(status.received, status.expected)} loaded, ring ${status.ring} of ${status.rings}`;
 }
 
-export interface Figures {
-  readonly element: HTMLElement;
-  update(status: Status): void;
-}
-
-export function createFigures(): Figures {
+export function createFigures() {
   const lines = new Map<string, HTMLElement>();
   const list = make('dl', { class: 'figures' });
   const foldBar = make('div', { class: 'reach', 'aria-hidden': 'true' }, make('span', {}));
@@ -138,7 +133,7 @@ export function createFigures(): Figures {
 
   return {
     element: make('div', { class: 'panel-body' }, list, foldBar, problems),
-    update(status) {
+    update(status: Status): void {
       for (const [name, text] of Object.entries(linesOf(status))) write(line(name), text);
       const fraction = status.foldMargin > 0 ? Math.min(status.distance / status.foldMargin, 1) : 0;
       foldBar.style.setProperty('--share', fraction.toFixed(3));

@@ -15,21 +15,14 @@ export interface Model {
 /** Least milliseconds between two messages to Python. */
 export const EVERY = 100;
 
-export interface Mirror {
-  /** Sends values that differ from Python's; called once per frame. */
-  tell(values: Readonly<Record<string, unknown>>, now: number): void;
-  /** Calls `changed` once for all values that Python or another view has set together. */
-  hear(names: readonly string[], changed: () => void): void;
-  dispose(): void;
-}
-
-export function createMirror(model: Model): Mirror {
+export function createMirror(model: Model) {
   const listeners: [event: string, callback: () => void][] = [];
   let last = Number.NEGATIVE_INFINITY;
   let isOwn = false;
 
   return {
-    tell(values, now) {
+    /** Sends values that differ from Python's; called once per frame. */
+    tell(values: Readonly<Record<string, unknown>>, now: number): void {
       const changed = Object.entries(values).filter(([name, value]) => !isSame(model.get(name), value));
       if (changed.length === 0 || now - last < EVERY) return;
       last = now;
@@ -38,7 +31,8 @@ export function createMirror(model: Model): Mirror {
       isOwn = false;
       model.save_changes();
     },
-    hear(names, changed) {
+    /** Calls `changed` once for all values that Python or another view has set together. */
+    hear(names: readonly string[], changed: () => void): void {
       let isTold = false;
       const callback = (): void => {
         if (isOwn || isTold) return;
@@ -53,7 +47,7 @@ export function createMirror(model: Model): Mirror {
         model.on(`change:${name}`, callback);
       }
     },
-    dispose() {
+    dispose(): void {
       for (const [event, callback] of listeners) model.off(event, callback);
       listeners.length = 0;
     },

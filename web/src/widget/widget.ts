@@ -16,13 +16,7 @@ interface Host extends HTMLElement {
   nearfar?: { readonly viewer: Viewer };
 }
 
-interface View {
-  readonly host: Host;
-  readonly canvas: HTMLCanvasElement;
-  /** Shows a text below the picture, or a problem instead of it until that is empty. */
-  say(text: string): void;
-  complain(problem: string): void;
-}
+type View = ReturnType<typeof createView>;
 
 /** A view for anywidget: an element with its model, and a function that ends it. */
 type Render = (context: { model: Model; el: HTMLElement }) => () => void;
@@ -59,7 +53,7 @@ function render(model: Model, el: HTMLElement, worker: URL): () => void {
   };
 }
 
-function createView(model: Model, el: HTMLElement): View {
+function createView(model: Model, el: HTMLElement) {
   const host: Host = document.createElement('div');
   const [canvas, text] = [document.createElement('canvas'), document.createElement('p')];
   host.className = 'nearfar-view';
@@ -77,7 +71,8 @@ function createView(model: Model, el: HTMLElement): View {
   const say = (said: string): void => {
     if (text.textContent !== (problem || said)) text.textContent = problem || said;
   };
-  return { host, canvas, say, complain: (told) => say((problem = told)) };
+  return { host, canvas, /** Shows a text below the picture, or a problem instead of it until that is empty. */
+    say, complain: (told: string): void => say((problem = told)) };
 }
 
 /** Draws frames until the returned function is called. */

@@ -12,13 +12,9 @@ export interface HandRay {
   readonly isPointing: boolean;
 }
 
-export interface Hands {
-  /** Returns the tracked hands above a floor. */
-  update(inputs: readonly Input[], floor: Floor): HandRay[];
-  dispose(): void;
-}
+export type Hands = ReturnType<typeof createHands>;
 
-export function createHands(session: XRSession): Hands {
+export function createHands(session: XRSession) {
   const stop = new AbortController();
   const squeezed = new Set<XRInputSource>();
   let gesturing = new Set<XRInputSource>();
@@ -27,7 +23,8 @@ export function createHands(session: XRSession): Hands {
   session.addEventListener('squeezeend', ({ inputSource }) => squeezed.delete(inputSource), { signal });
 
   return {
-    update(inputs, floor) {
+    /** Returns the tracked hands above a floor. */
+    update(inputs: readonly Input[], floor: Floor): HandRay[] {
       const turn = { position: [0, 0, 0], yaw: floor.yaw } as const;
       const found = inputs.filter(({ source, joints }) => isPointing(joints, gesturing.has(source)));
       gesturing = new Set(found.map(({ source }) => source));
@@ -38,7 +35,7 @@ export function createHands(session: XRSession): Hands {
         return [{ side, origin, direction, isPointing: squeezed.has(source) || gesturing.has(source) }];
       });
     },
-    dispose: () => stop.abort(),
+    dispose: (): void => stop.abort(),
   };
 }
 

@@ -96,12 +96,9 @@ export const SNAP = Math.PI / 6;
 const DEAD_ZONE = 0.18;
 const [TURNS, REARMS] = [0.7, 0.35] as const;
 
-export interface Steering {
-  /** Reads the sticks of the left and the right hand; a hand without a stick leaves its part to the other. */
-  read(left: Stick | null, right: Stick | null): SteeringCommand;
-}
+export type Steering = ReturnType<typeof createSteering>;
 
-export function createSteering(): Steering {
+export function createSteering() {
   let isArmed = true;
 
   function snap(x: number): number {
@@ -112,7 +109,8 @@ export function createSteering(): Steering {
   }
 
   return {
-    read(left, right) {
+    /** Reads the sticks of the left and the right hand; a hand without a stick leaves its part to the other. */
+    read(left: Stick | null, right: Stick | null): SteeringCommand {
       const walks = left ?? right;
       const turns = right ?? left;
       const turn = snap(turns?.x ?? 0);

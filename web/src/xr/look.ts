@@ -17,12 +17,7 @@ import {
 import type { Input } from './inputs';
 import { type Aim, ARC_POINTS } from './teleport';
 
-export interface Look {
-  /** Group to add to the rig. */
-  readonly group: Group;
-  update(inputs: readonly Input[], aim: Aim | null): void;
-  dispose(): void;
-}
+export type Look = ReturnType<typeof createLook>;
 
 /** Number of hands, and joints per hand. */
 const [HANDS, JOINTS] = [2, 25] as const;
@@ -31,7 +26,7 @@ const [THICK, LONG, POINT] = [0.018, 0.05, 0.012] as const;
 const RING = [0.22, 0.3] as const;
 const [FREE, HELD] = [0x4cc2ff, 0xffb84c] as const;
 
-export function createLook(): Look {
+export function createLook() {
   const group = new Group();
   const body = new MeshLambertMaterial({ color: 0xd5dbe3 });
   // Without depth test: the ground may lie slightly before or behind the user's floor.
@@ -85,13 +80,14 @@ export function createLook(): Look {
   }
 
   return {
+    /** Group to add to the rig. */
     group,
-    update(inputs, aim) {
+    update(inputs: readonly Input[], aim: Aim | null): void {
       showControllers(inputs);
       showJoints(inputs);
       showAim(aim);
     },
-    dispose() {
+    dispose(): void {
       for (const mesh of drawn) mesh.geometry.dispose();
       for (const mesh of [joints, points]) mesh.dispose();
       for (const material of [body, mark]) material.dispose();

@@ -23,17 +23,7 @@ import { createMapLayer } from './layer';
 import { createLook, type Look } from './look';
 import { type Aiming, createAiming, createJump, type Jump } from './teleport';
 
-export interface Headset {
-  readonly isPresenting: boolean;
-  /** Hands in the last frame. */
-  readonly hands: readonly HandRay[];
-  /** Enters or leaves the session; browsers require a click or a key. */
-  toggle(): Promise<void>;
-  /** Moves the user's head above another place; without effect outside a session. */
-  place(pose: Pose): void;
-  /** Advances by some seconds, once per frame; returns the head's world pose, null outside a session. */
-  update(seconds: number): Pose | null;
-}
+export type Headset = ReturnType<typeof createHeadset>;
 
 export interface HeadsetSettings {
   /** Returns the user's pose at the begin of a session. */
@@ -66,7 +56,7 @@ interface SessionState {
 /** Speeds start and stop gently. */
 const glides = (): boolean => false;
 
-function createHeadset(viewer: Viewer, xr: XRSystem, settings: HeadsetSettings): Headset {
+function createHeadset(viewer: Viewer, xr: XRSystem, settings: HeadsetSettings) {
   const { renderer, rig } = viewer;
   // Bounds of the frame.
   let bounds: Bounds | null = null;
@@ -145,20 +135,24 @@ function createHeadset(viewer: Viewer, xr: XRSystem, settings: HeadsetSettings):
   }
 
   return {
-    get isPresenting() {
+    get isPresenting(): boolean {
       return visit !== null;
     },
-    get hands() {
+    /** Hands in the last frame. */
+    get hands(): readonly HandRay[] {
       return hands;
     },
-    toggle() {
+    /** Enters or leaves the session; browsers require a click or a key. */
+    toggle(): Promise<void> {
       const session = renderer.xr.getSession();
       return session ? session.end() : enter();
     },
-    place(pose) {
+    /** Moves the user's head above another place; without effect outside a session. */
+    place(pose: Pose): void {
       if (visit) Object.assign(visit, { floor: null, pose });
     },
-    update(seconds) {
+    /** Advances by some seconds, once per frame; returns the head's world pose, null outside a session. */
+    update(seconds: number): Pose | null {
       const [frame, space] = [renderer.xr.getFrame(), renderer.xr.getReferenceSpace()];
       if (!visit || !frame || !space) return null;
       const seen = frame.getViewerPose(space);

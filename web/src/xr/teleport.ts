@@ -35,14 +35,9 @@ function fall(height: number, up: number): number {
   return (rise + Math.sqrt(rise * rise + 2 * GRAVITY * Math.max(height, 0))) / GRAVITY;
 }
 
-export interface Jump {
-  /** Fades to black, acts, and fades back. Replaces a jump that has not acted. */
-  start(action: () => void): void;
-  /** Advances by some seconds; returns the darkness, 0 to 1. */
-  advance(seconds: number): number;
-}
+export type Jump = ReturnType<typeof createJump>;
 
-export function createJump(): Jump {
+export function createJump() {
   // Seconds since the start; the picture is darkest at FADE.
   let since = 2 * FADE;
   let pending: (() => void) | null = null;
@@ -54,12 +49,14 @@ export function createJump(): Jump {
   }
 
   return {
-    start(action) {
+    /** Fades to black, acts, and fades back. Replaces a jump that has not acted. */
+    start(action: () => void): void {
       pending = action;
       // Starts at the current darkness.
       since = Math.min(since, Math.max(2 * FADE - since, 0));
     },
-    advance(seconds) {
+    /** Advances by some seconds; returns the darkness, 0 to 1. */
+    advance(seconds: number): number {
       const before = since;
       since = Math.min(since + seconds, 2 * FADE);
       if (pending && since >= FADE) {
@@ -80,19 +77,13 @@ export interface Aim {
   readonly isHeld: boolean;
 }
 
-export interface Aiming {
-  /**
-   * Updates the aim of the holding hand; the target is the nearest `allowed` place. Points are in the headset's space.
-   */
-  update(inputs: readonly Input[], allowed: (wanted: Vector) => Vector): Aim | null;
-  dispose(): void;
-}
+export type Aiming = ReturnType<typeof createAiming>;
 
 /** Tolerance in metres between the aimed place and the target. */
 const SAME = 0.01;
 
 /** Listens to a session; `jump` is called with the target on release. */
-export function createAiming(session: XRSession, jump: (target: Vector) => void): Aiming {
+export function createAiming(session: XRSession, jump: (target: Vector) => void) {
   const stop = new AbortController();
   let holding: XRInputSource | null = null;
   let aim: Aim | null = null;
@@ -112,7 +103,10 @@ export function createAiming(session: XRSession, jump: (target: Vector) => void)
   }
 
   return {
-    update(inputs, allowed) {
+    /**
+     * Updates the aim of the holding hand; the target is the nearest `allowed` place. Points are in the headset's space.
+     */
+    update(inputs: readonly Input[], allowed: (wanted: Vector) => Vector): Aim | null {
       if (!holding) return null;
       const ray = inputs.find(({ source }) => source === holding)?.ray;
       if (!ray) {
@@ -126,6 +120,6 @@ export function createAiming(session: XRSession, jump: (target: Vector) => void)
       aim = { arc: arc(ray, target), target, isHeld };
       return aim;
     },
-    dispose: () => stop.abort(),
+    dispose: (): void => stop.abort(),
   };
 }
