@@ -1,5 +1,5 @@
 /** Judgement of the conductor: who aims at the sphere, who has lost it, and whether it is collected. */
-import { type Aims, type Collected, type Event, LONGEST, MAX_COUNT, type Sphere, type Trial } from './messages';
+import { type Aims, type Collected, type Event, MAX_SECONDS, MAX_COUNT, type Sphere, type Trial } from './messages';
 import { isAimed, placeOf, type Ray } from './spheres';
 
 /** Last pointers of users by number; users without a pointer are missing. */
@@ -43,13 +43,13 @@ export function judge(aiming: Aiming, trial: Trial, rays: Rays): Aims | Collecte
   if (held === null || held < trial.hold) return null;
   const { run, trial: played } = trial;
   const { number, level } = sphere;
-  return { kind: 'collected', run, trial: played, number, level, misses, seconds: Math.min(age, LONGEST) };
+  return { kind: 'collected', run, trial: played, number, level, misses, seconds: Math.min(age, MAX_SECONDS) };
 }
 
 /** Message that these users aim at the sphere, after an event of one of them. */
 export function aimsOf(aiming: Aiming, event: Event, user: number, users: readonly number[]): Aims {
   const { run, trial, number } = aiming.sphere;
-  const held = users.length >= aiming.needed ? Math.min(aiming.held ?? 0, LONGEST) : null;
+  const held = users.length >= aiming.needed ? Math.min(aiming.held ?? 0, MAX_SECONDS) : null;
   const misses = Math.min(aiming.misses + Number(event === 'lost'), MAX_COUNT);
   return { kind: 'aims', run, trial, number, event, user, misses, held, users };
 }

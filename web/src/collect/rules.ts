@@ -1,6 +1,6 @@
 /** Rules of a trial: the published ones, changed by the page's address parameters. */
 import type { Vector } from '../control/pose';
-import { type Box, LONGEST, MAX_USERS, type Rules } from './messages';
+import { type Box, MAX_SECONDS, MAX_USERS, type Rules } from './messages';
 
 /** Sizes of the seats along and across the view, and of the box across, up and along it, metres. */
 const [SEATS, BOX] = [[5, 2], [8, 4, 4]] as const;
@@ -13,10 +13,10 @@ const PARAMETERS = {
   users: [4, 1, MAX_USERS],
   trials: [3, 1, 255],
   seed: [0, 0, 0xffffffff],
-  duration: [180, 1, LONGEST],
-  hold: [2, 0, LONGEST],
-  pause: [1.65, 0, LONGEST],
-  rest: [5, 0, LONGEST],
+  duration: [180, 1, MAX_SECONDS],
+  hold: [2, 0, MAX_SECONDS],
+  pause: [1.65, 0, MAX_SECONDS],
+  rest: [5, 0, MAX_SECONDS],
   radius: [0.3, 0.01, 1000],
 } as const;
 const WHOLE: readonly string[] = ['users', 'trials', 'seed'];

@@ -9,7 +9,7 @@ import {
   isEarlier,
   isSameStage,
   LEVELS,
-  LONGEST,
+  MAX_SECONDS,
   MAX_COUNT,
   MAX_USERS,
   type Message,
@@ -228,7 +228,7 @@ export class Task {
       return {
         spheres: tally.spheres + 1,
         misses: Math.min(tally.misses + misses, MAX_COUNT),
-        seconds: Math.min(tally.seconds + seconds, LONGEST),
+        seconds: Math.min(tally.seconds + seconds, MAX_SECONDS),
       };
     });
     this.trial = { ...trial, tallies: tallies as unknown as Tallies };
@@ -260,9 +260,9 @@ export class Task {
   /** Messages that a new user needs. */
   private stateMessages(now: number): Message[] {
     if (!this.trial) return [];
-    const messages: Message[] = [{ ...this.trial, elapsed: Math.min(this.elapsed(now), LONGEST) }];
+    const messages: Message[] = [{ ...this.trial, elapsed: Math.min(this.elapsed(now), MAX_SECONDS) }];
     if (this.sphere) {
-      messages.push({ ...this.sphere, age: Math.min(now - this.appearedAt, LONGEST) });
+      messages.push({ ...this.sphere, age: Math.min(now - this.appearedAt, MAX_SECONDS) });
       messages.push(aimsOf(this.aimingAt(this.sphere, now), 'told', 0, this.aims));
     }
     return messages;
@@ -283,7 +283,7 @@ export class Task {
       const isNext = trial.trial < trial.trials && elapsed >= trial.duration + trial.rest;
       return isNext ? this.createTrial(trial, { run: trial.run, trial: trial.trial + 1 }) : null;
     }
-    if (elapsed >= trial.duration) return { ...trial, over: true, elapsed: Math.min(elapsed, LONGEST) };
+    if (elapsed >= trial.duration) return { ...trial, over: true, elapsed: Math.min(elapsed, MAX_SECONDS) };
     if (sphere) return rays && judge(this.aimingAt(sphere, now), trial, rays);
     return now >= this.nextAt && this.count < MAX_COUNT ? sphereOf(trial, trial, this.group, this.count) : null;
   }

@@ -1,5 +1,5 @@
 /** WebRTC connection to one other page with one data channel, and the signals that set it up. */
-import { FrameError, Reader, textOf, Writer } from '../rooms/bytes';
+import { behind, choiceOf, decode, encode, FrameError, payload, record, U32, utf8, type ValueOf } from '../rooms/bytes';
 import { type Clock, createBucket } from '../rooms/clock';
 import type { Line } from './peer';
 
@@ -70,37 +70,26 @@ const [MAX_BYTES, MAX_ADDRESSES] = [8192, 8] as const;
 /** Lines with addresses; lines with a device's own UDP addresses: without a STUN server there are no others. */
 const ADDRESS = /^\s*a=candidate:/i;
 const OWN = /^a=candidate:\S+ \d+ udp \d+ \S+ \d+ typ host(?:\s|$)/i;
-const KINDS = ['offer', 'answer', 'no'] as const;
-
-/** Signal; `attempt` identifies an offer and its answer, `sdp` describes a connection and is empty for `no`. */
-export interface Signal {
-  readonly kind: (typeof KINDS)[number];
-  readonly attempt: number;
-  readonly sdp: string;
-}
+const SIGNAL = record({
+  kind: choiceOf(['offer', 'answer', 'no'], 'a signal has an unknown kind'),
+  /** Identifies an offer and its answer. */
+  attempt: U32,
+  /** Description of a connection; empty for `no`. */
+  sdp: utf8(payload(MAX_BYTES, 'a description is too long'), 'a description is not UTF-8'),
+});
+const PAYLOAD = behind(VERSION, 'a signal has another version', SIGNAL);
+export type Signal = ValueOf<typeof SIGNAL>;
 
 /** Parses a payload; throws `FrameError` if it is malformed or describes more than one data channel. */
 export function readSignal(payload: Uint8Array): Signal {
-  const reader = new Reader(payload);
-  if (reader.u8() !== VERSION) throw new FrameError('a signal has another version');
-  const kind = KINDS[reader.u8()];
-  if (!kind) throw new FrameError('a signal has an unknown kind');
-  const attempt = reader.u32();
-  const sdp = textOf(reader.takeRest(MAX_BYTES), 'a description is not UTF-8');
+  const { kind, attempt, sdp } = decode(PAYLOAD, payload);
   if (kind === 'no' ? sdp !== '' : !isDescription(sdp)) throw new FrameError('a signal describes no channel for data');
   return { kind, attempt, sdp: withFewAddresses(sdp) };
 }
 
 /** Writes a payload; throws `FrameError` for a description that others would reject. */
-export function writeSignal({ kind, attempt, sdp }: Signal): Uint8Array<ArrayBuffer> {
-  const text = new TextEncoder().encode(sdp);
-  if (text.length > MAX_BYTES) throw new FrameError('a description is too long');
-  const out = new Writer();
-  out.u8(VERSION);
-  out.u8(KINDS.indexOf(kind));
-  out.u32(attempt);
-  out.put(text);
-  return out.toBytes();
+export function writeSignal(signal: Signal): Uint8Array<ArrayBuffer> {
+  return encode(PAYLOAD, signal);
 }
 
 function isDescription(sdp: string): boolean {

@@ -1,5 +1,5 @@
 /** Room named by the page's address, and the address of its relay. */
-import { HIDDEN, NAME } from './frames';
+import { HIDDEN, MAX_NAME_BYTES } from './frames';
 
 /** Greatest number of bytes of a room's name; greatest group number. */
 const [ROOM, GROUP] = [64, 0xffff] as const;
@@ -46,7 +46,7 @@ export function inviteOf(page: string): string {
 /** Truncates a name to the length that a frame can hold. */
 function nameOf(wanted: string): string {
   const letters = [...wanted.replace(new RegExp(HIDDEN, 'gu'), '').trim()];
-  while (sizeOf(letters.join('')) > NAME) letters.pop();
+  while (sizeOf(letters.join('')) > MAX_NAME_BYTES) letters.pop();
   return letters.join('') || NOBODY;
 }
 
