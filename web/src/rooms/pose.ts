@@ -1,5 +1,6 @@
 /** Binary poses of a user's head, hands and pointer (the second table of docs/rooms.md), and their interpolation. */
-import type { Vector } from '../control/pose';
+import { Euler, Quaternion, type QuaternionTuple, Vector3, type Vector3Tuple } from 'three';
+import { addScaled, subtract, type Vector } from '../control/pose';
 import { checked, type Codec, F32, FrameError, I16, record, tuple, U32, U64, U8 } from './bytes';
 
 /** Unit quaternion (x, y, z, w). */
@@ -106,13 +107,9 @@ export const POSE: Codec<Pose> = {
   },
 };
 
-/** Cosine of half an angle above which rotations are interpolated linearly. */
-const NEARLY = 0.9995;
-
 /** Rotation of a view with a yaw and a pitch. */
 export function rotationOf(yaw: number, pitch: number): Rotation {
-  const [sy, cy, sp, cp] = [Math.sin(yaw / 2), Math.cos(yaw / 2), Math.sin(pitch / 2), Math.cos(pitch / 2)];
-  return [cy * sp, sy * cp, -sy * sp, cy * cp];
+  return new Quaternion().setFromEuler(new Euler(pitch, yaw, 0, 'YXZ')).toArray() as QuaternionTuple;
 }
 
 /** Upright rotation whose −z points along a direction of any length. */
@@ -121,46 +118,34 @@ export function rotationAlong([x, y, z]: Vector): Rotation {
 }
 
 /** Applies a rotation to a vector. */
-export function rotate([x, y, z, w]: Rotation, [a, b, c]: Vector): Vector {
-  const [tx, ty, tz] = [2 * (y * c - z * b), 2 * (z * a - x * c), 2 * (x * b - y * a)];
-  return [a + w * tx + y * tz - z * ty, b + w * ty + z * tx - x * tz, c + w * tz + x * ty - y * tx];
+export function rotate(rotation: Rotation, vector: Vector): Vector {
+  return new Vector3(...vector).applyQuaternion(new Quaternion(...rotation)).toArray() as Vector3Tuple;
 }
 
-/** Interpolates spherically along the shorter arc; shares beyond 1 extrapolate. */
-export function slerp(from: Rotation, to: Rotation, share: number): Rotation {
-  const dot = from.reduce((sum, part, axis) => sum + part * (to[axis] ?? 0), 0);
-  const sign = dot < 0 ? -1 : 1;
-  let [a, b] = [1 - share, share];
-  if (Math.abs(dot) < NEARLY) {
-    const angle = Math.acos(Math.abs(dot));
-    [a, b] = [Math.sin((1 - share) * angle) / Math.sin(angle), Math.sin(share * angle) / Math.sin(angle)];
-  }
-  const mixed = from.map((part, axis) => a * part + sign * b * (to[axis] ?? 0));
-  const size = Math.hypot(...mixed) || 1;
-  return mixed.map((part) => part / size) as unknown as Rotation;
+/** Interpolates spherically along the shorter arc; fractions beyond 1 extrapolate. */
+export function slerp(from: Rotation, to: Rotation, fraction: number): Rotation {
+  return new Quaternion(...from).slerp(new Quaternion(...to), fraction).normalize().toArray() as QuaternionTuple;
 }
 
-/** Interpolates between two bodies; shares beyond 1 extrapolate, except hands and pointers. */
-export function between(from: Body, to: Body, share: number): Body {
-  const later = share < 0.5 ? from : to;
+/** Interpolates between two bodies; fractions beyond 1 extrapolate, except hands and pointers. */
+export function between(from: Body, to: Body, fraction: number): Body {
+  const nearer = fraction < 0.5 ? from : to;
   const hand = (side: 'left' | 'right'): Placed | null => {
     const [a, b] = [from[side], to[side]];
-    return a && b ? placedBetween(a, b, Math.min(share, 1)) : later[side];
+    return a && b ? placedBetween(a, b, Math.min(fraction, 1)) : nearer[side];
   };
+  const [a, b] = [from.pointer, to.pointer];
+  const isSameOrigin = a !== null && b !== null && a.begin === b.begin;
+  const length = (a?.length ?? 0) + Math.min(fraction, 1) * ((b?.length ?? 0) - (a?.length ?? 0));
   return {
-    head: placedBetween(from.head, to.head, share),
+    head: placedBetween(from.head, to.head, fraction),
     left: hand('left'),
     right: hand('right'),
-    pointer: pointerBetween(from.pointer, to.pointer, Math.min(share, 1)),
+    pointer: isSameOrigin ? { begin: b.begin, length } : nearer.pointer,
   };
 }
 
-function placedBetween(from: Placed, to: Placed, share: number): Placed {
-  const position = from.position.map((value, axis) => value + share * ((to.position[axis] ?? 0) - value));
-  return { position: position as unknown as Vector, rotation: slerp(from.rotation, to.rotation, share) };
-}
-
-function pointerBetween(from: Pointer | null, to: Pointer | null, share: number): Pointer | null {
-  if (from?.begin !== to?.begin || !from || !to) return share < 0.5 ? from : to;
-  return { begin: to.begin, length: from.length + share * (to.length - from.length) };
+function placedBetween(from: Placed, to: Placed, fraction: number): Placed {
+  const position = addScaled(from.position, subtract(to.position, from.position), fraction);
+  return { position, rotation: slerp(from.rotation, to.rotation, fraction) };
 }
