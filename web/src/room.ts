@@ -16,7 +16,7 @@ import { createPresence, type Presence, type Seen } from './rooms/presence';
 import { createSender } from './rooms/sending';
 import { type Ask, askDescription } from './rooms/server';
 import { createTicketStore, followPage } from './rooms/ticket';
-import { createOpen } from './rooms/way';
+import { createOpen } from './rooms/transports';
 import type { Viewer } from './show/viewer';
 import { make } from './ui/dom';
 import type { Row } from './ui/help';

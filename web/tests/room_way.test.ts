@@ -1,8 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { addressOf, gatherer, openDatagrams, readAll, splitter } from '../src/rooms/datagrams';
 import { askDescription, type Datagrams, type Listener, readDescription, type Socket } from '../src/rooms/server';
-import { createOpen } from '../src/rooms/way';
+import { addressOf, createOpen, gatherer, openDatagrams, readAll, splitter } from '../src/rooms/transports';
 
 const TO: Datagrams = { port: 8443, hashes: [] };
 const RELAY = 'wss://host:8/rooms/a';

@@ -21,9 +21,7 @@ export function filesOfRegion({ dynamic }: Manifest, { rings }: RegionEntry): Se
 }
 
 export function bytesOf({ files }: Manifest, names: Iterable<string>): number {
-  let sum = 0;
-  for (const name of names) sum += files[name]?.bytes ?? 0;
-  return sum;
+  return [...names].reduce((sum, name) => sum + (files[name]?.bytes ?? 0), 0);
 }
 
 export interface ArrivingRegion {

@@ -53,13 +53,14 @@ export function readManifest(parsed: unknown, readRing: ReadRing = ring): Manife
     const versions = `it has version ${version}, this page reads ${VERSION}`;
     throw new BundleError(`this bundle was written by a newer nearfar (${versions}): update the page`, 'newer');
   }
-  const [morph, growth, map] = (['morph', 'growth', 'map'] as const).map((name) => object(name, all[name]));
-  const face = integer('map.face_size', map?.['face_size'], 1, MAX_FACE);
-  const tile = integer('map.tile', map?.['tile'], 1, face);
+  const [morph, growth] = [object('morph', all['morph']), object('growth', all['growth'])];
+  const map = object('map', all['map']);
+  const face = integer('map.face_size', map['face_size'], 1, MAX_FACE);
+  const tile = integer('map.tile', map['tile'], 1, face);
   if (face % tile !== 0) throw new BundleError(`manifest.json: map.tile: expected a divisor of ${face}, got ${tile}`);
-  const kind = choice('morph.kind', morph?.['kind'], ['blend', 'cylinder'] as const);
+  const kind = choice('morph.kind', morph['kind'], ['blend', 'cylinder'] as const);
   const unit = choice('unit', all['unit'] ?? 'object', ['object', 'triangle'] as const);
-  const across = integer('map.across', map?.['across'], 1, Math.floor(MAX_PIXELS / tile));
+  const across = integer('map.across', map['across'], 1, Math.floor(MAX_PIXELS / tile));
   const tiles = tilesOf({ face_size: face, tile, across });
   const files = object('files', all['files']);
   const entries = list('regions', all['regions'], object);
@@ -68,11 +69,11 @@ export function readManifest(parsed: unknown, readRing: ReadRing = ring): Manife
   }
   const manifest: Manifest = {
     version,
-    morph: { kind, near_share: number('morph.near_share', morph?.['near_share'], 0, 1 - 1e-9) },
+    morph: { kind, near_share: number('morph.near_share', morph['near_share'], 0, 1 - 1e-9) },
     growth: {
-      speed: number('growth.speed', growth?.['speed'], 1e-9),
-      reach: number('growth.reach', growth?.['reach'], 1e-9),
-      fade: number('growth.fade', growth?.['fade'], 0),
+      speed: number('growth.speed', growth['speed'], 1e-9),
+      reach: number('growth.reach', growth['reach'], 1e-9),
+      fade: number('growth.fade', growth['fade'], 0),
     },
     triangles: integer('triangles', all['triangles'], 0),
     bounds: list('bounds', all['bounds'], point, 2) as [Point, Point],
@@ -91,22 +92,17 @@ export function readManifest(parsed: unknown, readRing: ReadRing = ring): Manife
 
 /** Files that a document lists. */
 export function readFiles(files: Fields): Record<string, FileEntry> {
-  return Object.fromEntries(
-    Object.entries(files).map(([name, value]) => [fileName('files', name), parseFileEntry(name, value)]),
-  );
+  const entries = Object.entries(files).map(([name, value]) => {
+    const [key, entry] = [fileName('files', name), object(name, value)];
+    const bytes = integer(`${name}.bytes`, entry['bytes'], 0, MAX_BYTES);
+    return [key, { bytes, sha256: hash(`${name}.sha256`, entry['sha256']) }] as const;
+  });
+  return Object.fromEntries(entries);
 }
 
 /** Number of tiles of a map. */
 export function tilesOf({ face_size: face, tile }: MapLayout): number {
   return FACES * (face / tile) ** 2;
-}
-
-function parseFileEntry(place: string, value: unknown): FileEntry {
-  const entry = object(place, value);
-  return {
-    bytes: integer(`${place}.bytes`, entry['bytes'], 0, MAX_BYTES),
-    sha256: hash(`${place}.sha256`, entry['sha256']),
-  };
 }
 
 /** Checks that all files of rings, maps and dynamic objects have a size and a hash. */

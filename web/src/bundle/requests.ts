@@ -70,17 +70,15 @@ export function createSlots(slotCount: number): Slots {
   let freeSlots = slotCount;
   const waiting = new Set<() => void>();
 
-  function waitForSlot(signal: AbortSignal): Promise<void> {
-    return abortable<void>(signal, (enter) => {
-      waiting.add(enter);
-      return () => waiting.delete(enter);
-    });
-  }
-
   return async (signal, job) => {
     signal.throwIfAborted();
-    if (freeSlots === 0) await waitForSlot(signal);
-    else freeSlots -= 1;
+    if (freeSlots > 0) freeSlots -= 1;
+    else {
+      await abortable<void>(signal, (enter) => {
+        waiting.add(enter);
+        return () => waiting.delete(enter);
+      });
+    }
     try {
       return await job();
     } finally {

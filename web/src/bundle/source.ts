@@ -5,8 +5,8 @@ import type { FileEntry, Manifest } from './manifest';
 import { createShared, createSlots } from './requests';
 import { NETWORK, type Network, transfer } from './transfer';
 
-/** Pauses before each retry of a transfer, seconds. */
-export const PAUSES = [0.5, 1, 2, 4] as const;
+/** Pauses before each retry, seconds. */
+const PAUSES = [0.5, 1, 2, 4] as const;
 /** Greatest number of concurrent transfers. */
 const AT_ONCE = 6;
 /** Name of the document that a page loads first. */
@@ -52,7 +52,7 @@ export async function readDocument(
   network: Network = NETWORK,
 ): Promise<string> {
   const limits = { name: DOCUMENT, bytes: null, maxBytes: MAX_MANIFEST };
-  const content = await withRetries(DOCUMENT, signal, network, (isRetry) =>
+  const content = await withRetries(`${DOCUMENT} cannot be loaded`, signal, network, (isRetry) =>
     transfer(new URL(DOCUMENT, base), limits, received, signal, isRetry, network),
   );
   return new TextDecoder().decode(content);
@@ -83,7 +83,7 @@ export function createFiles(
   let way: Way | null = null;
 
   const serve = serveListed(described, AT_ONCE, (name, bytes, own, onBytes) =>
-    withRetries(name, own, network, (isRetry) => {
+    withRetries(`${name} cannot be loaded`, own, network, (isRetry) => {
       const isRenewed = distrusted.delete(name) || isRetry;
       return transfer(new URL(name, base), { name, bytes, maxBytes: bytes }, onBytes, own, isRenewed, network);
     }),
@@ -104,22 +104,25 @@ export function createFiles(
   };
 }
 
-async function withRetries<T>(
-  name: string,
+/**
+ * Result of an attempt, which is repeated after pauses until it succeeds or throws a BundleError; after the last attempt
+ * the error begins with `failure`.
+ */
+export async function withRetries<T>(
+  failure: string,
   signal: AbortSignal,
   network: Network,
-  trial: (isRetry: boolean) => Promise<T>,
+  attempt: (isRetry: boolean) => Promise<T>,
 ): Promise<T> {
   for (let number = 0; ; number++) {
     signal.throwIfAborted();
     try {
-      return await trial(number > 0);
+      return await attempt(number > 0);
     } catch (error) {
       // A definite response of the server does not change on retry.
       if (signal.aborted || error instanceof BundleError) throw error;
       const pause = PAUSES[number];
-      const reason = messageOf(error);
-      if (pause === undefined) throw new BundleError(`${name} cannot be loaded: ${reason}`, 'network');
+      if (pause === undefined) throw new BundleError(`${failure}: ${messageOf(error)}`, 'network');
       await network.wait(pause, signal);
     }
   }

@@ -65,7 +65,7 @@ export async function transfer(
       parts.push(chunk);
       size += chunk.length;
       received(chunk.length);
-      if (size > limits.maxBytes) throw wrongSize(limits, 'more');
+      if (size > limits.maxBytes) throw tooLarge(limits);
     }
     // A broken transfer without a length looks complete.
     if (limits.bytes !== null && size < limits.bytes) throw new Error(`expected ${limits.bytes} bytes, got ${size}`);
@@ -85,7 +85,7 @@ function checkStatus(name: string, { ok, status, statusText }: Response): void {
   throw new BundleError(`${name}: ${answer}`, 'network');
 }
 
-function wrongSize({ name, bytes, maxBytes }: Limits, got: string): BundleError {
+function tooLarge({ name, bytes, maxBytes }: Limits): BundleError {
   const expected = bytes === null ? `at most ${maxBytes} bytes` : `${bytes} bytes, as the manifest lists it`;
-  return new BundleError(`${name}: expected ${expected}, got ${got}`);
+  return new BundleError(`${name}: expected ${expected}, got more`);
 }

@@ -13,27 +13,28 @@ import type { Shared } from '../show/materials';
 import type { Viewer } from '../show/viewer';
 
 /** Colours for no aiming user, some, all, and for the remaining part of the ring. */
-const [NOBODY, SOME, ALL, REST] = ['#e6ebf2', '#ffb52e', '#35d07f', '#3a434e'].map((name) => new Color(name));
+const [NONE_COLOR, SOME_COLOR, ALL_COLOR, REMAINING_COLOR] = ['#e6ebf2', '#ffb52e', '#35d07f', '#3a434e'].map((name) => new Color(name));
 /** Pieces of a full turn of the ring; y is 0 inside and 1 outside. */
 const PIECES = 96;
 
 export function createBall(shared: Shared) {
   const color = new Vector4(1, 1, 1, 1);
-  const size = { value: 1 };
+  const [placement, begin, size] = [new Matrix4(), new Vector3(), { value: 1 }];
   const body = createMesh(new SphereGeometry(1, 40, 28), shared, NEAR_VERTEX, { SMOOTH: '' }, {
     base_color: { value: color },
-    placement: { value: new Matrix4() },
+    placement: { value: placement },
   });
-  const ring = (base: Color | undefined): Drawn =>
+  const arc = (base: Color | undefined, shares: { value: number[] }): Drawn =>
     createMesh(geometryOf(ribbon(PIECES, 0)), shared, RING_VERTEX, { UNLIT: '' }, {
       base_color: { value: new Vector4(base?.r, base?.g, base?.b, 1) },
-      begin: { value: new Vector3() },
+      begin: { value: begin },
       radius: size,
-      shares: { value: [0, 1] },
+      shares,
     });
-  const [done, rest] = [ring(ALL), ring(REST)];
+  const [doneShares, remainingShares] = [{ value: [0, 0] }, { value: [0, 1] }];
+  const shapes = [body, arc(ALL_COLOR, doneShares), arc(REMAINING_COLOR, remainingShares)];
   let meshes: readonly Drawn[] = [];
-  let middle: Vector = [0, 0, 0];
+  let position: Vector = [0, 0, 0];
 
   return {
     get meshes(): readonly Drawn[] {
@@ -42,29 +43,22 @@ export function createBall(shared: Shared) {
     /**
      * Sets the world position, the radius, the share of users who aim at it, and the elapsed share of the holding time.
      */
-    show(at: Vector | null, radius: number, share: number, held: number): void {
-      meshes = at ? [body, done, rest] : [];
-      if (!at) return;
-      middle = at;
+    show(center: Vector | null, radius: number, aimShare: number, heldShare: number): void {
+      meshes = center ? shapes : [];
+      if (!center) return;
+      position = center;
       size.value = radius;
-      const { r, g, b } = (share >= 1 ? ALL : share > 0 ? SOME : NOBODY) ?? new Color();
+      const { r, g, b } = (aimShare >= 1 ? ALL_COLOR : aimShare > 0 ? SOME_COLOR : NONE_COLOR) ?? new Color();
       color.set(r, g, b, 1);
-      set(done, 'shares', [0, held]);
-      set(rest, 'shares', [held, 1]);
+      doneShares.value = [0, heldShare];
+      remainingShares.value = [heldShare, 1];
     },
     /** Places it for pictures whose centre is at the origin. */
     place(center: Point): void {
-      const [x, y, z] = subtract(middle, center);
-      const { value: radius } = size;
-      (body.material.uniforms['placement']?.value as Matrix4).makeScale(radius, radius, radius).setPosition(x, y, z);
-      for (const { material } of [done, rest]) (material.uniforms['begin']?.value as Vector3).set(x, y, z);
+      begin.set(...subtract(position, center));
+      placement.makeScale(size.value, size.value, size.value).setPosition(begin);
     },
   };
-}
-
-function set({ material }: Drawn, name: string, value: unknown): void {
-  const uniform = material.uniforms[name];
-  if (uniform) uniform.value = value;
 }
 
 /** Vertex shader of the ring around a sphere; its fragment shader is that of near geometry. */

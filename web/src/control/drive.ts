@@ -68,23 +68,22 @@ const TEXT_FIELDS = 'input, textarea, select, [contenteditable], dialog[open]';
 export function createKeys(source: EventTarget) {
   const pressedCodes = new Set<string>();
   const controller = new AbortController();
-  const listen = (name: string, action: (event: Event) => void): void =>
-    source.addEventListener(name, action, { signal: controller.signal });
+  const listen = (name: string, action: (event: KeyboardEvent) => void): void =>
+    source.addEventListener(name, action as EventListener, { signal: controller.signal });
   let isRunning = false;
 
   listen('keydown', (event) => {
-    const keyEvent = event as KeyboardEvent;
-    isRunning = keyEvent.shiftKey;
-    if (!isMovementKey(keyEvent.code) || hasOtherPurpose(keyEvent)) return;
-    pressedCodes.add(keyEvent.code);
+    isRunning = event.shiftKey;
+    if (!isMovementKey(event.code) || hasOtherPurpose(event)) return;
+    pressedCodes.add(event.code);
     // Otherwise arrow keys scroll the page.
-    keyEvent.preventDefault();
+    event.preventDefault();
   });
-  listen('keyup', (event) => {
-    isRunning = (event as KeyboardEvent).shiftKey;
-    pressedCodes.delete((event as KeyboardEvent).code);
+  listen('keyup', ({ shiftKey, code, key }) => {
+    isRunning = shiftKey;
+    pressedCodes.delete(code);
     // macOS sends no keyup events while Command is held.
-    if ((event as KeyboardEvent).key === 'Meta') pressedCodes.clear();
+    if (key === 'Meta') pressedCodes.clear();
   });
   // A key released elsewhere sends no event.
   listen('blur', () => {
@@ -119,8 +118,7 @@ export interface Pad {
 
 /** Commands of all gamepads with the standard layout. */
 export function readPads(pads: readonly (Pad | null)[]): Drive {
-  const standardPads = pads.filter((pad) => pad !== null && pad.connected && pad.mapping === 'standard');
-  return standardPads.length === 0 ? NO_MOTION : combine(...standardPads.map((pad) => (pad ? driveOf(pad) : NO_MOTION)));
+  return combine(...pads.flatMap((pad) => (pad?.connected && pad.mapping === 'standard' ? [driveOf(pad)] : [])));
 }
 
 function driveOf({ axes, buttons }: Pad): Drive {

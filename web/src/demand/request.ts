@@ -1,9 +1,8 @@
 /** Requests something that a server makes on demand, and reads the JSON lines of its answer. */
 import { chunksOf } from '../base/bytes';
-import { messageOf } from '../base/errors';
 import { BundleError, type Kind } from '../bundle/error';
 import { parseJson } from '../bundle/parse';
-import { PAUSES } from '../bundle/source';
+import { withRetries } from '../bundle/source';
 import type { Network } from '../bundle/transfer';
 
 /** Default and greatest pause before a busy server is asked again, seconds. */
@@ -21,23 +20,16 @@ export async function request(
   signal: AbortSignal,
   network: Network,
 ): Promise<Response> {
-  for (let trial = 0; ; ) {
-    signal.throwIfAborted();
-    const response = await network.fetch(url, signal, false).catch((error: unknown) => error);
-    if (response instanceof Response && response.ok) return response;
-    let pause: number | undefined;
-    if (!(response instanceof Response)) {
-      pause = PAUSES[trial++];
-      const reason = messageOf(response);
-      if (pause === undefined) throw new BundleError(`the server cannot be reached: ${reason}`, 'network');
-    } else if (BUSY.includes(response.status)) {
-      pause = pauseOf(response);
+  return withRetries('the server cannot be reached', signal, network, async () => {
+    for (;;) {
+      const response = await network.fetch(url, signal, false);
+      if (response.ok) return response;
+      if (!BUSY.includes(response.status)) throw new BundleError(await reasonOf(response), kind);
+      const pause = pauseOf(response);
       busy(pause);
-    } else {
-      throw new BundleError(await reasonOf(response), kind);
+      await network.wait(pause, signal);
     }
-    await network.wait(pause, signal);
-  }
+  });
 }
 
 function pauseOf({ headers }: Response): number {

@@ -1,6 +1,5 @@
 /** Exchange of files between pages of a room; the server relays signals and sends files that no page has. */
 import { LruCache } from '../base/cache';
-import type { FileEntry } from '../bundle/manifest';
 import type { Files } from '../bundle/source';
 import { CLOCK } from '../rooms/clock';
 import type { Ask } from '../rooms/server';
@@ -76,7 +75,7 @@ export function startPeers({ query, ask, files, wanted, isFirst, signal }: Peers
   });
   const share = createShare({
     store,
-    described: (name): FileEntry | undefined => files.described(name),
+    described: files.described,
     wanted,
     isFirst,
     own: () => mesh.own,

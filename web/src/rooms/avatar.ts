@@ -16,7 +16,7 @@ import type { Point } from '../bundle/manifest';
 import { subtract } from '../control/pose';
 import { NEAR_VERTEX } from '../shaders/scene';
 import type { Shared } from '../show/materials';
-import { colorOf, createMesh, createRay, type Drawn, paint, setPoint, type Shapes } from './meshes';
+import { colorOf, createMesh, createRay, type Drawn, paint, type Shapes } from './meshes';
 import type { Body, Placed } from './pose';
 import { NAME_VERTEX } from './shaders';
 
@@ -40,12 +40,13 @@ export function createAvatar(shapes: Shapes, shared: Shared) {
     right: solid(shapes.hand, own),
   };
   const ray = createRay(shapes, shared, own);
+  const nameBase = new Vector3();
   const [image, ratio] = [{ value: null as Texture | null }, { value: 1 }];
   const title = createMesh(shapes.name, shared, NAME_VERTEX, { TEXTURED: '', CUTOUT: '', UNLIT: '' }, {
     base_color: { value: new Vector4(1, 1, 1, 1) },
     image,
     cutoff: { value: 0.5 },
-    begin: { value: new Vector3() },
+    begin: { value: nameBase },
     ratio,
   });
   let body: Body | null = null;
@@ -81,7 +82,7 @@ export function createAvatar(shapes: Shapes, shared: Shared) {
       for (const [part, placed] of [['head', head], ['visor', head], ['left', left], ['right', right]] as const) {
         if (placed) compose(parts[part], placed, center);
       }
-      setPoint(title, 'begin', [x, y + ABOVE, z]);
+      nameBase.set(x, y + ABOVE, z);
       ray.place(body, center);
     },
     dispose(): void {

@@ -146,6 +146,13 @@ export function connect(settings: ConnectionSettings) {
     socket?.send(writeFrame(frame), mayBeLost);
   }
 
+  /** Sends a frame in the room; returns false outside. */
+  function sendInRoom(frame: FromUser): boolean {
+    if (state.kind !== 'here' || !socket) return false;
+    send(frame);
+    return true;
+  }
+
   function drop(isImmediate = false): void {
     stop();
     if (!socket) return;
@@ -189,17 +196,9 @@ export function connect(settings: ConnectionSettings) {
       return true;
     },
     /** Sends bytes to another user within the limits of docs/rooms.md; returns false outside the room. */
-    signal(user: number, payload: Uint8Array): boolean {
-      if (state.kind !== 'here' || !socket) return false;
-      send({ kind: 'signal', user, payload });
-      return true;
-    },
+    signal: (user: number, payload: Uint8Array): boolean => sendInRoom({ kind: 'signal', user, payload }),
     /** Sends a message to the group or the room; returns false if it cannot be sent now. */
-    say(payload: Uint8Array, to: Audience): boolean {
-      if (state.kind !== 'here' || !socket) return false;
-      send({ kind: 'say', to, payload });
-      return true;
-    },
+    say: (payload: Uint8Array, to: Audience): boolean => sendInRoom({ kind: 'say', to, payload }),
     /** Reconnects after the end, or immediately while waiting. */
     retry(): void {
       if (state.kind === 'waiting' || state.kind === 'ended') join();

@@ -43,11 +43,6 @@ export function createMesh(
   return mesh;
 }
 
-/** Sets a point among a mesh's uniforms. */
-export function setPoint({ material }: Drawn, name: string, value: Vector): void {
-  (material.uniforms[name]?.value as Vector3).set(...value);
-}
-
 /** Sets a colour for uniforms to that of a user. */
 export function paint(color: Vector4, number: number): void {
   const { r, g, b } = colorOf(number);
@@ -132,19 +127,17 @@ export function geometryOf({ places, corners }: Triangles): BufferGeometry {
 }
 
 export function createRay(shapes: Shapes, shared: Shared, color: Vector4) {
-  const mesh = createMesh(shapes.pointer, shared, POINTER_VERTEX, { UNLIT: '' }, {
-    base_color: { value: color },
-    begin: { value: new Vector3() },
-    end: { value: new Vector3() },
-  });
+  const [begin, end] = [new Vector3(), new Vector3()];
+  const uniforms = { base_color: { value: color }, begin: { value: begin }, end: { value: end } };
+  const mesh = createMesh(shapes.pointer, shared, POINTER_VERTEX, { UNLIT: '' }, uniforms);
   return {
     mesh,
     /** Places the pointer of a body, if it has one, for pictures with this centre at the origin. */
     place(body: Body, center: Point): void {
       const ends = endsOf(body);
       if (!ends) return;
-      setPoint(mesh, 'begin', subtract(ends.begin, center));
-      setPoint(mesh, 'end', subtract(ends.end, center));
+      begin.set(...subtract(ends.begin, center));
+      end.set(...subtract(ends.end, center));
     },
   };
 }

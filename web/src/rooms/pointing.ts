@@ -165,26 +165,20 @@ function rangeIn(renderer: WebGLRenderer, { codes, coding }: Shared, direction: 
   return found === NOTHING ? null : least * Math.exp(found * step);
 }
 
-/** Cache of a value that is computed less often than frames are drawn. */
-export interface Throttled<Found> {
-  /** Returns the cached value; calls `look` if it is too old or was discarded. */
-  at(now: number, look: () => Found): Found;
-  /** Discards the cached value. */
-  forget(): void;
-}
-
-/** Creates the cache; `every` is the interval between two updates, seconds. */
-export function createThrottled<Found>(every: number): Throttled<Found> {
+/** Creates a cache of a value that is computed less often than frames are drawn, at most once in `every` seconds. */
+export function createThrottled<Found>(every: number) {
   let [found, next]: [{ readonly value: Found } | null, number] = [null, 0];
   return {
-    at(now, look) {
+    /** Returns the cached value; calls `look` if it is too old or was discarded. */
+    at(now: number, look: () => Found): Found {
       if (!found || now >= next) {
         found = { value: look() };
         next = now + every;
       }
       return found.value;
     },
-    forget() {
+    /** Discards the cached value. */
+    forget(): void {
       found = null;
     },
   };

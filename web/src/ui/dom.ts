@@ -25,6 +25,13 @@ export function button(label: string, className: string, action: () => void): HT
   return element;
 }
 
+/** Creates a button with an icon; the label is for screen readers. */
+export function iconButton(path: string, label: string, title: string, action: () => void): HTMLButtonElement {
+  const element = make('button', { type: 'button', class: 'button-icon', 'aria-label': label, title }, icon(path));
+  element.addEventListener('click', action);
+  return element;
+}
+
 /** Finds an element of the document; throws an error if there is none of this kind. */
 export function find<T extends HTMLElement>(selector: string, kind: abstract new () => T): T {
   const element = document.querySelector(selector);

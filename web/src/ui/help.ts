@@ -1,6 +1,6 @@
 /** Commands by key, which the panel runs, and the help with all keys, touch gestures and gamepad controls. */
 import { hasOtherPurpose, isMovementKey } from '../control/drive';
-import { icon, ICONS, make } from './dom';
+import { iconButton, ICONS, make } from './dom';
 
 /** Keys or gestures, and their effect. */
 export type Row = readonly [keys: readonly string[], does: string];
@@ -39,24 +39,15 @@ const PAD: readonly Row[] = [
 
 /** Creates a dialog in `root`; `absent` returns the names of unavailable commands. */
 export function createHelp(root: HTMLElement, absent: () => readonly Name[]) {
-  const close = make('button', { type: 'button', class: 'button-icon', 'aria-label': 'Close', title: 'Close (Esc)' });
-  close.append(icon(ICONS.close));
+  const close = iconButton(ICONS.close, 'Close', 'Close (Esc)', () => dialog.close());
   const commands = make('section', {});
   const last = make('div', { class: 'help-touch' }, part('Touch', TOUCH), part('Gamepad', PAD));
   const dialog = make(
     'dialog',
     { class: 'help', 'aria-labelledby': 'help-title', tabindex: '-1' },
     make('header', {}, make('h1', { id: 'help-title' }, 'How to move'), close),
-    make(
-      'div',
-      { class: 'help-parts' },
-      part('Walk', WALK),
-      part('Orbit', ORBIT),
-      commands,
-      last,
-    ),
+    make('div', { class: 'help-parts' }, part('Walk', WALK), part('Orbit', ORBIT), commands, last),
   );
-  close.addEventListener('click', () => dialog.close());
   dialog.addEventListener('click', (event) => {
     // Only a click on the backdrop hits the dialog itself.
     if (event.target === dialog) dialog.close();

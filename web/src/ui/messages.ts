@@ -1,5 +1,5 @@
 /** Error messages: over the whole page, or in a banner above the last valid picture. */
-import { button, icon, ICONS, make } from './dom';
+import { button, iconButton, ICONS, make } from './dom';
 
 /** Greatest number of problems in a banner; the others are counted. */
 const MAX = 3;
@@ -76,9 +76,7 @@ export function showProblems(problems: readonly string[], retry: () => void): vo
   if (place.dataset['kind'] === 'fatal') return;
   const list = make('ul', {}, ...problems.slice(0, MAX).map((problem) => make('li', {}, problem)));
   if (problems.length > MAX) list.append(make('li', {}, `and ${problems.length - MAX} more`));
-  const close = make('button', { type: 'button', class: 'button-icon', 'aria-label': 'Dismiss', title: 'Dismiss' });
-  close.append(icon(ICONS.close));
-  close.addEventListener('click', clearMessage);
+  const close = iconButton(ICONS.close, 'Dismiss', 'Dismiss', clearMessage);
   const text = make('div', { class: 'banner-text' }, make('strong', {}, 'Not all of the scene is shown'), list);
   if (problems.length === 0) clearMessage();
   else {

@@ -1,8 +1,8 @@
 /** Panel with its buttons and keys. */
 import { messageOf } from '../base/errors';
 import type { Mode } from '../control/controls';
-import { copyText, icon, ICONS, make, saveFile, write } from './dom';
-import { createHelp, listen, type Name, type Row, SHORTCUTS } from './help';
+import { copyText, icon, iconButton, ICONS, make, saveFile, write } from './dom';
+import { createHelp, listen, type Name, SHORTCUTS } from './help';
 import { showProblems } from './messages';
 import { MIDDLE } from './overlays';
 import {
@@ -21,19 +21,8 @@ const NOTE = 3;
 /** Media query for screens on which the panel is open at first, because it leaves most of the picture free. */
 const ROOMY = '(min-width: 48rem) and (min-height: 34rem)';
 
-export interface Panel {
-  /** Updates the figures; a few times a second is enough. */
-  update(status: Status): void;
-  /** Shows a short note, which screen readers speak without interrupting. */
-  announce(text: string): void;
-  /** Adds a section to the help. */
-  explain(title: string, rows: readonly Row[]): void;
-  /** Shows a mode or divider that was changed outside the panel. */
-  reflect(state: { readonly mode?: Mode; readonly isDivided?: boolean }): void;
-}
-
 /** Builds the panel in an element that covers the picture; user actions call `commands`. */
-export function createPanel(root: HTMLElement, commands: Commands): Panel {
+export function createPanel(root: HTMLElement, commands: Commands) {
   let isDivided = false;
   let wasRing = -1;
   let wasComplete = false;
@@ -60,11 +49,12 @@ export function createPanel(root: HTMLElement, commands: Commands): Panel {
   const bar = make('div', { class: 'tools', role: 'group', 'aria-label': 'Commands' }, ...Object.values(common));
   bar.classList.toggle('tools-many', commands.next !== undefined);
   const figures = createFigures();
+  const close = iconButton(ICONS.close, 'Hide the figures', 'Hide the figures (I)', hideFigures);
   const quiet = make('p', { class: 'quiet', hidden: true });
   const panel = make(
     'section',
     { class: 'panel card', id: 'panel', 'aria-label': 'Figures' },
-    make('header', {}, make('h1', {}, 'nearfar'), dismiss()),
+    make('header', {}, make('h1', {}, 'nearfar'), close),
     figures.element,
     quiet,
   );
@@ -138,7 +128,8 @@ export function createPanel(root: HTMLElement, commands: Commands): Panel {
     }
   }
 
-  function reflect({ mode, isDivided: divided }: Parameters<Panel['reflect']>[0]): void {
+  /** Shows a mode or divider that was changed outside the panel. */
+  function reflect({ mode, isDivided: divided }: { readonly mode?: Mode; readonly isDivided?: boolean }): void {
     if (mode) {
       press(buttons.walk, mode === 'walk');
       press(buttons.orbit, mode === 'orbit');
@@ -149,17 +140,12 @@ export function createPanel(root: HTMLElement, commands: Commands): Panel {
     chip.hidden = !panel.hidden || wasComplete || wasRing < 0;
   }
 
-  function dismiss(): HTMLElement {
-    const close = make('button', {
-      type: 'button', class: 'button-icon', 'aria-label': 'Hide the figures', title: 'Hide the figures (I)',
-    }, icon(ICONS.close));
-    close.addEventListener('click', () => {
-      run('panel');
-      buttons.panel.focus({ preventScroll: true });
-    });
-    return close;
+  function hideFigures(): void {
+    run('panel');
+    buttons.panel.focus({ preventScroll: true });
   }
 
+  /** Shows a short note, which screen readers speak without interrupting. */
   function announce(text: string): void {
     write(note, text);
     speak(text);
@@ -199,7 +185,8 @@ export function createPanel(root: HTMLElement, commands: Commands): Panel {
   }
 
   return {
-    update(status) {
+    /** Updates the figures; a few times a second is enough. */
+    update(status: Status): void {
       announceChanges(status);
       figures.update(status);
       const none = status.serverProgress ? 0 : 1;
@@ -213,6 +200,7 @@ export function createPanel(root: HTMLElement, commands: Commands): Panel {
       reflect({});
     },
     announce,
+    /** Adds a section to the help. */
     explain: help.add,
     reflect,
   };

@@ -41,7 +41,7 @@ interface SessionState {
   readonly look: Look;
   readonly aiming: Aiming;
   readonly hands: Hands;
-  readonly steering: Steering;
+  readonly steer: Steering;
   readonly jump: Jump;
   readonly walk: ReturnType<typeof createWalk>;
   /** Floor of the user; null until the headset is tracked. */
@@ -93,7 +93,7 @@ function createHeadset(viewer: Viewer, xr: XRSystem, settings: HeadsetSettings) 
         jump.start(() => (made.goal = goal));
       }),
       hands: createHands(session),
-      steering: createSteering(),
+      steer: createSteering(),
       jump: createJump(),
       walk: createWalk(pose, () => bounds, glides),
       floor: null,
@@ -124,7 +124,7 @@ function createHeadset(viewer: Viewer, xr: XRSystem, settings: HeadsetSettings) 
     const ground: Vector = [x, of.floor?.position[1] ?? y - EYE_HEIGHT, z];
     let floor = of.floor && !of.isMoved ? of.floor : floorUnder(ground, yaw, head);
     of.isMoved = false;
-    const { drive, turn } = of.steering.read(stickOf(inputs, 'left'), stickOf(inputs, 'right'));
+    const { drive, turn } = of.steer(stickOf(inputs, 'left'), stickOf(inputs, 'right'));
     if (turn !== 0) floor = turnFloor(floor, head, turn);
     of.walk.follow(worldPose(floor, head));
     of.walk.update(seconds, drive);
