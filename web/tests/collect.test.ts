@@ -149,7 +149,7 @@ test('the state that a user derives equals the vectors', () => {
   for (const { region, user, group, others, steps, now: end, said } of vectors.hearings) {
     const task = new Task(user, group);
     const enter = (): void => {
-      task.alone();
+      task.resetUsers();
       others.forEach((other) => task.joined(other));
     };
     enter();
@@ -206,7 +206,7 @@ test('scores of groups that have left are forgotten', () => {
   }
   task.forgetScores((group) => group === 2 || group === 4);
   assert.deepEqual([...task.scores.keys()], [2, 4]);
-  task.alone();
+  task.resetUsers();
   assert.deepEqual([...task.scores.keys()], [2]);
 });
 

@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import {
   clampToBounds,
-  EYE_APART,
+  EYE_OFFSET,
   floorUnder,
   type Head,
   headBounds,
@@ -58,7 +58,7 @@ test('both eyes stay within the limits', () => {
   const limit = { center: [1, 0, 1], metres: 4 } as const;
   const bounds = headBounds({ open: [limit], shown: [limit] });
   near(clampToBounds([2, 7, 3], bounds), [2, 7, 3]);
-  near(clampToBounds([1, 7, 101], bounds), [1, 7, 5 - EYE_APART]);
+  near(clampToBounds([1, 7, 101], bounds), [1, 7, 5 - EYE_OFFSET]);
   near(clampToBounds([1, 7, 101], null), [1, 7, 101]);
   near(clampToBounds([3, 7, 1], headBounds({ open: [], shown: [{ ...limit, metres: 0 }] })), [1, 7, 1]);
   // While one region replaces another, within both.

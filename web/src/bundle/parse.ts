@@ -17,7 +17,7 @@ import type {
 
 const FORMAT = 'nearfar.bundle';
 const VERSION = 1;
-const MAX_FACE = 4096;
+const MAX_FACE_SIZE = 4096;
 /** Greatest width and height of a WebP picture. */
 const MAX_PIXELS = 16383;
 const [FACES, MAX_REGIONS, MAX_RINGS] = [6, 1000, 1000] as const;
@@ -26,7 +26,7 @@ const MAX_BYTES = 2 ** 31 - 1;
 /** Code of the greatest range, and greatest exponent of a finite range. */
 const [LAST_CODE, MAX_EXPONENT] = [65534, 600] as const;
 /** Greatest coordinate, and greatest radius, metres. */
-const FARTHEST = 1e12;
+const MAX_COORDINATE = 1e12;
 
 /** Parses the entry of a ring; `tiles` is the number of tiles of a map. */
 type ReadRing = (place: string, value: unknown, order: number, tiles: number) => RingEntry;
@@ -55,7 +55,7 @@ export function readManifest(parsed: unknown, readRing: ReadRing = ring): Manife
   }
   const [morph, growth] = [object('morph', all['morph']), object('growth', all['growth'])];
   const map = object('map', all['map']);
-  const face = integer('map.face_size', map['face_size'], 1, MAX_FACE);
+  const face = integer('map.face_size', map['face_size'], 1, MAX_FACE_SIZE);
   const tile = integer('map.tile', map['tile'], 1, face);
   if (face % tile !== 0) throw new BundleError(`manifest.json: map.tile: expected a divisor of ${face}, got ${tile}`);
   const kind = choice('morph.kind', morph['kind'], ['blend', 'cylinder'] as const);
@@ -122,7 +122,7 @@ function checkListed({ regions, dynamic, files }: Manifest): void {
 }
 
 export function point(place: string, value: unknown): Point {
-  return list(place, value, (name, item) => number(name, item, -FARTHEST, FARTHEST), 3) as unknown as Point;
+  return list(place, value, (name, item) => number(name, item, -MAX_COORDINATE, MAX_COORDINATE), 3) as unknown as Point;
 }
 
 function region(
@@ -171,7 +171,7 @@ export function ring(place: string, value: unknown, order: number, tiles: number
   const entry = object(place, value);
   return {
     ...group(place, entry),
-    radius: number(`${place}.radius`, entry['radius'], 0, FARTHEST),
+    radius: number(`${place}.radius`, entry['radius'], 0, MAX_COORDINATE),
     map: mapOf(`${place}.map`, entry['map'], order, tiles),
   };
 }
@@ -179,7 +179,7 @@ export function ring(place: string, value: unknown, order: number, tiles: number
 /** A ring without files yet. */
 export function outlinedRing(place: string, value: unknown): RingEntry {
   const { objects, triangles } = group(place, value);
-  const radius = number(`${place}.radius`, object(place, value)['radius'], 0, FARTHEST);
+  const radius = number(`${place}.radius`, object(place, value)['radius'], 0, MAX_COORDINATE);
   return { objects, triangles, geometry: null, parts: [], radius, map: null };
 }
 
@@ -240,7 +240,7 @@ function moving(place: string, value: unknown): NonNullable<Manifest['dynamic']>
 function movingEntry(place: string, value: unknown): MovingEntry {
   const entry = object(place, value);
   const row = (name: string, item: unknown): number[] =>
-    list(name, item, (column, cell) => number(column, cell, -FARTHEST, FARTHEST), 4);
+    list(name, item, (column, cell) => number(column, cell, -MAX_COORDINATE, MAX_COORDINATE), 4);
   return {
     object: text(`${place}.object`, entry['object']),
     transform: optional(`${place}.transform`, entry['transform'], (name, item) => list(name, item, row, 4)),

@@ -8,7 +8,7 @@ import { NETWORK, type Network, transfer } from './transfer';
 /** Pauses before each retry, seconds. */
 const PAUSES = [0.5, 1, 2, 4] as const;
 /** Greatest number of concurrent transfers. */
-const AT_ONCE = 6;
+const MAX_TRANSFERS = 6;
 /** Name of the document that a page loads first. */
 const DOCUMENT = 'manifest.json';
 /** Greatest size of a manifest, bytes; a thousand regions take a fifth of it. */
@@ -24,7 +24,7 @@ export type Fetch = (name: string, signal: AbortSignal, received?: Received) => 
 export type Serve = (name: string, signal: AbortSignal, received: Received) => Promise<ArrayBuffer>;
 
 /** Fetches a file from elsewhere, or from the server by `serve`. */
-export type Way = (...request: [...Parameters<Serve>, serve: Serve]) => Promise<ArrayBuffer>;
+export type Route = (...request: [...Parameters<Serve>, serve: Serve]) => Promise<ArrayBuffer>;
 
 export interface Files {
   /**
@@ -37,7 +37,7 @@ export interface Files {
   /** Manifest entry of a file; undefined for unlisted files. */
   readonly described: (name: string) => FileEntry | undefined;
   /** Sets another way to fetch files; null for the server only. */
-  readonly setRoute: (way: Way | null) => void;
+  readonly setRoute: (way: Route | null) => void;
 }
 
 export interface Source extends Pick<Files, 'fetch' | 'distrust'> {
@@ -80,9 +80,9 @@ export function createFiles(
   network: Network = NETWORK,
 ): Files {
   const distrusted = new Set<string>();
-  let way: Way | null = null;
+  let way: Route | null = null;
 
-  const serve = serveListed(described, AT_ONCE, (name, bytes, own, onBytes) =>
+  const serve = serveListed(described, MAX_TRANSFERS, (name, bytes, own, onBytes) =>
     withRetries(`${name} cannot be loaded`, own, network, (isRetry) => {
       const isRenewed = distrusted.delete(name) || isRetry;
       return transfer(new URL(name, base), { name, bytes, maxBytes: bytes }, onBytes, own, isRenewed, network);

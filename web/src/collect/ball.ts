@@ -85,7 +85,7 @@ void main() {
 `;
 
 /** Greatest tangent of the angle between the direction and the sphere's centre at which the sphere is meant. */
-const MEANT = 0.5;
+const MAX_TANGENT = 0.5;
 
 /**
  * Target beside or on a sphere for a place of the picture, at the sphere's distance, so that a hand beside the eyes
@@ -103,5 +103,5 @@ export function pointBeside(
   const [dx, dy, dz] = directionTo(pose, place, viewer.camera);
   const along = seen[0] * dx + seen[1] * dy + seen[2] * dz;
   const aside = subtract([along * dx, along * dy, along * dz], seen);
-  return along > 0 && Math.hypot(...aside) <= MEANT * along ? addScaled(sphere, aside, 1) : null;
+  return along > 0 && Math.hypot(...aside) <= MAX_TANGENT * along ? addScaled(sphere, aside, 1) : null;
 }

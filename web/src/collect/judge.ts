@@ -24,20 +24,20 @@ export interface Aiming {
 export function judge(aiming: Aiming, trial: Trial, rays: Rays): Aims | Collected | null {
   const { sphere, age, aims, misses, needed, held, present, seated } = aiming;
   const center = placeOf(sphere, trial.box, age);
-  const found = seated.filter((user) => {
+  const aimingUsers = seated.filter((user) => {
     const ray = rays.get(user);
     return ray !== undefined && isAimed(ray, center, trial.radius);
   });
-  const lost = aims.find((user) => !found.includes(user));
-  if (lost !== undefined) {
-    const users = aims.filter((user) => user !== lost);
+  const lostUser = aims.find((user) => !aimingUsers.includes(user));
+  if (lostUser !== undefined) {
+    const users = aims.filter((user) => user !== lostUser);
     // A user who has left is no miss.
-    return aimsOf(aiming, present.has(lost) ? 'lost' : 'told', lost, users);
+    return aimsOf(aiming, present.has(lostUser) ? 'lost' : 'told', lostUser, users);
   }
-  const [selected] = found.filter((user) => !aims.includes(user)).sort((a, b) => a - b);
-  if (selected !== undefined) {
-    const users = [...aims, selected].sort((a, b) => a - b);
-    return aimsOf(aiming, 'selected', selected, users);
+  const [joinedUser] = aimingUsers.filter((user) => !aims.includes(user)).sort((a, b) => a - b);
+  if (joinedUser !== undefined) {
+    const users = [...aims, joinedUser].sort((a, b) => a - b);
+    return aimsOf(aiming, 'selected', joinedUser, users);
   }
   if (aims.length >= needed !== (held !== null)) return aimsOf(aiming, 'told', 0, aims);
   if (held === null || held < trial.hold) return null;

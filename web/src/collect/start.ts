@@ -17,11 +17,11 @@ import type { Ray } from './spheres';
 import { Task } from './task';
 
 /** Interval of the card's updates, seconds. */
-const CARD_EVERY = 0.1;
+const CARD_INTERVAL = 0.1;
 /** Greatest number of other groups whose scores the card shows. */
 const MAX_GROUPS = 8;
 /** Least seconds between two moves to a seat, and metres that a seat may lie outside of the rectangle. */
-const [SEAT_EVERY, ASIDE] = [3, 2] as const;
+const [SEAT_INTERVAL, SEAT_MARGIN] = [3, 2] as const;
 
 export interface Collecting extends Activity {
   /** State of the task; null before the user is in the room. */
@@ -48,14 +48,14 @@ function collect(room: Room, host: Host, parameters: RuleParameters): Collecting
   const panel = createPanel(host.root, start);
   let task: Task | null = null;
   let pose: Pose | null = null;
-  let seated = '';
+  let seatedStage = '';
   let [updatedAt, seatedAt] = [-Infinity, -Infinity];
 
   function start(): void {
     if (!task || !pose || !canStart(task)) return;
     const middle = viewer.facts.entry?.center ?? pose.position;
     const now = CLOCK.now();
-    say(task.start(rulesAt(parameters, middle, pose.yaw), now));
+    send(task.start(rulesAt(parameters, middle, pose.yaw), now));
     follow(task, now);
   }
 
@@ -65,13 +65,13 @@ function collect(room: Room, host: Host, parameters: RuleParameters): Collecting
     return of.user === of.conductor && isEnough && (of.trial === null || of.isOver);
   }
 
-  function say(messages: readonly Message[]): void {
+  function send(messages: readonly Message[]): void {
     for (const message of messages) room.connection.say(write(message), audienceOf(message));
   }
 
   function conduct(now: number): void {
     if (!task || room.connection.state.kind !== 'here') return;
-    say(task.conduct(now, rays));
+    send(task.conduct(now, rays));
     follow(task, now);
   }
 
@@ -79,17 +79,17 @@ function collect(room: Room, host: Host, parameters: RuleParameters): Collecting
   function follow(of: Task, now: number): void {
     const { trial, seat } = of;
     const stage = trial ? `${trial.run} ${trial.trial}` : '';
-    if (stage === seated || now - seatedAt < SEAT_EVERY) return;
-    seated = stage;
+    if (stage === seatedStage || now - seatedAt < SEAT_INTERVAL) return;
+    seatedStage = stage;
     frames.restart(now);
-    if (!seat || !trial || !isAbout(trial.area, seat)) return;
+    if (!seat || !trial || !isNearBox(trial.area, seat)) return;
     seatedAt = now;
     const [x, , z] = subtract(middleOf(trial), seat);
     host.go({ position: seat, yaw: Math.atan2(-x, -z), pitch: 0 });
     host.announce(`Trial ${trial.trial} of ${trial.trials}: all aim at the sphere at the same time`);
   }
 
-  function listen(user: number, payload: Uint8Array, now: number): void {
+  function hearPayload(user: number, payload: Uint8Array, now: number): void {
     const group = groups.get(user);
     if (!task || group === undefined) return;
     try {
@@ -106,7 +106,7 @@ function collect(room: Room, host: Host, parameters: RuleParameters): Collecting
     groups.clear();
     rays.clear();
     // A returning user continues from its state; another number means another user.
-    if (task?.user === user) task.alone();
+    if (task?.user === user) task.resetUsers();
     else task = new Task(user, room.address.group);
   }
 
@@ -131,7 +131,7 @@ function collect(room: Room, host: Host, parameters: RuleParameters): Collecting
       .map(([other, { spheres, misses }]) => `Group ${other}: ${spheres} spheres, ${misses} misses`);
     const { roundTrips } = room.connection;
     const trial = task.trial && trialState(task, task.trial, now, frames.rate, roundTrips.median);
-    const instruction = wordsOf(task, canStart(task));
+    const instruction = instructionFor(task, canStart(task));
     return { instruction, canStart: canStart(task), trial, otherScores: others.join(' · ') };
   }
 
@@ -157,18 +157,18 @@ function collect(room: Room, host: Host, parameters: RuleParameters): Collecting
         task?.left(frame.user);
         task?.forgetScores((group) => group === room.address.group || [...groups.values()].includes(group));
       } else if (frame.kind === 'pose') {
-        see(rays, frame.user, frame.pose);
+        storeRay(rays, frame.user, frame.pose);
         // A hidden page gets poses, but no animation frames.
         conduct(now);
-      } else if (frame.kind === 'say') listen(frame.user, frame.payload, now);
+      } else if (frame.kind === 'say') hearPayload(frame.user, frame.payload, now);
     },
     frame(at: Pose, body: Body, now: number) {
       pose = at;
-      if (task) see(rays, task.user, body);
+      if (task) storeRay(rays, task.user, body);
       conduct(now);
       if (task?.trial?.over === false) frames.count(now);
       show(task, now);
-      if (now - updatedAt < CARD_EVERY) return;
+      if (now - updatedAt < CARD_INTERVAL) return;
       updatedAt = now;
       panel.update(cardState(now));
     },
@@ -189,7 +189,7 @@ function collect(room: Room, host: Host, parameters: RuleParameters): Collecting
 }
 
 /** Stores the ray of a user's pointer, if there is one. */
-function see(rays: Map<number, Ray>, user: number, body: Body): void {
+function storeRay(rays: Map<number, Ray>, user: number, body: Body): void {
   const from = body.pointer && body[body.pointer.begin];
   if (!from) {
     rays.delete(user);
@@ -206,11 +206,11 @@ function middleOf({ box: [least, most] }: Trial): Vector {
 }
 
 /** Whether a place is in a box or at most `ASIDE` metres outside. */
-function isAbout([least, most]: Box, place: Vector): boolean {
-  return place.every((at, axis) => at >= (least[axis] ?? at) - ASIDE && at <= (most[axis] ?? at) + ASIDE);
+function isNearBox([least, most]: Box, place: Vector): boolean {
+  return place.every((at, axis) => at >= (least[axis] ?? at) - SEAT_MARGIN && at <= (most[axis] ?? at) + SEAT_MARGIN);
 }
 
-function wordsOf(task: Task, canStart: boolean): string {
+function instructionFor(task: Task, canStart: boolean): string {
   if (task.trial && !task.trial.over) return task.seat ? '' : 'You get a seat in the next trial';
   if (task.trial && !task.isOver) return 'The next trial begins in a moment';
   if (canStart) return `Users of your group: ${task.present.size}. Look to where the spheres should appear, and start.`;
@@ -233,17 +233,17 @@ function trialState(task: Task, trial: Trial, now: number, frames: number | null
 }
 
 function createFrames() {
-  let [counted, first, last] = [0, 0, 0];
+  let [frameCount, first, last] = [0, 0, 0];
   return {
     /** Frames per second since the restart; null before the second one. */
     get rate(): number | null {
-      return counted > 0 && last > first ? counted / (last - first) : null;
+      return frameCount > 0 && last > first ? frameCount / (last - first) : null;
     },
     restart(now: number): void {
-      [counted, first, last] = [0, now, now];
+      [frameCount, first, last] = [0, now, now];
     },
     count(now: number): void {
-      counted += 1;
+      frameCount += 1;
       last = now;
     },
   };

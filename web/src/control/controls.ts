@@ -9,7 +9,7 @@ import { createWalk } from './walk';
 export type { Mode, Thumb };
 
 /** Longest time per update, seconds: a page that was hidden continues where it was. */
-const LONGEST = 0.5;
+const MAX_SECONDS = 0.5;
 
 export interface ControlSettings {
   /** Start pose; its height is the eye height. */
@@ -58,9 +58,9 @@ export function createControls(element: HTMLElement, settings: ControlSettings) 
     update(seconds: number): Pose {
       const drive: Drive = combine(keys.drive, pointers.drive, readPads(pads()));
       // NaN fails every comparison and counts as zero.
-      const spent = seconds > 0 ? Math.min(seconds, LONGEST) : 0;
-      if (mode === 'walk') walk.update(spent, drive);
-      else orbit.update(spent, drive);
+      const elapsed = seconds > 0 ? Math.min(seconds, MAX_SECONDS) : 0;
+      if (mode === 'walk') walk.update(elapsed, drive);
+      else orbit.update(elapsed, drive);
       const pose = current();
       if (!isSamePose(pose, last)) onChange?.(pose);
       last = pose;

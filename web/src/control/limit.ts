@@ -18,16 +18,16 @@ export interface Bounds {
 }
 
 /** Share of the radius from which outward steps shrink. */
-export const FREE = 0.8;
+export const FREE_SHARE = 0.8;
 /** Rate per second at which a user beyond the limit is led back: the excess falls by e in a third of a second. */
-const RETURN = 3;
+const RETURN_RATE = 3;
 
 /**
  * End of a step from one place to another. Beyond the free part an outward step counts less and less: dr/ds = (m − r) /
  * (m − free), so that r tends to m. The closed form makes one long step equal many short ones.
  */
 export function confine(from: Vector, to: Vector, bounds: Bounds | null): Vector {
-  const soft = bounds && roomiest(to, bounds.open);
+  const soft = bounds && withMostSpace(to, bounds.open);
   let place = soft ? slowDown(from, to, soft) : to;
   for (const wall of bounds?.shown ?? []) {
     const end = Math.max(distance(from, wall), wall.metres);
@@ -39,7 +39,7 @@ export function confine(from: Vector, to: Vector, bounds: Bounds | null): Vector
 
 /** Share of a straight step, 0 to 1, after which it is as far out as `confine` allows. */
 export function allowedShare(from: Vector, to: Vector, bounds: Bounds | null): number {
-  const soft = bounds && roomiest(to, bounds.open);
+  const soft = bounds && withMostSpace(to, bounds.open);
   const share = soft ? shareOf(from, to, distance(slowDown(from, to, soft), soft), soft) : 1;
   const walls = (bounds?.shown ?? []).map((wall) => shareOf(from, to, wall.metres, wall));
   return Math.min(share, ...walls);
@@ -47,12 +47,12 @@ export function allowedShare(from: Vector, to: Vector, bounds: Bounds | null): n
 
 /** Leads a user who is beyond the limits back smoothly. */
 export function leadBack(position: Vector, bounds: Bounds | null, seconds: number): Vector {
-  const soft = bounds && roomiest(position, bounds.open);
+  const soft = bounds && withMostSpace(position, bounds.open);
   let place = position;
   for (const limit of new Set([...(soft ? [soft] : []), ...(bounds?.shown ?? [])])) {
     const far = distance(place, limit);
     if (far <= limit.metres) continue;
-    place = atDistance(place, limit.metres + (far - limit.metres) * Math.exp(-RETURN * seconds), far, limit);
+    place = atDistance(place, limit.metres + (far - limit.metres) * Math.exp(-RETURN_RATE * seconds), far, limit);
   }
   return place;
 }
@@ -69,14 +69,14 @@ export function clampToLimit(place: Vector, limit: Limit): Vector {
 }
 
 /** The limit whose edge is farthest from an inside position. */
-function roomiest(place: Vector, limits: readonly Limit[]): Limit | null {
+function withMostSpace(place: Vector, limits: readonly Limit[]): Limit | null {
   const room = (limit: Limit): number => limit.metres - distance(place, limit);
   return limits.reduce<Limit | null>((best, each) => (best && room(best) >= room(each) ? best : each), null);
 }
 
 function slowDown(from: Vector, to: Vector, limit: Limit): Vector {
   const [before, after] = [distance(from, limit), distance(to, limit)];
-  const free = FREE * limit.metres;
+  const free = FREE_SHARE * limit.metres;
   const start = Math.max(before, free);
   if (after <= start) return to;
   const width = limit.metres - free;

@@ -2,7 +2,7 @@
 import { applyDeadZone, type Drive, NO_MOTION } from './drive';
 
 /** Radians per picture height of dragging: for a walker's head, and for orbiting. */
-const [LOOK, AROUND] = [1.6, Math.PI] as const;
+const [LOOK_RADIANS, ORBIT_RADIANS] = [1.6, Math.PI] as const;
 /** Pan per picture height of dragging, as a multiple of the orbit's distance. */
 const PAN = 1.5;
 /** Zoom exponent per wheel pixel; pixels per line and per page. */
@@ -10,7 +10,7 @@ const WHEEL = 0.0015;
 const WHEEL_PIXELS = [1, 16, 400] as const;
 /** Distance in pixels from the left thumb's start to full speed, and the dead zone as a share of it. */
 export const THUMB_REACH = 56;
-const THUMB_REST = 0.12;
+const THUMB_DEAD_ZONE = 0.12;
 
 export type Mode = 'walk' | 'orbit';
 
@@ -36,7 +36,7 @@ export interface PointerActions {
 }
 
 /** A finger, or a mouse with a button down. */
-interface Down {
+interface Press {
   readonly x: number;
   readonly y: number;
   /** `step` for the left thumb; `pan` for other buttons than the first. */
@@ -44,7 +44,7 @@ interface Down {
 }
 
 export function createPointers(element: HTMLElement, actions: PointerActions) {
-  const downs = new Map<number, Down>();
+  const presses = new Map<number, Press>();
   const stop = new AbortController();
   let drive = NO_MOTION;
 
@@ -71,22 +71,22 @@ export function createPointers(element: HTMLElement, actions: PointerActions) {
     element.setPointerCapture(event.pointerId);
     if (isTouch) taps.down(event);
     const task = isThumb(event) ? 'step' : isFirst ? 'turn' : 'pan';
-    downs.set(event.pointerId, { x: event.clientX, y: event.clientY, task });
+    presses.set(event.pointerId, { x: event.clientX, y: event.clientY, task });
     if (task === 'step') step({ x: event.clientX, y: event.clientY }, event);
   }
 
   /** Whether a touch walks: the first one in the left half. */
   function isThumb({ pointerType, clientX }: PointerEvent): boolean {
     if (actions.mode() !== 'walk' || pointerType !== 'touch') return false;
-    if ([...downs.values()].some(({ task }) => task === 'step')) return false;
+    if ([...presses.values()].some(({ task }) => task === 'step')) return false;
     const { left, width } = element.getBoundingClientRect();
     return clientX - left < width / 2;
   }
 
   function move(event: PointerEvent): void {
-    const before = downs.get(event.pointerId);
+    const before = presses.get(event.pointerId);
     if (!before) {
-      if (isLocked()) actions.look(-event.movementX * LOOK * scale(), -event.movementY * LOOK * scale());
+      if (isLocked()) actions.look(-event.movementX * LOOK_RADIANS * scale(), -event.movementY * LOOK_RADIANS * scale());
       return;
     }
     if (before.task === 'step') {
@@ -94,23 +94,23 @@ export function createPointers(element: HTMLElement, actions: PointerActions) {
       return;
     }
     const after = { ...before, x: event.clientX, y: event.clientY };
-    const other = [...downs].find(([id, { task }]) => id !== event.pointerId && task !== 'step')?.[1];
+    const other = [...presses].find(([id, { task }]) => id !== event.pointerId && task !== 'step')?.[1];
     const [x, y] = [(after.x - before.x) * scale(), (after.y - before.y) * scale()];
-    downs.set(event.pointerId, after);
-    if (actions.mode() === 'walk') actions.look(x * LOOK, y * LOOK);
+    presses.set(event.pointerId, after);
+    if (actions.mode() === 'walk') actions.look(x * LOOK_RADIANS, y * LOOK_RADIANS);
     else if (other) pinch(before, after, other);
     else if (before.task === 'pan') actions.pan(-x * PAN, y * PAN);
-    else actions.rotate(-x * AROUND, -y * AROUND);
+    else actions.rotate(-x * ORBIT_RADIANS, -y * ORBIT_RADIANS);
   }
 
   function step({ x, y }: { x: number; y: number }, { clientX, clientY }: PointerEvent): void {
-    const [right, down] = applyDeadZone((clientX - x) / THUMB_REACH, (clientY - y) / THUMB_REACH, THUMB_REST);
+    const [right, down] = applyDeadZone((clientX - x) / THUMB_REACH, (clientY - y) / THUMB_REACH, THUMB_DEAD_ZONE);
     drive = { ...NO_MOTION, right, ahead: 0 - down };
     actions.thumb({ x, y, right: clientX - x, down: clientY - y });
   }
 
   /** One of two fingers has moved: their midpoint pans, their distance zooms. */
-  function pinch(before: Down, after: Down, other: Down): void {
+  function pinch(before: Press, after: Press, other: Press): void {
     const [was, is] = [before, after].map(({ x, y }) => Math.hypot(x - other.x, y - other.y));
     if (was && is) actions.zoom(was / is);
     const half = (0.5 * PAN) * scale();
@@ -119,8 +119,8 @@ export function createPointers(element: HTMLElement, actions: PointerActions) {
 
   function up(event: PointerEvent): void {
     if (event.pointerType === 'touch') taps.up(event);
-    if (downs.get(event.pointerId)?.task === 'step') rest();
-    downs.delete(event.pointerId);
+    if (presses.get(event.pointerId)?.task === 'step') rest();
+    presses.delete(event.pointerId);
   }
 
   function rest(): void {
@@ -155,7 +155,7 @@ export function createPointers(element: HTMLElement, actions: PointerActions) {
 
   /** Discards all fingers, because the mode has changed. */
   function release(): void {
-    downs.clear();
+    presses.clear();
     rest();
     if (isLocked()) element.ownerDocument.exitPointerLock();
   }
@@ -175,16 +175,16 @@ export function createPointers(element: HTMLElement, actions: PointerActions) {
 }
 
 /** Greatest milliseconds of a tap, and between two taps; greatest movement in pixels meanwhile. */
-const [LONGEST, PAUSE, STILL] = [300, 400, 16] as const;
+const [MAX_TAP_MS, MAX_PAUSE_MS, MAX_TAP_PIXELS] = [300, 400, 16] as const;
 
 type Event = Pick<PointerEvent, 'pointerId' | 'clientX' | 'clientY' | 'timeStamp'>;
 
 /** `twice` receives the second tap. */
-export function createTaps(twice: (event: Event) => void) {
+export function createTaps(onDoubleTap: (event: Event) => void) {
   const downs = new Map<number, Event>();
   let last: Event | null = null;
 
-  const isNear = (a: Event, b: Event): boolean => Math.hypot(a.clientX - b.clientX, a.clientY - b.clientY) <= STILL;
+  const isNear = (a: Event, b: Event): boolean => Math.hypot(a.clientX - b.clientX, a.clientY - b.clientY) <= MAX_TAP_PIXELS;
 
   return {
     down(event: Event): void {
@@ -196,14 +196,14 @@ export function createTaps(twice: (event: Event) => void) {
       const begun = downs.get(event.pointerId);
       const isAlone = downs.size === 1;
       downs.delete(event.pointerId);
-      const isTap = begun && isAlone && event.timeStamp - begun.timeStamp <= LONGEST && isNear(begun, event);
+      const isTap = begun && isAlone && event.timeStamp - begun.timeStamp <= MAX_TAP_MS && isNear(begun, event);
       if (!isTap) {
         last = null;
         return;
       }
-      const isSecond = last !== null && event.timeStamp - last.timeStamp <= PAUSE && isNear(last, event);
+      const isSecond = last !== null && event.timeStamp - last.timeStamp <= MAX_PAUSE_MS && isNear(last, event);
       last = isSecond ? null : event;
-      if (isSecond) twice(event);
+      if (isSecond) onDoubleTap(event);
     },
   };
 }

@@ -52,14 +52,14 @@ export function isSamePose(a: Pose, b: Pose): boolean {
 }
 
 /** Greatest length of a fragment. */
-const LONGEST = 512;
+const MAX_FRAGMENT_LENGTH = 512;
 /** Greatest coordinate, metres: beyond twice the size of the Earth there is no scene. */
-const FARTHEST = 3e7;
+const MAX_COORDINATE = 3e7;
 const NUMBER = /^[+-]?(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d{1,3})?$/i;
 
 /** Pose in a fragment (with or without `#`), or null. Never throws. */
 export function readLink(fragment: string): Pose | null {
-  if (fragment.length > LONGEST) return null;
+  if (fragment.length > MAX_FRAGMENT_LENGTH) return null;
   const fields = new URLSearchParams(fragment.replace(/^#/, ''));
   const [x, y, z, ...rest] = (fields.get('p') ?? '').split(',').map(parseNumber);
   if (!isPlace(x) || !isPlace(y) || !isPlace(z) || rest.length > 0) return null;
@@ -80,7 +80,7 @@ function parseNumber(text: string): number | null {
 }
 
 function isPlace(value: number | null | undefined): value is number {
-  return value !== null && value !== undefined && Math.abs(value) <= FARTHEST;
+  return value !== null && value !== undefined && Math.abs(value) <= MAX_COORDINATE;
 }
 
 /** Formats a number without trailing zeros. */

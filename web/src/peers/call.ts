@@ -4,9 +4,9 @@ import { type Clock, createBucket } from '../rooms/clock';
 import type { Line } from './peer';
 
 /** Timeout in seconds for gathering the browser's own addresses. */
-const ADDRESSES = 1;
+const GATHER_TIMEOUT = 1;
 /** Settings of the data channel that both pages share. It is reliable and ordered. */
-const CHANNEL = { negotiated: true, id: 0, ordered: true } as const;
+const CHANNEL_SETTINGS = { negotiated: true, id: 0, ordered: true } as const;
 
 export interface CallEvents {
   /** Called when the channel can be used. */
@@ -22,7 +22,7 @@ export type Call = ReturnType<typeof createCall>;
 export function createCall({ opened, ended, refuse }: CallEvents, later: Clock['later']) {
   // There is no STUN server: pages connect in a local network, or if they have public addresses.
   const connection = new RTCPeerConnection({ iceServers: [] });
-  const channel = connection.createDataChannel('files', CHANNEL);
+  const channel = connection.createDataChannel('files', CHANNEL_SETTINGS);
   channel.onopen = () => opened(channel);
   channel.onclose = ended;
   connection.ondatachannel = () => refuse('it opens another channel');
@@ -35,7 +35,7 @@ export function createCall({ opened, ended, refuse }: CallEvents, later: Clock['
     await connection.setLocalDescription();
     if (connection.iceGatheringState !== 'complete') {
       await new Promise<void>((done) => {
-        const stop = later(ADDRESSES, done);
+        const stop = later(GATHER_TIMEOUT, done);
         connection.onicegatheringstatechange = () => {
           if (connection.iceGatheringState !== 'complete') return;
           stop();
@@ -68,8 +68,8 @@ const VERSION = 1;
 /** Greatest number of bytes of a description, and of its addresses that are used. */
 const [MAX_BYTES, MAX_ADDRESSES] = [8192, 8] as const;
 /** Lines with addresses; lines with a device's own UDP addresses: without a STUN server there are no others. */
-const ADDRESS = /^\s*a=candidate:/i;
-const OWN = /^a=candidate:\S+ \d+ udp \d+ \S+ \d+ typ host(?:\s|$)/i;
+const ADDRESS_LINE = /^\s*a=candidate:/i;
+const OWN_ADDRESS_LINE = /^a=candidate:\S+ \d+ udp \d+ \S+ \d+ typ host(?:\s|$)/i;
 const SIGNAL = record({
   kind: choiceOf(['offer', 'answer', 'no'], 'a signal has an unknown kind'),
   /** Identifies an offer and its answer. */
@@ -102,27 +102,27 @@ function isDescription(sdp: string): boolean {
 function withFewAddresses(sdp: string): string {
   let count = 0;
   const lines = sdp.split('\n').filter((line) => {
-    if (!ADDRESS.test(line)) return true;
-    return OWN.test(line) && ++count <= MAX_ADDRESSES;
+    if (!ADDRESS_LINE.test(line)) return true;
+    return OWN_ADDRESS_LINE.test(line) && ++count <= MAX_ADDRESSES;
   });
   return lines.join('\n');
 }
 
 /** Bytes per second and burst, below the limits of docs/rooms.md; least bytes that a signal counts for. */
-const [RATE, BURST, MIN] = [24_576, 12_288, 64] as const;
+const [BYTES_PER_SECOND, BURST_BYTES, MIN_SIGNAL_BYTES] = [24_576, 12_288, 64] as const;
 /** Greatest number of queued signals. */
-const MAX_WAITING = 64;
+const MAX_QUEUED_SIGNALS = 64;
 
 /** Queue of signals that respects the rate limit of a room. */
 export function createOutbox(send: (user: number, payload: Uint8Array) => void, clock: Clock) {
-  const bucket = createBucket(RATE, BURST, clock.now);
+  const bucket = createBucket(BYTES_PER_SECOND, BURST_BYTES, clock.now);
   let waiting: (readonly [user: number, payload: Uint8Array])[] = [];
   let isWaiting = false;
 
   function flush(): void {
     for (let next = waiting[0]; next; next = waiting[0]) {
       const [user, payload] = next;
-      const size = Math.min(Math.max(payload.length, MIN), BURST);
+      const size = Math.min(Math.max(payload.length, MIN_SIGNAL_BYTES), BURST_BYTES);
       if (!bucket.take(size)) {
         isWaiting = true;
         clock.later(bucket.secondsTo(size) + 0.01, () => {
@@ -138,7 +138,7 @@ export function createOutbox(send: (user: number, payload: Uint8Array) => void, 
 
   return {
     send(user: number, payload: Uint8Array): void {
-      if (waiting.length >= MAX_WAITING) return;
+      if (waiting.length >= MAX_QUEUED_SIGNALS) return;
       waiting.push([user, payload]);
       if (!isWaiting) flush();
     },

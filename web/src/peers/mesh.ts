@@ -7,15 +7,15 @@ import { TICK } from './downloads';
 import type { Line } from './peer';
 
 /** Neighbours on each side in the circle of numbers; greatest number of connections. */
-const [REACH, MAX_CALLS] = [6, 16] as const;
+const [NEIGHBOURS_PER_SIDE, MAX_CALLS] = [6, 16] as const;
 /** Greatest number of answered offers per user. */
 const MAX_OFFERS = 8;
 /** Rate per second and burst of new connections, to any users. */
-const [RATE, BURST] = [1, 16] as const;
+const [CALLS_PER_SECOND, CALLS_AT_ONCE] = [1, 16] as const;
 /** Timeout for a connection, seconds. */
-const CONNECT = 10;
+const CONNECT_TIMEOUT = 10;
 /** Ticks for which files wait at first: for entering the room, and then for all connections. */
-const FIRST = Math.round(1.5 / TICK);
+const WAIT_TICKS = Math.round(1.5 / TICK);
 
 export interface MeshSettings {
   readonly clock: Clock;
@@ -28,7 +28,7 @@ export interface MeshSettings {
 
 export type Mesh = ReturnType<typeof createMesh>;
 
-interface Place {
+interface Slot {
   readonly attempt: number;
   readonly call: Call;
   stop: () => void;
@@ -38,9 +38,9 @@ interface Place {
 
 export function createMesh({ clock, create, signal, opened, ended }: MeshSettings) {
   const users = new Set<number>();
-  const places = new Map<number, Place>();
+  const slots = new Map<number, Slot>();
   const dropped = new Map<number, string>();
-  const calls = createBucket(RATE, BURST, clock.now);
+  const calls = createBucket(CALLS_PER_SECOND, CALLS_AT_ONCE, clock.now);
   /** Users with failed connections. */
   const failed = new Set<number>();
   /** Number of offers from each user. */
@@ -53,7 +53,7 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
   let unannounced: number | null = null;
   let settle = (): void => undefined;
   const ready = new Promise<void>((done) => (settle = done));
-  let [hasEntered, ticks, isLate] = [false, FIRST, false];
+  let [hasEntered, ticks, isLate] = [false, WAIT_TICKS, false];
 
   function wait(): void {
     ticks -= 1;
@@ -67,35 +67,35 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
     if (isOn === false) settle();
     if (isOn === null || own === null || unannounced === null || unannounced > 0) return;
     const isOver = (user: number): boolean => failed.has(user) || dropped.has(user);
-    if (neighbours().every((user) => isOver(user) || places.get(user)?.hasGreeted)) settle();
+    if (neighbours().every((user) => isOver(user) || slots.get(user)?.hasGreeted)) settle();
   }
 
   /** Returns the nearest users by number; the relation is symmetric. */
   function neighbours(): number[] {
     const others = [...users].sort((a, b) => a - b);
-    if (others.length <= 2 * REACH) return others;
+    if (others.length <= 2 * NEIGHBOURS_PER_SIDE) return others;
     const after = others.findIndex((user) => user > (own ?? 0));
     const begin = after < 0 ? others.length : after;
     const circle = [...others.slice(begin), ...others.slice(0, begin)];
-    return [...circle.slice(0, REACH), ...circle.slice(-REACH)];
+    return [...circle.slice(0, NEIGHBOURS_PER_SIDE), ...circle.slice(-NEIGHBOURS_PER_SIDE)];
   }
 
   function fail(user: number): void {
-    const place = places.get(user);
+    const place = slots.get(user);
     if (place) remove(user, place);
     failed.add(user);
     checkReady();
   }
 
-  function remove(user: number, { call, stop, isOpen }: Place): void {
-    places.delete(user);
+  function remove(user: number, { call, stop, isOpen }: Slot): void {
+    slots.delete(user);
     stop();
     call.close();
     if (isOpen) ended(user);
   }
 
   /** Begins a connection; null if the browser creates none. */
-  function open(user: number, attempt: number): Place | null {
+  function open(user: number, attempt: number): Slot | null {
     try {
       return createPlace(user, attempt);
     } catch {
@@ -105,8 +105,8 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
     }
   }
 
-  function createPlace(user: number, attempt: number): Place {
-    const isCurrent = (): boolean => places.get(user) === place;
+  function createPlace(user: number, attempt: number): Slot {
+    const isCurrent = (): boolean => slots.get(user) === place;
     const call = create({
       opened(line) {
         if (!isCurrent()) return;
@@ -121,15 +121,15 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
         if (isCurrent()) drop(user, sentence);
       },
     });
-    const stop = clock.later(CONNECT, () => fail(user));
-    const place: Place = { attempt, call, stop, isOpen: false, hasGreeted: false };
-    places.set(user, place);
+    const stop = clock.later(CONNECT_TIMEOUT, () => fail(user));
+    const place: Slot = { attempt, call, stop, isOpen: false, hasGreeted: false };
+    slots.set(user, place);
     return place;
   }
 
   /** Sends a description when it is available; failure ends the connection. */
-  function describe(user: number, place: Place, kind: 'offer' | 'answer', description: Promise<string>): void {
-    const isCurrent = (): boolean => places.get(user) === place;
+  function describe(user: number, place: Slot, kind: 'offer' | 'answer', description: Promise<string>): void {
+    const isCurrent = (): boolean => slots.get(user) === place;
     description
       .then((sdp) => isCurrent() && signal(user, { kind, attempt: place.attempt, sdp }))
       .catch(() => isCurrent() && fail(user));
@@ -140,8 +140,8 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
     // Before all users are known, other users may be neighbours than later, and would not answer.
     if (!isOn || own === null || unannounced === null || unannounced > 0) return;
     for (const user of neighbours()) {
-      const isOther = user > own && !places.has(user) && !failed.has(user) && !dropped.has(user);
-      if (!isOther || places.size >= MAX_CALLS) continue;
+      const isOther = user > own && !slots.has(user) && !failed.has(user) && !dropped.has(user);
+      if (!isOther || slots.size >= MAX_CALLS) continue;
       if (!calls.take(1)) {
         offerLater();
         return;
@@ -162,17 +162,17 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
 
   /** Whether an offer is answered: only neighbours get this page's addresses and one of its connections. */
   function isAnswered(user: number): boolean {
-    const hasPlace = places.has(user) || places.size < MAX_CALLS;
+    const hasPlace = slots.has(user) || slots.size < MAX_CALLS;
     return isOn === true && user < (own ?? 0) && hasPlace && neighbours().includes(user);
   }
 
   function takeSignal(user: number, message: Signal): void {
-    const place = places.get(user);
+    const place = slots.get(user);
     if (message.kind === 'no') {
       if (!place?.isOpen) fail(user);
     } else if (message.kind === 'answer') {
       if (!place || place.isOpen || place.attempt !== message.attempt || user < (own ?? 0)) return;
-      place.call.take(message.sdp).catch(() => places.get(user) === place && drop(user, 'its answer is invalid'));
+      place.call.take(message.sdp).catch(() => slots.get(user) === place && drop(user, 'its answer is invalid'));
     } else if (isOn === null) {
       early.set(user, message);
     } else if (isAnswered(user) && calls.take(1)) {
@@ -182,7 +182,7 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
     }
   }
 
-  function answer(user: number, message: Signal, before: Place | undefined): void {
+  function answer(user: number, message: Signal, before: Slot | undefined): void {
     const count = (offers.get(user) ?? 0) + 1;
     offers.set(user, count);
     if (count > MAX_OFFERS) {
@@ -215,7 +215,7 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
     failed.delete(user);
     offers.delete(user);
     early.delete(user);
-    const place = places.get(user);
+    const place = slots.get(user);
     if (place) remove(user, place);
   }
 
@@ -242,7 +242,7 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
     drop,
     /** Records that a user has sent its list of files, which ends waiting for it. */
     greeted(user: number): void {
-      const place = places.get(user);
+      const place = slots.get(user);
       if (place) place.hasGreeted = true;
       checkReady();
     },
@@ -255,7 +255,7 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
       if (frame.kind === 'welcome') {
         forget();
         own = frame.user;
-        if (!hasEntered) [hasEntered, ticks] = [true, FIRST];
+        if (!hasEntered) [hasEntered, ticks] = [true, WAIT_TICKS];
         unannounced = frame.others;
       } else if (frame.kind === 'joined') {
         // A returning user has a new page.
@@ -277,7 +277,7 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
     begin(on: boolean): void {
       isOn = on;
       if (!on) {
-        for (const [user, place] of [...places]) remove(user, place);
+        for (const [user, place] of [...slots]) remove(user, place);
         for (const user of users) refuse(user);
       }
       offer();

@@ -2,7 +2,7 @@
 import type { Received } from '../bundle/source';
 import { FrameError } from '../rooms/bytes';
 import { type Bucket, type Clock, createBucket } from '../rooms/clock';
-import { type Answer, createDownloads, type Wanted } from './downloads';
+import { type Answer, createDownloads, type RequestedFile } from './downloads';
 import { type Holding, MAX_FILES_PER_MESSAGE, type Message, readMessage, writeMessage } from './messages';
 import { createUploads, type Shelf } from './uploads';
 
@@ -15,7 +15,7 @@ const [REQUEST_RATE, REQUEST_BURST] = [80, 300] as const;
 /** Greatest number of files remembered per page; more are ignored. */
 const MAX_KNOWN_FILES = 8192;
 /** Threshold of buffered bytes below which the browser asks for more. */
-const LOW = 1 << 17;
+const MIN_BUFFERED_BYTES = 1 << 17;
 
 /** Subset of the data channel's interface that is used. */
 export type Line = Pick<
@@ -96,7 +96,7 @@ export function createPeer({ number, line, shelf, budget, now, sent, greeted, re
   }
 
   line.binaryType = 'arraybuffer';
-  line.bufferedAmountLowThreshold = LOW;
+  line.bufferedAmountLowThreshold = MIN_BUFFERED_BYTES;
   line.onbufferedamountlow = uploads.pump;
   line.onmessage = ({ data }: MessageEvent<unknown>) => {
     if (isOver) return;
@@ -129,7 +129,7 @@ export function createPeer({ number, line, shelf, budget, now, sent, greeted, re
         at += MAX_FILES_PER_MESSAGE;
       } while (at < keys.length);
     },
-    async ask(file: Wanted, signal: AbortSignal, received: Received): Promise<Answer> {
+    async ask(file: RequestedFile, signal: AbortSignal, received: Received): Promise<Answer> {
       requests.take(1);
       const answer = await downloads.ask(file, signal, received);
       if (answer === 'silent') silences.add(ticks);

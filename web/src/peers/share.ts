@@ -13,10 +13,10 @@ import type { Peer } from './peer';
 
 /**
  * Timeouts for another page: for the first picture, and later. Pages with software rendering answer about once a
- * second: with a patience of 1 s, one run of four took more than twice one page's files from the server.
+ * second: with a quiet timeout of 1 s, one run of four took more than twice one page's files from the server.
  */
-const FIRST = { patience: 3, longest: 5, slowest: 1e6 } as const;
-const LATER = { patience: 4, longest: 10, slowest: 65_536 } as const;
+const FIRST_PICTURE = { quietTimeout: 3, requestTimeout: 5, minRate: 1e6 } as const;
+const AFTER_FIRST_PICTURE = { quietTimeout: 4, requestTimeout: 10, minRate: 65_536 } as const;
 /** Number of users that time out during the first picture before it is loaded from the server alone. */
 const MAX_TIMED_OUT_USERS = 2;
 
@@ -52,14 +52,14 @@ export function createShare(settings: ShareSettings) {
   const arriving = new Map<string, number>();
   const requested = new Set<string>();
   /** Users that timed out during the first picture. */
-  const late = new Set<number>();
+  const timedOutUsers = new Set<number>();
 
   /** Returns the page to request a file from; null for the server. */
   function choosePeer(key: string, tried: ReadonlySet<number>): Peer | null {
     const number = own();
     const isUrgent = isFirst();
-    if (number === null || (isUrgent && late.size >= MAX_TIMED_OUT_USERS)) return null;
-    const isPassed = (user: number): boolean => tried.has(user) || (isUrgent && late.has(user));
+    if (number === null || (isUrgent && timedOutUsers.size >= MAX_TIMED_OUT_USERS)) return null;
+    const isPassed = (user: number): boolean => tried.has(user) || (isUrgent && timedOutUsers.has(user));
     const free = peers().filter((peer) => peer.isFree && !peer.awaits(key) && !isPassed(peer.number));
     const byLoad = (a: Peer, b: Peer): number => a.open - b.open || (isBefore(a.number, b.number, key) ? -1 : 1);
     const [holder] = free.filter((peer) => peer.holds(key) === 'here').sort(byLoad);
@@ -77,11 +77,11 @@ export function createShare(settings: ShareSettings) {
     const tried = new Set<number>();
     for (let peer = choosePeer(key, tried); peer; peer = choosePeer(key, tried)) {
       tried.add(peer.number);
-      const answer: Answer = await peer.ask({ ...file, ...(isFirst() ? FIRST : LATER) }, signal, received);
+      const answer: Answer = await peer.ask({ ...file, ...(isFirst() ? FIRST_PICTURE : AFTER_FIRST_PICTURE) }, signal, received);
       if (answer instanceof ArrayBuffer) return answer;
       // A file of the first picture waits for only one page.
       if (answer === 'silent' && isFirst()) {
-        late.add(peer.number);
+        timedOutUsers.add(peer.number);
         return null;
       }
     }
@@ -121,11 +121,11 @@ export function createShare(settings: ShareSettings) {
       count.bytes += bytes;
       received(bytes);
     };
-    const given = await fromOthers(file, signal, counted(counts.others));
-    if (given) {
+    const peerData = await fromOthers(file, signal, counted(counts.others));
+    if (peerData) {
       counts.others.files += 1;
-      keep(file.sha256, given);
-      return given;
+      keep(file.sha256, peerData);
+      return peerData;
     }
     const data = await fromServer(file.sha256, () => serve(counted(counts.server)));
     counts.server.files += 1;
@@ -140,10 +140,10 @@ export function createShare(settings: ShareSettings) {
       // The server's path reports files that are not listed.
       if (!file || file.bytes === 0) return serve(name, signal, received);
       const { sha256: key } = file;
-      const held = await store.get(key)?.arrayBuffer().catch(() => null);
-      if (held) {
-        received(held.byteLength);
-        return held;
+      const storedData = await store.get(key)?.arrayBuffer().catch(() => null);
+      if (storedData) {
+        received(storedData.byteLength);
+        return storedData;
       }
       arriving.set(key, 0);
       try {

@@ -3,11 +3,11 @@ import { type Bucket, type Clock, createBucket } from '../rooms/clock';
 import { type Message, PART } from './messages';
 
 /** Limit of buffered bytes in the browser; bytes of a file that are read at once. */
-const [WAITING, READ] = [1 << 18, 4 * PART] as const;
+const [MAX_BUFFERED_BYTES, READ_BYTES] = [1 << 18, 4 * PART] as const;
 /** Greatest number of concurrent requests of one page. */
-const MAX_OPEN = 64;
+const MAX_UPLOADS = 64;
 /** Rate per second and burst of requests that are answered with a file. */
-const [RATE, BURST] = [100, 400] as const;
+const [FILES_PER_SECOND, FILES_AT_ONCE] = [100, 400] as const;
 /** Number of times that one page gets a file: once, and again after an interruption. */
 const MAX_SENDS_PER_PAGE = 2;
 /** Bytes per second and burst for all other pages together; the burst is the size of a page's store. */
@@ -36,9 +36,9 @@ export function createBudget(now: Clock['now']): Bucket {
 }
 
 export function createUploads(outlet: Outlet, shelf: Shelf, budget: Bucket, now: Clock['now']) {
-  const rate = createBucket(RATE, BURST, now);
+  const rate = createBucket(FILES_PER_SECOND, FILES_AT_ONCE, now);
   /** Number of times that the page got each file; keys are those of files that were present here. */
-  const times = new Map<string, number>();
+  const sendCounts = new Map<string, number>();
   /** Requests for present files, in order; keys of requests for files in transfer. */
   const ready = new Map<number, Blob>();
   const waiting = new Map<number, string>();
@@ -48,9 +48,9 @@ export function createUploads(outlet: Outlet, shelf: Shelf, budget: Bucket, now:
 
   /** Returns the file if the limits of the page and the budget allow it, else null. */
   function grant(key: string, found: Blob | null): Blob | null {
-    const count = (times.get(key) ?? 0) + 1;
+    const count = (sendCounts.get(key) ?? 0) + 1;
     if (!found || count > MAX_SENDS_PER_PAGE || !budget.take(found.size)) return null;
-    times.set(key, count);
+    sendCounts.set(key, count);
     return found;
   }
 
@@ -63,9 +63,9 @@ export function createUploads(outlet: Outlet, shelf: Shelf, budget: Bucket, now:
 
   /** Sends a file until the request ends. */
   async function sendParts(request: number, file: Blob): Promise<void> {
-    for (let begin = 0; begin < file.size; begin += READ) {
-      const data = new Uint8Array(await file.slice(begin, begin + READ).arrayBuffer());
-      while (outlet.bufferedAmount > WAITING) await new Promise<void>((done) => (resume = done));
+    for (let begin = 0; begin < file.size; begin += READ_BYTES) {
+      const data = new Uint8Array(await file.slice(begin, begin + READ_BYTES).arrayBuffer());
+      while (outlet.bufferedAmount > MAX_BUFFERED_BYTES) await new Promise<void>((done) => (resume = done));
       for (let at = 0; at < data.length; at += PART) {
         if (!ready.has(request)) return;
         const part = data.subarray(at, at + PART);
@@ -97,7 +97,7 @@ export function createUploads(outlet: Outlet, shelf: Shelf, budget: Bucket, now:
     want(request: number, key: string): string | null {
       if (request <= last) return 'a request reuses a number';
       last = request;
-      if (ready.size + waiting.size >= MAX_OPEN) return 'too many requests are open';
+      if (ready.size + waiting.size >= MAX_UPLOADS) return 'too many requests are open';
       const isFast = !rate.take(1);
       const found = isFast ? null : shelf.find(key);
       if (found) {

@@ -10,7 +10,7 @@ import type { Body } from './pose';
 import type { Seen } from './presence';
 
 /** Greatest number of unused avatars that are kept for new users. */
-const SPARE = 16;
+const MAX_SPARE_AVATARS = 16;
 
 export interface Avatars extends Guests {
   readonly meshes: readonly Drawn[];
@@ -54,7 +54,7 @@ export function createAvatars(shared: Shared): Avatars {
     for (const [number, { avatar }] of kept) {
       if (others.has(number)) continue;
       kept.delete(number);
-      if (spare.length < SPARE) spare.push(avatar);
+      if (spare.length < MAX_SPARE_AVATARS) spare.push(avatar);
       else avatar.dispose();
     }
   }

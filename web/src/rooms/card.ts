@@ -7,8 +7,8 @@ import { cssOf } from './meshes';
 import type { Guest } from './presence';
 
 /** Icon outlines in a square of 24 units: an arrow, and a ray with its target. */
-const POINT = 'M5 4l6 15 2.2-6.3L19.5 10.5zM14 14l5 5';
-const POINTER = 'M4 20L13 11M17 9a2 2 0 1 0 0-4 2 2 0 0 0 0 4M12 4l1 1M21 11l1 1M20 2l-1 1';
+const ARROW_ICON = 'M5 4l6 15 2.2-6.3L19.5 10.5zM14 14l5 5';
+const RAY_ICON = 'M4 20L13 11M17 9a2 2 0 1 0 0-4 2 2 0 0 0 0 4M12 4l1 1M21 11l1 1M20 2l-1 1';
 
 export interface CardCommands {
   mute(number: number, isMuted: boolean): void;
@@ -40,11 +40,11 @@ export function createRoomCard(root: HTMLElement, commands: CardCommands) {
   const list = make('ul', { class: 'here-list' });
   const words = make('p', { class: 'here-words', role: 'status' });
   // Without a role: screen readers would announce each change.
-  const [figure, source] = [make('p', { class: 'here-words' }), make('p', { class: 'here-words' })];
+  const [roundTripLine, sourceLine] = [make('p', { class: 'here-words' }), make('p', { class: 'here-words' })];
   const exchange = createExchange(commands.exchange);
-  const again = button('Join again', 'button-main', commands.retry);
-  const copy = button('Copy link', 'button-main', () => void share());
-  const leave = button('Leave', 'button-main', () => {
+  const joinButton = button('Join again', 'button-main', commands.retry);
+  const copyButton = button('Copy link', 'button-main', () => void share());
+  const leaveButton = button('Leave', 'button-main', () => {
     commands.leave();
     // The button is hidden now.
     chip.focus();
@@ -55,15 +55,15 @@ export function createRoomCard(root: HTMLElement, commands: CardCommands) {
     make('h2', {}, 'Here'),
     list,
     words,
-    figure,
-    source,
+    roundTripLine,
+    sourceLine,
     exchange.element,
-    make('div', { class: 'here-actions' }, copy, leave, again),
+    make('div', { class: 'here-actions' }, copyButton, leaveButton, joinButton),
   );
   const corner = make('div', { class: 'here-corner' }, chip, card);
   const title = 'Hold to point at the middle of the picture (E at the cursor)';
   const text = make('span', { class: 'tool-label' }, 'Point');
-  const point = make('button', { type: 'button', class: 'tool', title, 'aria-keyshortcuts': 'E' }, icon(POINT), text);
+  const point = make('button', { type: 'button', class: 'tool', title, 'aria-keyshortcuts': 'E' }, icon(ARROW_ICON), text);
   root.querySelector('.top')?.append(corner);
   const bar = root.querySelector('.tools');
   bar?.append(point);
@@ -71,7 +71,7 @@ export function createRoomCard(root: HTMLElement, commands: CardCommands) {
   chip.addEventListener('click', () => open(card.hidden !== false));
   open(false);
   const rows = new Map<number, Row>();
-  const you = row();
+  const ownRow = row();
   let last: State | null = null;
 
   function open(isOpen: boolean): void {
@@ -87,12 +87,12 @@ export function createRoomCard(root: HTMLElement, commands: CardCommands) {
   function tell(state: State, { roundTrip, files, exchanges }: Room): void {
     write(words, wordsOf(state));
     const isKnown = state.kind === 'here' && roundTrip !== null;
-    write(figure, isKnown ? `Round trip ${milliseconds(1000 * roundTrip)}` : '');
-    write(source, files ? `${bytes(files.others)} from others, ${bytes(files.server)} from the server` : '');
+    write(roundTripLine, isKnown ? `Round trip ${milliseconds(1000 * roundTrip)}` : '');
+    write(sourceLine, files ? `${bytes(files.others)} from others, ${bytes(files.server)} from the server` : '');
     exchange.show(exchanges);
     words.dataset['wrong'] = String(state.kind === 'ended' || state.kind === 'waiting');
-    again.hidden = state.kind === 'here' || state.kind === 'joining';
-    leave.hidden = state.kind === 'ended';
+    joinButton.hidden = state.kind === 'here' || state.kind === 'joining';
+    leaveButton.hidden = state.kind === 'ended';
     // Announces spontaneous changes, which the user may not see.
     const isNewest = state !== last && 'words' in state;
     if (isNewest && !(last && 'words' in last && last.words === state.words)) commands.announce(state.words);
@@ -110,7 +110,7 @@ export function createRoomCard(root: HTMLElement, commands: CardCommands) {
       tell(state, room);
       const numbers = new Set(room.guests.map(({ number }) => number));
       for (const number of rows.keys()) if (!numbers.has(number)) rows.delete(number);
-      you.show(`${room.name} (you)`, isHere ? cssOf(state.user) : '', null);
+      ownRow.show(`${room.name} (you)`, isHere ? cssOf(state.user) : '', null);
       const others = room.guests.map((guest) => {
         const found = rows.get(guest.number) ?? row((isMuted) => commands.mute(guest.number, isMuted));
         rows.set(guest.number, found);
@@ -119,14 +119,14 @@ export function createRoomCard(root: HTMLElement, commands: CardCommands) {
         found.show(isElsewhere ? `${name} (other group)` : name, cssOf(guest.number), guest.isMuted);
         return found.element;
       });
-      arrange(list, [you.element, ...others]);
+      arrange(list, [ownRow.element, ...others]);
     },
     /** Shows why there is no room. */
     refuse(reason: string): void {
       write(chip, 'No room');
       write(words, reason);
       chip.dataset['wrong'] = words.dataset['wrong'] = 'true';
-      for (const each of [again, leave, copy, point]) each.hidden = true;
+      for (const each of [joinButton, leaveButton, copyButton, point]) each.hidden = true;
       commands.announce(reason);
       open(true);
     },
@@ -138,7 +138,7 @@ type Row = ReturnType<typeof row>;
 function row(mute?: (isMuted: boolean) => void) {
   const dot = make('span', { class: 'here-dot', 'aria-hidden': 'true' });
   const name = make('span', { class: 'here-name' });
-  const button = make('button', { type: 'button', class: 'button-icon' }, icon(POINTER));
+  const button = make('button', { type: 'button', class: 'button-icon' }, icon(RAY_ICON));
   button.addEventListener('click', () => mute?.(button.getAttribute('aria-pressed') !== 'true'));
   return {
     element: make('li', {}, dot, name, ...(mute ? [button] : [])),
@@ -160,9 +160,9 @@ function createExchange(set: (isOn: boolean) => void) {
   const box = make('input', { type: 'checkbox' });
   const text = make('span', {});
   const element = make('label', { class: 'here-words here-exchange', hidden: true }, box, text);
-  let isAfterwards = false;
+  let needsReload = false;
   box.addEventListener('change', () => {
-    isAfterwards = box.checked;
+    needsReload = box.checked;
     set(box.checked);
   });
   return {
@@ -172,7 +172,7 @@ function createExchange(set: (isOn: boolean) => void) {
       element.hidden = isOn === null;
       if (isOn === null) return;
       box.checked = isOn;
-      const when = isOn && isAfterwards ? ', after the page is reloaded' : '';
+      const when = isOn && needsReload ? ', after the page is reloaded' : '';
       write(text, `Exchange files with other users of the room, who see the address of this device${when}`);
     },
   };
@@ -195,18 +195,18 @@ function arrange(list: HTMLElement, wanted: readonly HTMLElement[]): void {
 }
 
 /** Seconds between the first arrival and the sentence, and between two sentences. */
-const [GATHER, PAUSE] = [1, 5] as const;
+const [GATHER_SECONDS, PAUSE_SECONDS] = [1, 5] as const;
 
 /** Announcements of arriving users for screen readers; users who arrive together share a sentence. */
 export function createArrivals(announce: (sentence: string) => void) {
   const pending = new Map<number, string>();
-  let known = 0;
+  let presentCount = 0;
   let [since, last]: [number | null, number] = [null, -Infinity];
 
   return {
     /** Records a user who has arrived, or was present when the connection began. */
     come(number: number, name: string): void {
-      if (known > 0) known -= 1;
+      if (presentCount > 0) presentCount -= 1;
       else pending.set(number, name);
     },
     left(number: number): void {
@@ -220,14 +220,14 @@ export function createArrivals(announce: (sentence: string) => void) {
         return;
       }
       since ??= now;
-      if (now < Math.max(since + GATHER, last + PAUSE)) return;
+      if (now < Math.max(since + GATHER_SECONDS, last + PAUSE_SECONDS)) return;
       announce(pending.size === 1 ? `${name} has joined` : `${pending.size} more have joined`);
       pending.clear();
       [since, last] = [null, now];
     },
     /** Begins a new connection; the next `others` users were present before. */
     begin(others: number): void {
-      known = others;
+      presentCount = others;
       pending.clear();
     },
   };

@@ -7,11 +7,11 @@ import type { Body } from './pose';
 import { CLOSE_TIMEOUT, type End, endOf, endOfCode, type Open, openSocket, type Socket } from './server';
 
 /** First and greatest delay before a reconnection, seconds. */
-const [FIRST, LONGEST] = [1, 30] as const;
+const [MIN_DELAY, MAX_DELAY] = [1, 30] as const;
 /** Seconds in the room after which the delay is reset; timeout in seconds for the welcome. */
-const [STAYED, WELCOME] = [10, 15] as const;
+const [STABLE_SECONDS, WELCOME_TIMEOUT] = [10, 15] as const;
 /** Number of buffered bytes above which poses are dropped. */
-const WAITING = 1 << 14;
+const MAX_BUFFERED_BYTES = 1 << 14;
 
 export type State =
   | { readonly kind: 'joining' }
@@ -45,8 +45,8 @@ export function connect(settings: ConnectionSettings) {
   /** Previous socket until the server has closed it. */
   let closing: Socket | null = null;
   let ticket = settings.ticket ?? new Uint8Array();
-  let pause: number = FIRST;
-  let [entered, sequence] = [0, 0];
+  let pause: number = MIN_DELAY;
+  let [enteredAt, sequence] = [0, 0];
   let stop = (): void => undefined;
   /** Other users who receive this user's poses. */
   const peers = new Set<number>();
@@ -87,7 +87,7 @@ export function connect(settings: ConnectionSettings) {
       },
     });
     socket = own;
-    stop = later(WELCOME, () => end({ message: 'The room does not answer.', isFinal: false }));
+    stop = later(WELCOME_TIMEOUT, () => end({ message: 'The room does not answer.', isFinal: false }));
   }
 
   function take(data: unknown): void {
@@ -112,7 +112,7 @@ export function connect(settings: ConnectionSettings) {
     if (frame.kind === 'welcome') {
       stop();
       ticket = frame.ticket;
-      entered = time;
+      enteredAt = time;
       peers.clear();
       newest.clear();
       roundTrips.forget();
@@ -161,15 +161,15 @@ export function connect(settings: ConnectionSettings) {
   }
 
   function end({ message, isFinal }: End): void {
-    const wasLong = state.kind === 'here' && now() - entered >= STAYED;
+    const wasStable = state.kind === 'here' && now() - enteredAt >= STABLE_SECONDS;
     drop();
     if (isFinal) {
       set({ kind: 'ended', words: message });
       return;
     }
-    if (wasLong) pause = FIRST;
+    if (wasStable) pause = MIN_DELAY;
     const before = pause;
-    pause = Math.min(2 * pause, LONGEST);
+    pause = Math.min(2 * pause, MAX_DELAY);
     stop = later(before, join);
     set({ kind: 'waiting', words: message, seconds: before });
   }
@@ -186,7 +186,7 @@ export function connect(settings: ConnectionSettings) {
     },
     /** Sends the user's pose; returns false if it cannot be sent now. */
     pose(body: Body, stops: boolean): boolean {
-      if (state.kind !== 'here' || !socket || socket.bufferedAmount > WAITING) return false;
+      if (state.kind !== 'here' || !socket || socket.bufferedAmount > MAX_BUFFERED_BYTES) return false;
       const time = now();
       sequence += 1;
       // Only others can settle it.
@@ -213,20 +213,20 @@ export function connect(settings: ConnectionSettings) {
 }
 
 /** Seconds between two poses to be acknowledged; greatest number of open ones. */
-const [EVERY, MAX_OPEN] = [0.25, 64] as const;
+const [ACKNOWLEDGE_INTERVAL, MAX_OPEN] = [0.25, 64] as const;
 /** Number of round trips for the median. */
-const KEPT = 32;
+const MEDIAN_COUNT = 32;
 
 /** Round trips by the paper's Eq. 3: from the sending of a pose until all others of the group have acknowledged it. */
 function createRoundTrips() {
   const open = new Map<number, number>();
   let last = -Infinity;
-  let kept: number[] = [];
+  let durations: number[] = [];
 
   return {
     /** Median of the last round trips, seconds; null before the first. */
     get median(): number | null {
-      const sorted = [...kept].sort((a, b) => a - b);
+      const sorted = [...durations].sort((a, b) => a - b);
       return sorted[sorted.length >> 1] ?? null;
     },
     /**
@@ -234,7 +234,7 @@ function createRoundTrips() {
      * if another one is open, because that one may be lost and would be settled only after the pause.
      */
     send(sequence: number, now: number, isLast: boolean): boolean {
-      if (now - last < EVERY && !(isLast && open.size > 0)) return false;
+      if (now - last < ACKNOWLEDGE_INTERVAL && !(isLast && open.size > 0)) return false;
       last = now;
       const [oldest] = open.keys();
       if (open.size >= MAX_OPEN && oldest !== undefined) open.delete(oldest);
@@ -246,7 +246,7 @@ function createRoundTrips() {
       for (const [sent, time] of open) {
         if (sent > sequence) continue;
         open.delete(sent);
-        kept = [...kept, now - time].slice(-KEPT);
+        durations = [...durations, now - time].slice(-MEDIAN_COUNT);
       }
     },
     /** Discards open round trips, because the connection is a new one. */

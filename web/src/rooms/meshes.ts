@@ -50,11 +50,11 @@ export function paint(color: Vector4, number: number): void {
 }
 
 /** Step of hue from one number to the next, in turns: the golden ratio. */
-const TURN = 0.618034;
+const HUE_STEP = 0.618034;
 const [SATURATION, LIGHTNESS] = [0.75, 0.6] as const;
 
 export function colorOf(number: number): Color {
-  return new Color().setHSL((number * TURN) % 1, SATURATION, LIGHTNESS);
+  return new Color().setHSL((number * HUE_STEP) % 1, SATURATION, LIGHTNESS);
 }
 
 /** Colour of a user for style sheets. */
@@ -63,13 +63,13 @@ export function cssOf(number: number): string {
 }
 
 /** Number of pieces of a pointer's ribbon: at a length of 100 m each is shorter than a metre. */
-const PIECES = 160;
+const RIBBON_PIECES = 160;
 /** Number of vertices around its spot. */
-const CORNERS = 20;
+const SPOT_CORNERS = 20;
 /** Radii of a head along its axes, metres. */
-const [WIDE, HIGH, LONG] = [0.085, 0.13, 0.105] as const;
+const [HEAD_X, HEAD_Y, HEAD_Z] = [0.085, 0.13, 0.105] as const;
 /** Metres from the eyes back to the centre of the head. */
-const BACK = 0.06;
+const EYE_TO_CENTER = 0.06;
 
 export interface Shapes {
   readonly head: BufferGeometry;
@@ -82,8 +82,8 @@ export interface Shapes {
 
 export function createShapes(): Shapes {
   return {
-    head: new SphereGeometry(1, 24, 16).scale(WIDE, HIGH, LONG).translate(0, 0, BACK),
-    visor: new BoxGeometry(2 * WIDE, 0.07, 0.07).translate(0, 0, BACK - LONG + 0.02),
+    head: new SphereGeometry(1, 24, 16).scale(HEAD_X, HEAD_Y, HEAD_Z).translate(0, 0, EYE_TO_CENTER),
+    visor: new BoxGeometry(2 * HEAD_X, 0.07, 0.07).translate(0, 0, EYE_TO_CENTER - HEAD_Z + 0.02),
     hand: new CapsuleGeometry(0.025, 0.1, 4, 12).rotateX(Math.PI / 2).translate(0, 0, 0.05),
     pointer: pointer(),
     name: new PlaneGeometry(1, 1).translate(0, 0.5, 0),
@@ -91,13 +91,13 @@ export function createShapes(): Shapes {
 }
 
 function pointer(): BufferGeometry {
-  const { places, corners } = ribbon(PIECES, -1);
+  const { places, corners } = ribbon(RIBBON_PIECES, -1);
   const middle = places.length / 3;
   places.push(2, 0, 0);
-  for (let corner = 0; corner < CORNERS; corner++) {
-    const angle = (2 * Math.PI * corner) / CORNERS;
+  for (let corner = 0; corner < SPOT_CORNERS; corner++) {
+    const angle = (2 * Math.PI * corner) / SPOT_CORNERS;
     places.push(2, Math.cos(angle), Math.sin(angle));
-    corners.push(middle, middle + 1 + corner, middle + 1 + ((corner + 1) % CORNERS));
+    corners.push(middle, middle + 1 + corner, middle + 1 + ((corner + 1) % SPOT_CORNERS));
   }
   return geometryOf({ places, corners });
 }

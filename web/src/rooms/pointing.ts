@@ -12,7 +12,7 @@ import { type Body, FARTHEST, type Placed, rotationAlong, rotationOf } from './p
 import { type Morph, pointShownAt } from './unmorph';
 
 /** Seconds between two updates of the pointer's target: each waits for the GPU. */
-const EVERY = 1 / 36;
+const QUERY_INTERVAL = 1 / 36;
 
 /** Creates the function; `hands` are null outside the headset, `nearShare` is r1 as a share of r2. */
 export function createPointing(
@@ -22,7 +22,7 @@ export function createPointing(
   hands: () => readonly HandRay[] | null,
   activity: () => Activity | null,
 ): (pose: Pose, now: number) => Body {
-  const [targets, lengths] = [createThrottled<Vector>(EVERY), createThrottled<number>(EVERY)];
+  const [targets, lengths] = [createThrottled<Vector>(QUERY_INTERVAL), createThrottled<number>(QUERY_INTERVAL)];
 
   function targetOf(pose: Pose, now: number): Vector | null {
     const { point } = hold;
@@ -37,7 +37,7 @@ export function createPointing(
     if (!hold.isAlways && !found?.some(({ isPointing }) => isPointing)) lengths.forget();
     if (!found) return atScreen(pose, targetOf(pose, now));
     return inHeadset(pose, found, hold.isAlways, ({ origin, direction }) =>
-      lengths.at(now, () => viewer.along(origin, direction) ?? NOTHING_HIT),
+      lengths.at(now, () => viewer.along(origin, direction) ?? DEFAULT_RANGE),
     );
   };
 }
@@ -55,17 +55,17 @@ export interface Activity extends Guests {
 }
 
 /** Metres right, down and ahead from the eyes of a user at a screen to the pointing hand. */
-const [RIGHT, DOWN, AHEAD] = [0.22, 0.28, 0.4] as const;
+const [HAND_RIGHT, HAND_DOWN, HAND_AHEAD] = [0.22, 0.28, 0.4] as const;
 
 /** Body of a user at a screen: a head, and a right hand with a pointer to the target while pointing. */
 function atScreen(pose: Pose, target: Vector | null): Body {
   const head: Placed = { position: pose.position, rotation: rotationOf(pose.yaw, pose.pitch) };
   if (!target) return { head, left: null, right: null, pointer: null };
-  const side = addScaled(pose.position, rightOf(pose.yaw), RIGHT);
-  const position = addScaled(addScaled(side, ahead({ yaw: pose.yaw, pitch: 0 }), AHEAD), [0, -1, 0], DOWN);
-  const way = subtract(target, position);
-  const right: Placed = { position, rotation: rotationAlong(way) };
-  return { head, left: null, right, pointer: { begin: 'right', length: Math.min(Math.hypot(...way), FARTHEST) } };
+  const side = addScaled(pose.position, rightOf(pose.yaw), HAND_RIGHT);
+  const position = addScaled(addScaled(side, ahead({ yaw: pose.yaw, pitch: 0 }), HAND_AHEAD), [0, -1, 0], HAND_DOWN);
+  const offset = subtract(target, position);
+  const right: Placed = { position, rotation: rotationAlong(offset) };
+  return { head, left: null, right, pointer: { begin: 'right', length: Math.min(Math.hypot(...offset), FARTHEST) } };
 }
 
 /**
@@ -93,9 +93,9 @@ function inHeadset(
 }
 
 /** Metres to points without a range, from the centre, and length of a pointer that hits nothing. */
-const NOTHING_HIT = 100;
+const DEFAULT_RANGE = 100;
 /** Multiple of the morph's radius within which the map shows nothing. */
-const BEYOND = 2;
+const MAP_RADII = 2;
 
 /** Current morph of the picture, and the centre that it is relative to. */
 export function morphOf(
@@ -122,12 +122,12 @@ function targetAt(viewer: Viewer, nearShare: number, pose: Pose, [x, y]: ScreenP
   }
   const { camera, renderer, shared } = viewer;
   const direction = directionTo(pose, [x, y], camera);
-  const range = rangeIn(renderer, shared, direction) ?? Math.max(NOTHING_HIT, BEYOND * morph.radius);
+  const range = rangeIn(renderer, shared, direction) ?? Math.max(DEFAULT_RANGE, MAP_RADII * morph.radius);
   return addScaled(center, direction, range);
 }
 
 /** Code of pixels without a range. */
-const NOTHING = 65535;
+const NO_RANGE = 65535;
 
 export interface Texel {
   readonly face: number;
@@ -161,8 +161,8 @@ function rangeIn(renderer: WebGLRenderer, { codes, coding }: Shared, direction: 
   gl.readPixels(x, y, 1, 1, gl.RGBA_INTEGER, gl.UNSIGNED_INT, code);
   renderer.state.bindFramebuffer(gl.FRAMEBUFFER, null);
   gl.deleteFramebuffer(frame);
-  const [found = NOTHING] = code;
-  return found === NOTHING ? null : least * Math.exp(found * step);
+  const [found = NO_RANGE] = code;
+  return found === NO_RANGE ? null : least * Math.exp(found * step);
 }
 
 /** Creates a cache of a value that is computed less often than frames are drawn, at most once in `every` seconds. */

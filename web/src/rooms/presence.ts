@@ -24,7 +24,7 @@ export function createPresence() {
   const muted = new Set<number>();
   let guests: readonly Guest[] = [];
 
-  function without(number: number): readonly Guest[] {
+  function removeGuest(number: number): readonly Guest[] {
     tracks.delete(number);
     return guests.filter((guest) => guest.number !== number);
   }
@@ -44,10 +44,10 @@ export function createPresence() {
     /** Handles a frame of the server. */
     hear(frame: FromServer, now: number): void {
       if (frame.kind === 'welcome') clear();
-      else if (frame.kind === 'left') guests = without(frame.user);
+      else if (frame.kind === 'left') guests = removeGuest(frame.user);
       else if (frame.kind === 'joined') {
         const { user: number, group, name } = frame;
-        const others = without(number);
+        const others = removeGuest(number);
         tracks.set(number, createTrack());
         const guest = { number, group, name, isMuted: muted.has(number) };
         guests = [...others, guest].sort((a, b) => a.number - b.number);

@@ -4,7 +4,7 @@ import type { Body, Placed, Pointer } from './pose';
 /** Poses per second. */
 const RATE = 72;
 /** Tolerances of "no change": metres; component of a rotation; relative change of a pointer's length. */
-const [STILL, STEADY, SHARE] = [1e-3, 5e-4, 1e-3] as const;
+const [MAX_SHIFT, MAX_TURN, MAX_LENGTH_CHANGE] = [1e-3, 5e-4, 1e-3] as const;
 
 /**
  * Creates a sender; `send` gets a pose, and whether none follows until the next movement, and returns whether it was
@@ -13,7 +13,7 @@ const [STILL, STEADY, SHARE] = [1e-3, 5e-4, 1e-3] as const;
 export function createSender(send: (body: Body, stops: boolean) => boolean) {
   let last: Body | null = null;
   let hasStopped = false;
-  let next = -Infinity;
+  let nextAt = -Infinity;
   let isResting = false;
 
   return {
@@ -21,10 +21,10 @@ export function createSender(send: (body: Body, stops: boolean) => boolean) {
     update(body: Body, now: number): void {
       isResting = false;
       const isSame = last !== null && isSameBody(body, last);
-      if ((isSame && hasStopped) || now < next) return;
+      if ((isSame && hasStopped) || now < nextAt) return;
       if (!send(body, isSame)) return;
       // A late frame does not delay the next one, and a pause does not cause a burst.
-      next = Math.max(next + 1 / RATE, now);
+      nextAt = Math.max(nextAt + 1 / RATE, now);
       [last, hasStopped] = [body, isSame];
     },
     /** Sends the pose again for a new user. */
@@ -50,10 +50,10 @@ function isSamePlaced(a: Placed | null, b: Placed | null): boolean {
   if (!a || !b) return a === b;
   const isNear = (of: readonly number[], other: readonly number[], most: number): boolean =>
     of.every((value, axis) => Math.abs(value - (other[axis] ?? 0)) <= most);
-  return isNear(a.position, b.position, STILL) && isNear(a.rotation, b.rotation, STEADY);
+  return isNear(a.position, b.position, MAX_SHIFT) && isNear(a.rotation, b.rotation, MAX_TURN);
 }
 
 function isSamePointer(a: Pointer | null, b: Pointer | null): boolean {
   if (!a || !b) return a === b;
-  return a.begin === b.begin && Math.abs(a.length - b.length) <= SHARE * b.length;
+  return a.begin === b.begin && Math.abs(a.length - b.length) <= MAX_LENGTH_CHANGE * b.length;
 }

@@ -37,16 +37,16 @@ export function createTicketStore(relay: string, storage: () => Storage = () => 
 
 /** On hiding, says bye and stores the ticket; on return from the browser's cache, joins again. */
 export function followPage(connection: Connection, tickets: TicketStore, page: EventTarget = window): void {
-  let isAway = false;
+  let hasLeft = false;
   page.addEventListener('pagehide', () => {
     if (connection.state.kind === 'ended') return;
     tickets.put(connection.ticket);
     connection.leave(true);
-    isAway = true;
+    hasLeft = true;
   });
   page.addEventListener('pageshow', () => {
-    if (!isAway) return;
-    isAway = false;
+    if (!hasLeft) return;
+    hasLeft = false;
     // The connection still has the ticket.
     tickets.take();
     connection.retry();

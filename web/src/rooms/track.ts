@@ -6,17 +6,17 @@
 import { between, type Body, type Pose } from './pose';
 
 /** Number of stored poses: more than half a second. */
-const KEPT = 48;
+const MAX_SAMPLES = 48;
 /** Window over which both clocks are compared; one or two windows count, because clocks drift. */
-const WINDOW = 10;
+const WINDOW_SECONDS = 10;
 /** Greatest duration of an extrapolation; greatest speed in metres per second: faster movements are jumps. */
-const [ONWARDS, FASTEST] = [0.1, 20] as const;
+const [MAX_EXTRAPOLATION, MAX_SPEED] = [0.1, 20] as const;
 /** Initial interval between poses; greatest gap that counts as an interval. */
-const [INTERVAL, PAUSE] = [1 / 72, 0.1] as const;
+const [INITIAL_INTERVAL, MAX_INTERVAL] = [1 / 72, 0.1] as const;
 /** Greatest jitter that is compensated; time constant of its exponential decay. */
-const [MAX_LATE, FORGET] = [0.25, 3] as const;
+const [MAX_JITTER, JITTER_DECAY] = [0.25, 3] as const;
 /** Greatest relative change of playback speed, which is imperceptible; difference above which playback jumps. */
-const [SLEW, STEP] = [0.1, 0.5] as const;
+const [MAX_RATE_CHANGE, MAX_DRIFT] = [0.1, 0.5] as const;
 
 interface Sample {
   readonly time: number;
@@ -30,26 +30,26 @@ export type Track = ReturnType<typeof createTrack>;
 export function createTrack() {
   let begin = 0n;
   let samples: Sample[] = [];
-  let [interval, late, latest] = [INTERVAL, 0, 0];
+  let [interval, jitter, comparedAt] = [INITIAL_INTERVAL, 0, 0];
   /** Least difference of both clocks, in this window and in the one before. */
   let least = { since: 0, now: Infinity, before: Infinity };
   /** Delay in seconds that is subtracted from local time; null until something is drawn. */
-  let subtracted: number | null = null;
-  let drawn = 0;
+  let delay: number | null = null;
+  let drawnAt = 0;
 
   function reset(clock: bigint): void {
     begin = clock;
     samples = [];
-    [interval, late, subtracted] = [INTERVAL, 0, null];
+    [interval, jitter, delay] = [INITIAL_INTERVAL, 0, null];
     least = { since: -Infinity, now: Infinity, before: Infinity };
   }
 
   /** Compares both clocks when a pose arrives. */
   function compare(difference: number, now: number): void {
-    if (now - least.since > WINDOW) least = { since: now, now: difference, before: least.now };
+    if (now - least.since > WINDOW_SECONDS) least = { since: now, now: difference, before: least.now };
     least.now = Math.min(least.now, difference);
-    late = Math.max(late * Math.exp(-(now - latest) / FORGET), difference - offset());
-    latest = now;
+    jitter = Math.max(jitter * Math.exp(-(now - comparedAt) / JITTER_DECAY), difference - offset());
+    comparedAt = now;
   }
 
   function offset(): number {
@@ -57,12 +57,12 @@ export function createTrack() {
   }
 
   function add(sample: Sample): void {
-    const place = lastOf(samples, ({ sequence }) => sequence < sample.sequence) + 1;
-    if (samples[place]?.sequence === sample.sequence) return;
-    const before = samples[place - 1];
+    const index = lastOf(samples, ({ sequence }) => sequence < sample.sequence) + 1;
+    if (samples[index]?.sequence === sample.sequence) return;
+    const before = samples[index - 1];
     const gap = sample.time - (before?.time ?? -Infinity);
-    if (before && !before.stops && gap > 0 && gap < PAUSE) interval += 0.1 * (gap - interval);
-    samples = [...samples.slice(0, place), sample, ...samples.slice(place)].slice(-KEPT);
+    if (before && !before.stops && gap > 0 && gap < MAX_INTERVAL) interval += 0.1 * (gap - interval);
+    samples = [...samples.slice(0, index), sample, ...samples.slice(index)].slice(-MAX_SAMPLES);
   }
 
   /** Returns the begin of the movement to a pose. */
@@ -74,18 +74,18 @@ export function createTrack() {
     const number = lastOf(samples, (sample) => sample.time <= time);
     const [before, after] = [samples[number], samples[number + 1]];
     if (!before) return samples[0]?.body ?? null;
-    if (!after) return onwards(samples[number - 1], before, time);
+    if (!after) return extrapolate(samples[number - 1], before, time);
     const start = beginOf(before, after);
     return between(before.body, after.body, Math.max(time - start, 0) / (after.time - start));
   }
 
-  function onwards(before: Sample | undefined, last: Sample, time: number): Body {
+  function extrapolate(before: Sample | undefined, last: Sample, time: number): Body {
     if (!before || last.stops) return last.body;
     const length = last.time - beginOf(before, last);
     const [a, b] = [before.body.head.position, last.body.head.position];
-    const isJump = Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]) > FASTEST * length;
+    const isJump = Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]) > MAX_SPEED * length;
     if (isJump || !(length > 0)) return last.body;
-    return between(before.body, last.body, 1 + Math.min(time - last.time, ONWARDS) / length);
+    return between(before.body, last.body, 1 + Math.min(time - last.time, MAX_EXTRAPOLATION) / length);
   }
 
   return {
@@ -106,17 +106,17 @@ export function createTrack() {
     /** Returns the body at a time; null before the first pose. */
     at(now: number): Body | null {
       if (samples.length === 0) return null;
-      const wanted = offset() + interval + Math.min(late, MAX_LATE);
-      const change = wanted - (subtracted ?? wanted);
-      const most = SLEW * Math.max(now - drawn, 0);
-      const isDrift = subtracted !== null && Math.abs(change) < STEP;
-      subtracted = isDrift ? (subtracted ?? 0) + Math.min(Math.max(change, -most), most) : wanted;
-      drawn = now;
-      return bodyAt(now - subtracted);
+      const targetDelay = offset() + interval + Math.min(jitter, MAX_JITTER);
+      const change = targetDelay - (delay ?? targetDelay);
+      const maxChange = MAX_RATE_CHANGE * Math.max(now - drawnAt, 0);
+      const isDrift = delay !== null && Math.abs(change) < MAX_DRIFT;
+      delay = isDrift ? (delay ?? 0) + Math.min(Math.max(change, -maxChange), maxChange) : targetDelay;
+      drawnAt = now;
+      return bodyAt(now - delay);
     },
     /** Delay in seconds of what is drawn, without the least latency of poses. */
     get behind(): number {
-      return subtracted === null ? 0 : subtracted - offset();
+      return delay === null ? 0 : delay - offset();
     },
   };
 }

@@ -41,12 +41,12 @@ const PAD: readonly Row[] = [
 export function createHelp(root: HTMLElement, absent: () => readonly Name[]) {
   const close = iconButton(ICONS.close, 'Close', 'Close (Esc)', () => dialog.close());
   const commands = make('section', {});
-  const last = make('div', { class: 'help-touch' }, part('Touch', TOUCH), part('Gamepad', PAD));
+  const last = make('div', { class: 'help-touch' }, section('Touch', TOUCH), section('Gamepad', PAD));
   const dialog = make(
     'dialog',
     { class: 'help', 'aria-labelledby': 'help-title', tabindex: '-1' },
     make('header', {}, make('h1', { id: 'help-title' }, 'How to move'), close),
-    make('div', { class: 'help-parts' }, part('Walk', WALK), part('Orbit', ORBIT), commands, last),
+    make('div', { class: 'help-parts' }, section('Walk', WALK), section('Orbit', ORBIT), commands, last),
   );
   dialog.addEventListener('click', (event) => {
     // Only a click on the backdrop hits the dialog itself.
@@ -68,18 +68,18 @@ export function createHelp(root: HTMLElement, absent: () => readonly Name[]) {
       const missing = absent();
       const names = (Object.keys(SHORTCUTS) as Name[]).filter((name) => !missing.includes(name));
       const rows = names.map((name): Row => [[SHORTCUTS[name].label], SHORTCUTS[name].does]);
-      commands.replaceChildren(...part('Commands', rows).childNodes);
+      commands.replaceChildren(...section('Commands', rows).childNodes);
       dialog.showModal();
       dialog.scrollTop = 0;
     },
     /** Adds a section. */
     add(title: string, rows: readonly Row[]): void {
-      last.append(part(title, rows));
+      last.append(section(title, rows));
     },
   };
 }
 
-function part(title: string, rows: readonly Row[]): HTMLElement {
+function section(title: string, rows: readonly Row[]): HTMLElement {
   const list = make('dl', {});
   for (const [keys, does] of rows) {
     list.append(make('dt', {}, ...keys.map((key) => make('kbd', {}, key))), make('dd', {}, does));

@@ -2,7 +2,7 @@
 import { button, iconButton, ICONS, make } from './dom';
 
 /** Greatest number of problems in a banner; the others are counted. */
-const MAX = 3;
+const MAX_PROBLEMS = 3;
 
 export interface FatalOptions {
   /** Exact error, for those who can fix it. */
@@ -74,8 +74,8 @@ export function showFatal(title: string, text: string, { detail, retry }: FatalO
 export function showProblems(problems: readonly string[], retry: () => void): void {
   const place = message();
   if (place.dataset['kind'] === 'fatal') return;
-  const list = make('ul', {}, ...problems.slice(0, MAX).map((problem) => make('li', {}, problem)));
-  if (problems.length > MAX) list.append(make('li', {}, `and ${problems.length - MAX} more`));
+  const list = make('ul', {}, ...problems.slice(0, MAX_PROBLEMS).map((problem) => make('li', {}, problem)));
+  if (problems.length > MAX_PROBLEMS) list.append(make('li', {}, `and ${problems.length - MAX_PROBLEMS} more`));
   const close = iconButton(ICONS.close, 'Dismiss', 'Dismiss', clearMessage);
   const text = make('div', { class: 'banner-text' }, make('strong', {}, 'Not all of the scene is shown'), list);
   if (problems.length === 0) clearMessage();

@@ -5,9 +5,9 @@ import { type Thumb, THUMB_REACH } from '../control/pointers';
 import { icon, ICONS, make } from './dom';
 
 /** Shares of the width by which keys move it. */
-const [STEP, LEAP] = [0.01, 0.1] as const;
+const [KEY_STEP, PAGE_STEP] = [0.01, 0.1] as const;
 /** Pixels from the line to a label and from there to the edge, together. */
-const BESIDE = 40;
+const LABEL_MARGIN = 40;
 /** Initial position. */
 export const MIDDLE = 0.5;
 
@@ -56,8 +56,8 @@ export function createDivider(root: HTMLElement, changed: (share: number | null)
   /** Hides labels without enough room beside the line. */
   function arrange(): void {
     const [width, part] = [layer.clientWidth, share ?? MIDDLE];
-    left.classList.toggle('is-cut', left.offsetWidth + BESIDE > part * width);
-    right.classList.toggle('is-cut', right.offsetWidth + BESIDE > (1 - part) * width);
+    left.classList.toggle('is-cut', left.offsetWidth + LABEL_MARGIN > part * width);
+    right.classList.toggle('is-cut', right.offsetWidth + LABEL_MARGIN > (1 - part) * width);
   }
 
   function drag(event: PointerEvent): void {
@@ -88,12 +88,12 @@ export function createDivider(root: HTMLElement, changed: (share: number | null)
 /** Returns the new position after a key; null removes the divider, undefined for other keys. */
 export function nextShare(key: string, share: number): number | null | undefined {
   const moves = new Map<string, number | null>([
-    ['ArrowLeft', share - STEP],
-    ['ArrowDown', share - STEP],
-    ['ArrowRight', share + STEP],
-    ['ArrowUp', share + STEP],
-    ['PageDown', share - LEAP],
-    ['PageUp', share + LEAP],
+    ['ArrowLeft', share - KEY_STEP],
+    ['ArrowDown', share - KEY_STEP],
+    ['ArrowRight', share + KEY_STEP],
+    ['ArrowUp', share + KEY_STEP],
+    ['PageDown', share - PAGE_STEP],
+    ['PageUp', share + PAGE_STEP],
     ['Home', 0],
     ['End', 1],
     ['Escape', null],

@@ -17,16 +17,16 @@ import {
 } from './status';
 
 /** Duration of a note, seconds. */
-const NOTE = 3;
+const NOTE_SECONDS = 3;
 /** Media query for screens on which the panel is open at first, because it leaves most of the picture free. */
-const ROOMY = '(min-width: 48rem) and (min-height: 34rem)';
+const LARGE_SCREEN = '(min-width: 48rem) and (min-height: 34rem)';
 
 /** Builds the panel in an element that covers the picture; user actions call `commands`. */
 export function createPanel(root: HTMLElement, commands: Commands) {
   let isDivided = false;
   let wasRing = -1;
   let wasComplete = false;
-  let wasMade: string | null = null;
+  let lastProgress: string | null = null;
   let problems = '';
   let noteEnds = 0;
 
@@ -50,13 +50,13 @@ export function createPanel(root: HTMLElement, commands: Commands) {
   bar.classList.toggle('tools-many', commands.next !== undefined);
   const figures = createFigures();
   const close = iconButton(ICONS.close, 'Hide the figures', 'Hide the figures (I)', hideFigures);
-  const quiet = make('p', { class: 'quiet', hidden: true });
+  const headsetNote = make('p', { class: 'quiet', hidden: true });
   const panel = make(
     'section',
     { class: 'panel card', id: 'panel', 'aria-label': 'Figures' },
     make('header', {}, make('h1', {}, 'nearfar'), close),
     figures.element,
-    quiet,
+    headsetNote,
   );
   const chip = make('button', { type: 'button', class: 'chip card', title: 'Show the figures (I)', hidden: true });
   chip.addEventListener('click', () => run('panel'));
@@ -77,7 +77,7 @@ export function createPanel(root: HTMLElement, commands: Commands) {
     ...(problems ? [] : (['retry'] as const)),
     ...(commands.next ? [] : (['next'] as const)),
   ]);
-  panel.hidden = !window.matchMedia(ROOMY).matches;
+  panel.hidden = !window.matchMedia(LARGE_SCREEN).matches;
   for (const [name, button] of Object.entries(buttons)) button.addEventListener('click', () => run(name as Name));
   listen(run);
   reflect({ mode: 'walk' });
@@ -155,7 +155,7 @@ export function createPanel(root: HTMLElement, commands: Commands) {
       note.hidden = true;
       // The same text is spoken again when it is written again.
       speak('');
-    }, 1000 * NOTE);
+    }, 1000 * NOTE_SECONDS);
   }
 
   function speak(text: string): void {
@@ -169,8 +169,8 @@ export function createPanel(root: HTMLElement, commands: Commands) {
     [wasRing, wasComplete] = [status.ring, complete];
     const made = progressText(status);
     // The wait depends on other users or the server.
-    if (made !== null && made !== wasMade && isDelayed(status)) announce(`The place is not ready yet: ${made}`);
-    wasMade = made;
+    if (made !== null && made !== lastProgress && isDelayed(status)) announce(`The place is not ready yet: ${made}`);
+    lastProgress = made;
     const texts = status.problems.join('\n');
     if (texts !== problems) showProblems(status.problems, () => run('retry'));
     problems = texts;
@@ -180,8 +180,8 @@ export function createPanel(root: HTMLElement, commands: Commands) {
     const found = headsetOf(commands);
     headset.hidden = !found;
     label(headset, found?.isPresenting ? 'Leave VR' : 'Enter VR');
-    write(quiet, typeof commands.headset === 'string' ? commands.headset : '');
-    quiet.hidden = typeof commands.headset !== 'string';
+    write(headsetNote, typeof commands.headset === 'string' ? commands.headset : '');
+    headsetNote.hidden = typeof commands.headset !== 'string';
   }
 
   return {

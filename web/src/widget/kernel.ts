@@ -7,7 +7,7 @@ import { type Received, serveListed, type Source } from '../bundle/source';
 import type { Model } from './model';
 
 /** Concurrent requests: Python answers them one after the other. */
-const AT_ONCE = 2;
+const MAX_REQUESTS = 2;
 const MANIFEST = 'manifest.json';
 
 /** Python's answer: the size of a file, with a piece of it in a buffer; or an error. */
@@ -32,7 +32,7 @@ export interface KernelSource extends Source {
 export async function openKernel(model: Model, received: Received, signal: AbortSignal): Promise<KernelSource> {
   const waiting = new Map<string, PendingPiece>();
   // Answers reach every view of the model, so that ids must be unique.
-  const own = Math.random().toString(36).slice(2);
+  const viewId = Math.random().toString(36).slice(2);
   let last = 0;
 
   const onAnswer = (answer: Answer, buffers: readonly DataView[]): void => {
@@ -48,7 +48,7 @@ export async function openKernel(model: Model, received: Received, signal: Abort
 
   /** Requests a piece of a file, without a timeout, because a busy kernel answers later. */
   function ask(name: string, start: number, stop: AbortSignal): Promise<Piece> {
-    const id = `${own}-${++last}`;
+    const id = `${viewId}-${++last}`;
     return abortable<Piece>(stop, (done, failed) => {
       waiting.set(id, { done, failed });
       model.send({ kind: 'read', id, name, start });
@@ -75,7 +75,7 @@ export async function openKernel(model: Model, received: Received, signal: Abort
 
   const text = await load(MANIFEST, null, signal, () => undefined);
   const manifest = parseManifest(new TextDecoder().decode(text));
-  const shared = createShared(serveListed((name) => manifest.files[name], AT_ONCE, load));
+  const shared = createShared(serveListed((name) => manifest.files[name], MAX_REQUESTS, load));
   return {
     manifest,
     fetch: (name, stop, onBytes = () => undefined) => shared(name, stop, onBytes),

@@ -13,7 +13,7 @@ export interface Model {
 }
 
 /** Least milliseconds between two messages to Python. */
-export const EVERY = 100;
+export const MIN_INTERVAL = 100;
 
 export function createMirror(model: Model) {
   const listeners: [event: string, callback: () => void][] = [];
@@ -24,7 +24,7 @@ export function createMirror(model: Model) {
     /** Sends values that differ from Python's; called once per frame. */
     tell(values: Readonly<Record<string, unknown>>, now: number): void {
       const changed = Object.entries(values).filter(([name, value]) => !isSame(model.get(name), value));
-      if (changed.length === 0 || now - last < EVERY) return;
+      if (changed.length === 0 || now - last < MIN_INTERVAL) return;
       last = now;
       isOwn = true;
       for (const [name, value] of changed) model.set(name, value);
@@ -33,12 +33,12 @@ export function createMirror(model: Model) {
     },
     /** Calls `changed` once for all values that Python or another view has set together. */
     hear(names: readonly string[], changed: () => void): void {
-      let isTold = false;
+      let isScheduled = false;
       const callback = (): void => {
-        if (isOwn || isTold) return;
-        isTold = true;
+        if (isOwn || isScheduled) return;
+        isScheduled = true;
         queueMicrotask(() => {
-          isTold = false;
+          isScheduled = false;
           changed();
         });
       };

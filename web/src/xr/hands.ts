@@ -40,7 +40,7 @@ export function createHands(session: XRSession) {
 }
 
 /** Index of the first joint of each finger but the thumb, in the order of WebXR. */
-const [INDEX, OTHERS] = [6, [11, 16, 21]] as const;
+const [INDEX_FINGER, OTHER_FINGERS] = [6, [11, 16, 21]] as const;
 const [BONES, MATRIX] = [3, 16] as const;
 /** Thresholds of straightness to begin and to continue pointing (hysteresis). */
 const BEGINS = { straight: 0.9, bent: 0.75 } as const;
@@ -50,7 +50,7 @@ const GOES_ON = { straight: 0.8, bent: 0.85 } as const;
 export function isPointing(joints: Joints | null, before: boolean): boolean {
   if (!joints) return false;
   const { straight, bent } = before ? GOES_ON : BEGINS;
-  return straightness(joints, INDEX) > straight && OTHERS.every((finger) => straightness(joints, finger) < bent);
+  return straightness(joints, INDEX_FINGER) > straight && OTHER_FINGERS.every((finger) => straightness(joints, finger) < bent);
 }
 
 /** Straightness of a finger: distance from knuckle to tip divided by the length of the bones; 1 if straight. */

@@ -22,20 +22,20 @@ export type Look = ReturnType<typeof createLook>;
 /** Number of hands, and joints per hand. */
 const [HANDS, JOINTS] = [2, 25] as const;
 /** Radius and half length of a controller, radius of an arc's point, radii of the ring, metres. */
-const [THICK, LONG, POINT] = [0.018, 0.05, 0.012] as const;
+const [CONTROLLER_RADIUS, CONTROLLER_HALF_LENGTH, ARC_POINT_RADIUS] = [0.018, 0.05, 0.012] as const;
 const RING = [0.22, 0.3] as const;
-const [FREE, HELD] = [0x4cc2ff, 0xffb84c] as const;
+const [FREE_COLOR, HELD_COLOR] = [0x4cc2ff, 0xffb84c] as const;
 
 export function createLook() {
   const group = new Group();
   const body = new MeshLambertMaterial({ color: 0xd5dbe3 });
   // Without depth test: the ground may lie slightly before or behind the user's floor.
-  const mark = new MeshBasicMaterial({ color: FREE, depthTest: false });
+  const mark = new MeshBasicMaterial({ color: FREE_COLOR, depthTest: false });
   const joints = createSpheres(HANDS * JOINTS, body);
   const points = createSpheres(ARC_POINTS, mark);
   const ring = new Mesh(new RingGeometry(...RING, 48).rotateX(-Math.PI / 2), mark);
   const controllers = Array.from({ length: HANDS }, () => {
-    const mesh = new Mesh(new CapsuleGeometry(THICK, 2 * LONG, 4, 12).rotateX(Math.PI / 2), body);
+    const mesh = new Mesh(new CapsuleGeometry(CONTROLLER_RADIUS, 2 * CONTROLLER_HALF_LENGTH, 4, 12).rotateX(Math.PI / 2), body);
     mesh.matrixAutoUpdate = false;
     return mesh;
   });
@@ -43,7 +43,7 @@ export function createLook() {
   const drawn = [...controllers, joints, points, ring];
   for (const mesh of drawn) mesh.frustumCulled = false;
   group.add(light, ...drawn);
-  const colors = { free: new Color(FREE), held: new Color(HELD) };
+  const colors = { free: new Color(FREE_COLOR), held: new Color(HELD_COLOR) };
   const [matrix, scale] = [new Matrix4(), new Vector3()];
 
   function showControllers(inputs: readonly Input[]): void {
@@ -70,7 +70,7 @@ export function createLook() {
 
   function showAim(aim: Aim | null): void {
     aim?.arc.forEach(([x, y, z], number) => {
-      points.setMatrixAt(number, matrix.makeScale(POINT, POINT, POINT).setPosition(x, y, z));
+      points.setMatrixAt(number, matrix.makeScale(ARC_POINT_RADIUS, ARC_POINT_RADIUS, ARC_POINT_RADIUS).setPosition(x, y, z));
     });
     show(points, aim?.arc.length ?? 0);
     ring.visible = aim !== null;

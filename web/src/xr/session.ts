@@ -54,13 +54,13 @@ interface SessionState {
 }
 
 /** Speeds start and stop gently. */
-const glides = (): boolean => false;
+const neverSudden = (): boolean => false;
 
 function createHeadset(viewer: Viewer, xr: XRSystem, settings: HeadsetSettings) {
   const { renderer, rig } = viewer;
   // Bounds of the frame.
   let bounds: Bounds | null = null;
-  let visit: SessionState | null = null;
+  let state: SessionState | null = null;
   let hands: readonly HandRay[] = [];
   renderer.xr.enabled = true;
 
@@ -77,7 +77,7 @@ function createHeadset(viewer: Viewer, xr: XRSystem, settings: HeadsetSettings) 
       throw reason;
     }
     const begun = begin(session);
-    visit = begun;
+    state = begun;
     rig.add(begun.look.group);
     renderer.xr.getReferenceSpace()?.addEventListener('reset', () => (begun.isMoved = true));
     if (settings.isStatic) viewer.setMapLayer(createMapLayer(renderer, viewer.faceSize));
@@ -95,7 +95,7 @@ function createHeadset(viewer: Viewer, xr: XRSystem, settings: HeadsetSettings) 
       hands: createHands(session),
       steer: createSteering(),
       jump: createJump(),
-      walk: createWalk(pose, () => bounds, glides),
+      walk: createWalk(pose, () => bounds, neverSudden),
       floor: null,
       pose,
       goal: null,
@@ -105,10 +105,10 @@ function createHeadset(viewer: Viewer, xr: XRSystem, settings: HeadsetSettings) 
   }
 
   function leave(): void {
-    if (!visit) return;
-    const { look, aiming, floor, pose } = visit;
-    visit.hands.dispose();
-    visit = null;
+    if (!state) return;
+    const { look, aiming, floor, pose } = state;
+    state.hands.dispose();
+    state = null;
     hands = [];
     look.dispose();
     aiming.dispose();
@@ -136,7 +136,7 @@ function createHeadset(viewer: Viewer, xr: XRSystem, settings: HeadsetSettings) 
 
   return {
     get isPresenting(): boolean {
-      return visit !== null;
+      return state !== null;
     },
     /** Hands in the last frame. */
     get hands(): readonly HandRay[] {
@@ -149,27 +149,27 @@ function createHeadset(viewer: Viewer, xr: XRSystem, settings: HeadsetSettings) 
     },
     /** Moves the user's head above another place; without effect outside a session. */
     place(pose: Pose): void {
-      if (visit) Object.assign(visit, { floor: null, pose });
+      if (state) Object.assign(state, { floor: null, pose });
     },
     /** Advances by some seconds, once per frame; returns the head's world pose, null outside a session. */
     update(seconds: number): Pose | null {
       const [frame, space] = [renderer.xr.getFrame(), renderer.xr.getReferenceSpace()];
-      if (!visit || !frame || !space) return null;
+      if (!state || !frame || !space) return null;
       const seen = frame.getViewerPose(space);
       // Without tracking the pose does not change.
-      if (!seen) return visit.pose;
+      if (!seen) return state.pose;
       bounds = headBounds(settings.bounds());
       const head = headOf(seen.transform.matrix);
       const inputs = readInputs(frame, space);
-      viewer.setVeil(visit.jump.advance(seconds));
-      const floor = floorOf(visit, head, inputs, seconds);
-      visit.floor = floor;
-      visit.pose = worldPose(floor, head);
+      viewer.setVeil(state.jump.advance(seconds));
+      const floor = floorOf(state, head, inputs, seconds);
+      state.floor = floor;
+      state.pose = worldPose(floor, head);
       viewer.stand(floor);
-      hands = visit.hands.update(inputs, floor);
+      hands = state.hands.update(inputs, floor);
       const allowed = (wanted: Vector): Vector => localOf(floor, clampToBounds(worldOf(floor, wanted), bounds));
-      visit.look.update(inputs, visit.aiming.update(inputs, allowed));
-      return visit.pose;
+      state.look.update(inputs, state.aiming.update(inputs, allowed));
+      return state.pose;
     },
   };
 }

@@ -7,7 +7,7 @@ const [SPEED, GRAVITY] = [7.5, 9.81] as const;
 /** Number of points of an arc. */
 export const ARC_POINTS = 24;
 /** Seconds in which the picture fades to black, and back. */
-const FADE = 0.12;
+const FADE_SECONDS = 0.12;
 
 /** Returns where an arc along a ray lands on the ground at height 0. A hand below the ground throws from it. */
 export function landing({ origin: [x, y, z], direction: [dx, dy, dz] }: Ray): Vector {
@@ -39,7 +39,7 @@ export type Jump = ReturnType<typeof createJump>;
 
 export function createJump() {
   // Seconds since the start; the picture is darkest at FADE.
-  let since = 2 * FADE;
+  let since = 2 * FADE_SECONDS;
   let pending: (() => void) | null = null;
 
   function act(): void {
@@ -53,18 +53,18 @@ export function createJump() {
     start(action: () => void): void {
       pending = action;
       // Starts at the current darkness.
-      since = Math.min(since, Math.max(2 * FADE - since, 0));
+      since = Math.min(since, Math.max(2 * FADE_SECONDS - since, 0));
     },
     /** Advances by some seconds; returns the darkness, 0 to 1. */
     advance(seconds: number): number {
       const before = since;
-      since = Math.min(since + seconds, 2 * FADE);
-      if (pending && since >= FADE) {
+      since = Math.min(since + seconds, 2 * FADE_SECONDS);
+      if (pending && since >= FADE_SECONDS) {
         // Guarantees a frame at full darkness, however long frames are.
-        if (before < FADE) since = FADE;
+        if (before < FADE_SECONDS) since = FADE_SECONDS;
         act();
       }
-      return 1 - Math.abs(since - FADE) / FADE;
+      return 1 - Math.abs(since - FADE_SECONDS) / FADE_SECONDS;
     },
   };
 }
@@ -80,7 +80,7 @@ export interface Aim {
 export type Aiming = ReturnType<typeof createAiming>;
 
 /** Tolerance in metres between the aimed place and the target. */
-const SAME = 0.01;
+const TOLERANCE = 0.01;
 
 /** Listens to a session; `jump` is called with the target on release. */
 export function createAiming(session: XRSession, jump: (target: Vector) => void) {
@@ -116,7 +116,7 @@ export function createAiming(session: XRSession, jump: (target: Vector) => void)
       }
       const wanted = landing(ray);
       const target = allowed(wanted);
-      const isHeld = Math.hypot(target[0] - wanted[0], target[2] - wanted[2]) > SAME;
+      const isHeld = Math.hypot(target[0] - wanted[0], target[2] - wanted[2]) > TOLERANCE;
       aim = { arc: arc(ray, target), target, isHeld };
       return aim;
     },
