@@ -25,7 +25,6 @@ import type { HandRay } from './xr/hands';
 /** Seconds between two updates of the card. */
 const CARD_EVERY = 0.25;
 
-/** Ways to point, for the help. */
 const HELP: readonly Row[] = [
   [['E'], 'point at the cursor, while held'],
   [['Middle button'], 'the same'],

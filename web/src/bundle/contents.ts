@@ -33,7 +33,6 @@ export interface ArrivingRegion {
   ring(number: number): RingEntry | Promise<RingEntry>;
 }
 
-/** A region of a bundle that is complete. */
 export function completeRegion(manifest: Manifest, number: number): ArrivingRegion {
   const entry = manifest.regions[number];
   if (!entry) throw new Error(`there is no region ${number}`);

@@ -100,7 +100,6 @@ export function readFiles(files: Fields): Record<string, FileEntry> {
   return Object.fromEntries(entries);
 }
 
-/** Number of tiles of a map. */
 export function tilesOf({ face_size: face, tile }: MapLayout): number {
   return FACES * (face / tile) ** 2;
 }

@@ -8,7 +8,6 @@ interface Request {
   readonly result: Promise<ArrayBuffer>;
   readonly controller: AbortController;
   readonly listeners: Set<ByteListener>;
-  /** Bytes received so far. */
   receivedBytes: number;
 }
 

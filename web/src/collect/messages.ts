@@ -24,7 +24,6 @@ import {
 const [MARK, VERSION] = [0xc5, 1] as const;
 /** Greatest coordinate in metres, speed in metres per second, and radius in metres. */
 const [MAX_COORDINATE, MAX_SPEED, MAX_RADIUS] = [1e6, 100, 1000] as const;
-/** Greatest time, seconds. */
 export const MAX_SECONDS = 86400;
 /** Greatest number of seated users in a group. */
 export const MAX_USERS = 64;
@@ -84,7 +83,6 @@ const TRIAL = record({
   /** Boxes of sphere centres and of seats. */
   box: BOX,
   area: BOX,
-  /** Tallies by level. */
   tallies: tuple(TALLY, TALLY, TALLY),
   seats: shortList(SEAT),
 });
@@ -171,7 +169,6 @@ export function isSameStage(a: Stage, b: Stage): boolean {
   return a.run === b.run && a.trial === b.trial;
 }
 
-/** Number of spheres collected in a trial. */
 export function countOf({ tallies }: Trial): number {
   return tallies.reduce((sum, { spheres }) => sum + spheres, 0);
 }

@@ -3,9 +3,7 @@ import { button, make, write } from '../ui/dom';
 import { milliseconds } from '../ui/format';
 import { LEVELS, type Tallies } from './messages';
 
-/** Content of the card. */
 export interface CardState {
-  /** Instruction for the user. */
   readonly instruction: string;
   readonly canStart: boolean;
   /** Null before the first trial. */

@@ -129,7 +129,6 @@ function driveOf({ axes, buttons }: Pad): Drive {
   return { right, ahead: 0 - back, turn: 0 - clockwise, look: 0 - down, isRunning };
 }
 
-/** Gamepads of the browser. */
 export function browserPads(): readonly (Pad | null)[] {
   // Pages without https, or with a policy against gamepads, throw here.
   try {

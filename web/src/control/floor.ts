@@ -27,7 +27,6 @@ export function localOf({ position, yaw }: Floor, [x, y, z]: Vector): Vector {
   return worldOf({ position: [0, 0, 0], yaw: -yaw }, [x - position[0], y - position[1], z - position[2]]);
 }
 
-/** Pose of the head in the world. */
 export function worldPose(floor: Floor, head: Head): Pose {
   return { position: worldOf(floor, head.position), yaw: wrapAngle(floor.yaw + head.yaw), pitch: head.pitch };
 }

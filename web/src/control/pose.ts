@@ -51,7 +51,6 @@ export function isSamePose(a: Pose, b: Pose): boolean {
   return a.yaw === b.yaw && a.pitch === b.pitch && a.position.every((value, axis) => value === b.position[axis]);
 }
 
-/** Greatest length of a fragment. */
 const MAX_FRAGMENT_LENGTH = 512;
 /** Greatest coordinate, metres: beyond twice the size of the Earth there is no scene. */
 const MAX_COORDINATE = 3e7;

@@ -47,9 +47,7 @@ export function createCall({ opened, ended, refuse }: CallEvents, later: Clock['
   }
 
   return {
-    /** Returns this page's offer. */
     offer: localDescription,
-    /** Returns the answer to an offer. */
     async answer(offer: string): Promise<string> {
       await connection.setRemoteDescription({ type: 'offer', sdp: offer });
       return localDescription();
@@ -110,7 +108,6 @@ function withFewAddresses(sdp: string): string {
 
 /** Bytes per second and burst, below the limits of docs/rooms.md; least bytes that a signal counts for. */
 const [BYTES_PER_SECOND, BURST_BYTES, MIN_SIGNAL_BYTES] = [24_576, 12_288, 64] as const;
-/** Greatest number of queued signals. */
 const MAX_QUEUED_SIGNALS = 64;
 
 /** Queue of signals that respects the rate limit of a room. */

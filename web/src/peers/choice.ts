@@ -21,9 +21,7 @@ export function createChoice(storage: () => Storage = () => localStorage) {
   };
 }
 
-/** Query parameter by which a user declines. */
 const QUERY_PARAMETER = 'peers';
-/** Reason if the user has switched the exchange off. */
 export const SWITCHED_OFF = 'the user has switched it off';
 
 /** Returns why this page's address, user or browser prevents the exchange; null if nothing does. */

@@ -111,7 +111,6 @@ export function createPeer({ number, line, shelf, budget, now, sent, greeted, re
   };
 
   return {
-    /** Number of the user. */
     number,
     get open(): number {
       return downloads.open;

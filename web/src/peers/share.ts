@@ -51,7 +51,6 @@ export function createShare(settings: ShareSettings) {
   /** Received bytes of each file in transfer; files requested from the server. */
   const arriving = new Map<string, number>();
   const requested = new Set<string>();
-  /** Users that timed out during the first picture. */
   const timedOutUsers = new Set<number>();
 
   /** Returns the page to request a file from; null for the server. */

@@ -13,7 +13,6 @@ import { createBudget } from './uploads';
 
 /** Maximum number of bytes of files that this page stores for others. */
 const MAX_STORED_BYTES = 64 * 2 ** 20;
-/** Number of ticks of TICK seconds per second. */
 const TICKS_PER_SECOND = Math.round(1 / TICK);
 
 export interface PeersSettings {

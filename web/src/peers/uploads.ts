@@ -26,7 +26,6 @@ export interface Shelf {
 export interface Outlet {
   readonly bufferedAmount: number;
   send(message: Message): void;
-  /** Called with the number of sent bytes of files. */
   sent(bytes: number): void;
 }
 

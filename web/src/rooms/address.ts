@@ -1,7 +1,6 @@
 /** Room named by the page's address, and the address of its relay. */
 import { HIDDEN, MAX_NAME_BYTES } from './frames';
 
-/** Greatest number of bytes of a room's name; greatest group number. */
 const [MAX_ROOM_BYTES, MAX_GROUP] = [64, 0xffff] as const;
 /** Name of users without one. */
 const DEFAULT_NAME = 'Guest';

@@ -30,7 +30,6 @@ export class Reader {
     return this.bytes.subarray(this.offset - count, this.offset);
   }
 
-  /** Throws an error if bytes remain. */
   expectEnd(sentence = 'a frame is too long'): void {
     if (this.remaining > 0) throw new FrameError(sentence);
   }

@@ -46,7 +46,6 @@ export function createPointing(
 export interface Activity extends Guests {
   /** Whether users point even without holding a button. */
   readonly isPointing: boolean;
-  /** Handles a frame of the server. */
   hear(frame: FromServer, now: number): void;
   /** Updates the task before each frame with the user's pose and the body that others see. */
   frame(pose: Pose, body: Body, now: number): void;

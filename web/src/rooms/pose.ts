@@ -117,7 +117,6 @@ export function rotationAlong([x, y, z]: Vector): Rotation {
   return rotationOf(Math.atan2(-x, -z), Math.atan2(y, Math.hypot(x, z)));
 }
 
-/** Applies a rotation to a vector. */
 export function rotate(rotation: Rotation, vector: Vector): Vector {
   return new Vector3(...vector).applyQuaternion(new Quaternion(...rotation)).toArray() as Vector3Tuple;
 }

@@ -41,7 +41,6 @@ export function createPresence() {
       return guests;
     },
     clear,
-    /** Handles a frame of the server. */
     hear(frame: FromServer, now: number): void {
       if (frame.kind === 'welcome') clear();
       else if (frame.kind === 'left') guests = removeGuest(frame.user);

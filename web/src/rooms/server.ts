@@ -58,7 +58,6 @@ function isRecord(value: unknown): value is Readonly<Record<string, unknown>> {
 export const CLOSE_TIMEOUT = 5;
 
 export interface Socket {
-  /** Number of buffered bytes. */
   readonly bufferedAmount: number;
   /** Sends a frame; `mayBeLost` if a later frame replaces it. */
   send(data: Uint8Array<ArrayBuffer>, mayBeLost: boolean): void;

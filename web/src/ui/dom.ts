@@ -18,7 +18,6 @@ export function make<Name extends keyof HTMLElementTagNameMap>(
   return element;
 }
 
-/** Creates a button with a label and a class. */
 export function button(label: string, className: string, action: () => void): HTMLButtonElement {
   const element = make('button', { type: 'button', class: className }, label);
   element.addEventListener('click', action);
@@ -62,7 +61,6 @@ function setAttributes(element: Element, attributes: Attributes): void {
   }
 }
 
-/** Makes the browser save a file. */
 export function saveFile(content: Blob, name: string): void {
   const address = URL.createObjectURL(content);
   make('a', { href: address, download: name }).click();

@@ -72,7 +72,6 @@ export function createHelp(root: HTMLElement, absent: () => readonly Name[]) {
       dialog.showModal();
       dialog.scrollTop = 0;
     },
-    /** Adds a section. */
     add(title: string, rows: readonly Row[]): void {
       last.append(section(title, rows));
     },
@@ -112,7 +111,6 @@ export const SHORTCUTS: Readonly<Record<Name, Shortcut>> = {
   help: { key: '?', label: '?', does: 'show or hide this help' },
 };
 
-/** Runs commands by key. */
 export function listen(run: (name: Name) => void, keys: EventTarget = window): void {
   const names = new Map(Object.entries(SHORTCUTS).map(([name, { key }]) => [key, name as Name]));
   keys.addEventListener('keydown', (event) => {

@@ -85,7 +85,6 @@ export function showProblems(problems: readonly string[], retry: () => void): vo
   }
 }
 
-/** Removes the message. */
 export function clearMessage(): void {
   const place = message();
   place.replaceChildren();

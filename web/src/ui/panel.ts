@@ -16,7 +16,6 @@ import {
   summaryOf,
 } from './status';
 
-/** Duration of a note, seconds. */
 const NOTE_SECONDS = 3;
 /** Media query for screens on which the panel is open at first, because it leaves most of the picture free. */
 const LARGE_SCREEN = '(min-width: 48rem) and (min-height: 34rem)';
@@ -200,7 +199,6 @@ export function createPanel(root: HTMLElement, commands: Commands) {
       reflect({});
     },
     announce,
-    /** Adds a section to the help. */
     explain: help.add,
     reflect,
   };

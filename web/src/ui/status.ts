@@ -49,7 +49,6 @@ export interface Commands {
   lookAround(): void;
   /** Returns a PNG of the picture without the panel. */
   screenshot(): Promise<Blob>;
-  /** Returns a link to this pose. */
   link(): string;
   /** Command for the headset, or why there is no headset; absent until the browser has answered. */
   headset?: HeadsetCommand | string;

@@ -36,7 +36,6 @@ export interface HeadsetSettings {
   readonly isStatic: boolean;
 }
 
-/** State of a session. */
 interface SessionState {
   readonly look: Look;
   readonly aiming: Aiming;
@@ -58,7 +57,6 @@ const neverSudden = (): boolean => false;
 
 function createHeadset(viewer: Viewer, xr: XRSystem, settings: HeadsetSettings) {
   const { renderer, rig } = viewer;
-  // Bounds of the frame.
   let bounds: Bounds | null = null;
   let state: SessionState | null = null;
   let hands: readonly HandRay[] = [];

@@ -4,7 +4,6 @@ import type { Input, Ray } from './inputs';
 
 /** Metres per second and per second²: aimed level from the hip, it reaches about 4 m; at 45° more than 7 m. */
 const [SPEED, GRAVITY] = [7.5, 9.81] as const;
-/** Number of points of an arc. */
 export const ARC_POINTS = 24;
 /** Seconds in which the picture fades to black, and back. */
 const FADE_SECONDS = 0.12;
