@@ -7,32 +7,22 @@ import { createShare, type Share } from '../../src/peers/share';
 import { LruCache } from '../../src/base/cache';
 import { createBudget } from '../../src/peers/uploads';
 import type { Bucket, Clock } from '../../src/rooms/clock';
+import { createSteppedClock } from './clock';
 
-export interface Stepped extends Clock {
-  /** Let some seconds pass, in ticks. */
-  pass(seconds: number): Promise<void>;
-  /** Run a function at each tick. */
-  each(action: () => void): void;
-}
+export type Stepped = ReturnType<typeof steppedClock>;
 
-export function steppedClock(): Stepped {
-  let time = 100;
-  let timers: { at: number; action: () => void }[] = [];
+/** A clock whose ticks call actions and await pending work. */
+export function steppedClock() {
+  const { advance, ...clock } = createSteppedClock();
   const actions: (() => void)[] = [];
   return {
-    now: () => time,
-    later(seconds, action) {
-      const timer = { at: time + seconds, action };
-      timers.push(timer);
-      return () => (timers = timers.filter((other) => other !== timer));
-    },
-    each: (action) => void actions.push(action),
-    async pass(seconds) {
-      for (let left = seconds; left > 1e-9; left -= TICK) {
-        time += Math.min(TICK, left);
-        const due = timers.filter(({ at }) => at <= time + 1e-9);
-        timers = timers.filter((timer) => !due.includes(timer));
-        for (const { action } of due) action();
+    ...clock,
+    /** Calls a function at each tick. */
+    each: (action: () => void): void => void actions.push(action),
+    /** Lets some seconds pass, in ticks. */
+    async pass(seconds: number): Promise<void> {
+      for (let remaining = seconds; remaining > 1e-9; remaining -= TICK) {
+        advance(Math.min(TICK, remaining));
         for (const action of actions) action();
         await settled();
       }

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { type Message, PART, readMessage, writeMessage } from '../src/peers/messages';
-import { createPage, hold, join, makeContent, type Page, plug, settled, type Stepped, steppedClock, type Wire, createWires, type World } from './support/peers';
+import { createPage, createWires, hold, join, makeContent, plug, settled, steppedClock, type Wire, type World } from './support/peers';
 
 const WORLD: World = { a: makeContent(3 * PART + 5, 1), b: makeContent(PART, 2), c: makeContent(7, 3) };
 const KEYS = Object.values(WORLD).map(({ listed }) => listed.sha256);
@@ -9,34 +9,21 @@ const [A = '', B = '', C = ''] = KEYS;
 const contentOf = (name: string): Uint8Array => new Uint8Array(WORLD[name]?.data ?? new ArrayBuffer(0));
 const same = (one: ArrayBuffer, name: string): void => assert.deepEqual(new Uint8Array(one), contentOf(name));
 
-interface Bench {
-  readonly clock: Stepped;
-  readonly page: Page;
-  /** User 2's end of the channel, driven by the test. */
-  readonly line: Wire;
-  /** All messages that arrived at it. */
-  readonly heard: Message[];
-  say(...messages: readonly Message[]): Promise<void>;
-}
-
-/** A page that is connected to a user whose messages the test writes. */
-function bench(world = WORLD): Bench {
+/** A page that is connected to user 2, whose messages the test writes. */
+function bench() {
   const clock = steppedClock();
-  const page = createPage(1, world, clock);
+  const page = createPage(1, WORLD, clock);
+  /** Ends of the channel: the page's, and that of user 2. */
   const [own, line] = createWires();
+  /** Messages that arrived at user 2. */
   const heard: Message[] = [];
   line.onmessage = ({ data }) => heard.push(readMessage(new Uint8Array(data as ArrayBuffer).slice()));
   plug(page, 2, own, clock);
-  return {
-    clock,
-    page,
-    line,
-    heard,
-    async say(...messages) {
-      for (const message of messages) line.send(writeMessage(message));
-      await settled();
-    },
+  const say = async (...messages: readonly Message[]): Promise<void> => {
+    for (const message of messages) line.send(writeMessage(message));
+    await settled();
   };
+  return { clock, page, line, heard, say };
 }
 
 const wants = (heard: readonly Message[]): number[] =>

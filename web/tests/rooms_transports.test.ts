@@ -6,18 +6,8 @@ import { addressOf, createOpen, gatherer, openDatagrams, readAll, splitter } fro
 const TO: Datagrams = { port: 8443, hashes: [] };
 const RELAY = 'wss://host:8/rooms/a';
 
-/** A record of opened connections, in order, and of reports to the page. */
-interface Bench {
-  readonly opened: string[];
-  readonly told: string[];
-  readonly open: (isOff?: boolean) => Socket;
-  /** Time by the clock in seconds. */
-  now: number;
-  /** Let pending work continue. */
-  readonly settle: () => Promise<void>;
-}
-
-function bench(ask: () => Promise<Datagrams | null>, isTaken: () => boolean, hasSockets = true): Bench {
+/** Records opened connections in order, and reports to the page. */
+function bench(ask: () => Promise<Datagrams | null>, isTaken: () => boolean, hasSockets = true) {
   const [opened, told]: [string[], string[]] = [[], []];
   const socket = (name: string): Socket => ({
     bufferedAmount: 7,
@@ -43,9 +33,11 @@ function bench(ask: () => Promise<Datagrams | null>, isTaken: () => boolean, has
   };
   const clock = { now: () => made.now, later: () => () => {} };
   const [on, off] = [false, true].map((isOff) => createOpen(() => Promise.resolve(null), isOff, ways, clock));
+  /** Lets pending work continue. */
   const settle = (): Promise<void> => new Promise((resolve) => setTimeout(resolve));
   const open = (isOff = false): Socket => (isOff ? off : on)?.(RELAY, listener) as Socket;
-  const made: Bench = { opened, told, open, now: 0, settle };
+  /** `now` is the clock's time in seconds. */
+  const made = { opened, told, open, now: 0, settle };
   return made;
 }
 
