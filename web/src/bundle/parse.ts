@@ -29,7 +29,7 @@ const [LAST_CODE, MAX_EXPONENT] = [65534, 600] as const;
 const MAX_COORDINATE = 1e12;
 
 /** Parses the entry of a ring; `tiles` is the number of tiles of a map. */
-type ReadRing = (place: string, value: unknown, order: number, tiles: number) => RingEntry;
+type RingReader = (place: string, value: unknown, order: number, tiles: number) => RingEntry;
 
 export function parseManifest(source: string): Manifest {
   return readManifest(parseJson('manifest.json', source));
@@ -44,8 +44,8 @@ export function parseJson(name: string, source: string): unknown {
   }
 }
 
-/** Reads a manifest; `readRing` reads its rings, which are incomplete in the outline of a region. */
-export function readManifest(parsed: unknown, readRing: ReadRing = ring): Manifest {
+/** Reads a manifest; `ringReader` reads its rings, which are incomplete in the outline of a region. */
+export function readManifest(parsed: unknown, ringReader: RingReader = readRing): Manifest {
   const all = object('manifest', parsed);
   if (all['format'] !== FORMAT) throw new BundleError(`manifest.json: expected the format ${FORMAT}, got another one`);
   const version = integer('version', all['version'], 1);
@@ -55,13 +55,13 @@ export function readManifest(parsed: unknown, readRing: ReadRing = ring): Manife
   }
   const [morph, growth] = [object('morph', all['morph']), object('growth', all['growth'])];
   const map = object('map', all['map']);
-  const face = integer('map.face_size', map['face_size'], 1, MAX_FACE_SIZE);
-  const tile = integer('map.tile', map['tile'], 1, face);
-  if (face % tile !== 0) throw new BundleError(`manifest.json: map.tile: expected a divisor of ${face}, got ${tile}`);
+  const faceSize = integer('map.face_size', map['face_size'], 1, MAX_FACE_SIZE);
+  const tile = integer('map.tile', map['tile'], 1, faceSize);
+  if (faceSize % tile !== 0) throw new BundleError(`manifest.json: map.tile: expected a divisor of ${faceSize}, got ${tile}`);
   const kind = choice('morph.kind', morph['kind'], ['blend', 'cylinder'] as const);
   const unit = choice('unit', all['unit'] ?? 'object', ['object', 'triangle'] as const);
   const across = integer('map.across', map['across'], 1, Math.floor(MAX_PIXELS / tile));
-  const tiles = tilesOf({ face_size: face, tile, across });
+  const tiles = tilesOf({ face_size: faceSize, tile, across });
   const files = object('files', all['files']);
   const entries = list('regions', all['regions'], object);
   if (entries.length === 0 || entries.length > MAX_REGIONS) {
@@ -77,12 +77,12 @@ export function readManifest(parsed: unknown, readRing: ReadRing = ring): Manife
     },
     triangles: integer('triangles', all['triangles'], 0),
     bounds: list('bounds', all['bounds'], point, 2) as [Point, Point],
-    map: { face_size: face, tile, across },
+    map: { face_size: faceSize, tile, across },
     regions: entries.map((entry, number) => {
       const place = `regions[${number}]`;
-      return cutBy(unit, place, region(place, entry, tiles, number, entries.length, readRing));
+      return cutBy(unit, place, readRegion(place, entry, tiles, number, entries.length, ringReader));
     }),
-    dynamic: optional('dynamic', all['dynamic'], moving),
+    dynamic: optional('dynamic', all['dynamic'], readDynamic),
     notes: list('notes', all['notes'], text),
     files: readFiles(files),
   };
@@ -100,16 +100,16 @@ export function readFiles(files: Fields): Record<string, FileEntry> {
   return Object.fromEntries(entries);
 }
 
-export function tilesOf({ face_size: face, tile }: MapLayout): number {
-  return FACES * (face / tile) ** 2;
+export function tilesOf({ face_size: faceSize, tile }: MapLayout): number {
+  return FACES * (faceSize / tile) ** 2;
 }
 
 /** Checks that all files of rings, maps and dynamic objects have a size and a hash. */
 function checkListed({ regions, dynamic, files }: Manifest): void {
   const names = [
     ...regions.flatMap(({ rings }) => rings.flatMap(filesOfRing)),
-    ...regions.flatMap(({ by_footprint: other }) =>
-      other ? [...other.portions.flatMap(filesOfGeometry), ...filesOfMap(other.map)] : [],
+    ...regions.flatMap(({ by_footprint: footprint }) =>
+      footprint ? [...footprint.portions.flatMap(filesOfGeometry), ...filesOfMap(footprint.map)] : [],
     ),
     ...(dynamic ? filesOfGeometry(dynamic) : []),
   ];
@@ -124,19 +124,19 @@ export function point(place: string, value: unknown): Point {
   return list(place, value, (name, item) => number(name, item, -MAX_COORDINATE, MAX_COORDINATE), 3) as unknown as Point;
 }
 
-function region(
+function readRegion(
   place: string,
   value: Fields,
   tiles: number,
   own: number,
   count: number,
-  readRing: ReadRing,
+  ringReader: RingReader,
 ): RegionEntry {
   const range = object(`${place}.range`, value['range']);
-  const rings = list(`${place}.rings`, value['rings'], (name, item, number) => readRing(name, item, number, tiles));
+  const rings = list(`${place}.rings`, value['rings'], (name, item, number) => ringReader(name, item, number, tiles));
   const radii = rings.map(({ radius }) => radius);
-  const doAscend = radii[0] === 0 && radii.every((radius, number) => number === 0 || radius > (radii[number - 1] ?? 0));
-  if (rings.length < 2 || rings.length > MAX_RINGS || !doAscend) {
+  const isAscending = radii[0] === 0 && radii.every((radius, number) => number === 0 || radius > (radii[number - 1] ?? 0));
+  if (rings.length < 2 || rings.length > MAX_RINGS || !isAscending) {
     throw new BundleError(`manifest.json: ${place}.rings: expected radii that ascend from 0`);
   }
   const other = (name: string, item: unknown): number => integer(name, item, 0, count - 1);
@@ -155,7 +155,7 @@ function region(
     range: { least, step },
     rings,
     cut: Infinity,
-    by_footprint: optional(`${place}.by_footprint`, value['by_footprint'], footprints),
+    by_footprint: optional(`${place}.by_footprint`, value['by_footprint'], readFootprints),
   };
 }
 
@@ -166,23 +166,23 @@ function cutBy(unit: 'object' | 'triangle', place: string, entry: RegionEntry): 
   return { ...entry, cut: entry.rings[1]?.radius ?? Infinity };
 }
 
-export function ring(place: string, value: unknown, order: number, tiles: number): RingEntry {
+export function readRing(place: string, value: unknown, order: number, tiles: number): RingEntry {
   const entry = object(place, value);
   return {
-    ...group(place, entry),
+    ...readGroup(place, entry),
     radius: number(`${place}.radius`, entry['radius'], 0, MAX_COORDINATE),
-    map: mapOf(`${place}.map`, entry['map'], order, tiles),
+    map: readMap(`${place}.map`, entry['map'], order, tiles),
   };
 }
 
 /** A ring without files yet. */
 export function outlinedRing(place: string, value: unknown): RingEntry {
-  const { objects, triangles } = group(place, value);
+  const { objects, triangles } = readGroup(place, value);
   const radius = number(`${place}.radius`, object(place, value)['radius'], 0, MAX_COORDINATE);
   return { objects, triangles, geometry: null, parts: [], radius, map: null };
 }
 
-function group(place: string, value: unknown): GroupEntry {
+function readGroup(place: string, value: unknown): GroupEntry {
   const entry = object(place, value);
   return {
     objects: integer(`${place}.objects`, entry['objects'], 0),
@@ -192,17 +192,17 @@ function group(place: string, value: unknown): GroupEntry {
   };
 }
 
-function footprints(place: string, value: unknown): FootprintEntry {
+function readFootprints(place: string, value: unknown): FootprintEntry {
   const entry = object(place, value);
   const map = object(`${place}.map`, entry['map']);
   const faces = (name: string): string[] => list(`${place}.map.${name}`, map[name], fileName, FACES);
   return {
-    portions: list(`${place}.portions`, entry['portions'], group),
+    portions: list(`${place}.portions`, entry['portions'], readGroup),
     map: { tiles: [], color: faces('color'), range: faces('range') },
   };
 }
 
-function mapOf(place: string, value: unknown, order: number, tiles: number): MapEntry {
+function readMap(place: string, value: unknown, order: number, tiles: number): MapEntry {
   const entry = object(place, value);
   const names = (name: string, item: unknown): string | string[] =>
     Array.isArray(item) ? list(name, item, fileName, FACES) : fileName(name, item);
@@ -219,24 +219,24 @@ function mapOf(place: string, value: unknown, order: number, tiles: number): Map
   if (map.tiles.some((tile, number) => number > 0 && tile <= (map.tiles[number - 1] ?? 0))) {
     throw wrong('numbers of tiles that ascend');
   }
-  const doChange = map.tiles.length > 0;
-  if (doChange !== (typeof map.color === 'string')) throw wrong('a picture exactly where tiles change');
+  const changesTiles = map.tiles.length > 0;
+  if (changesTiles !== (typeof map.color === 'string')) throw wrong('a picture exactly where tiles change');
   if (order === 1 && !Array.isArray(map.range)) throw wrong('six files of ranges for ring 1');
-  if (order > 1 && doChange !== (typeof map.range === 'string')) throw wrong('ranges exactly where tiles change');
+  if (order > 1 && changesTiles !== (typeof map.range === 'string')) throw wrong('ranges exactly where tiles change');
   return map;
 }
 
-function moving(place: string, value: unknown): NonNullable<Manifest['dynamic']> {
+function readDynamic(place: string, value: unknown): NonNullable<Manifest['dynamic']> {
   const entry = object(place, value);
   return {
     geometry: fileName(`${place}.geometry`, entry['geometry']),
     parts: list(`${place}.parts`, entry['parts'], fileName),
     triangles: integer(`${place}.triangles`, entry['triangles'], 0),
-    instances: list(`${place}.instances`, entry['instances'], movingEntry),
+    instances: list(`${place}.instances`, entry['instances'], readInstance),
   };
 }
 
-function movingEntry(place: string, value: unknown): MovingEntry {
+function readInstance(place: string, value: unknown): MovingEntry {
   const entry = object(place, value);
   const row = (name: string, item: unknown): number[] =>
     list(name, item, (column, cell) => number(column, cell, -MAX_COORDINATE, MAX_COORDINATE), 4);

@@ -1,6 +1,6 @@
 /** Sphere collection in the page, loaded as a separate script only by its users. */
 import type { Point } from '../bundle/manifest';
-import { type Pose, subtract, type Vector } from '../control/pose';
+import { clamp, type Pose, unit, type Vector } from '../control/pose';
 import type { Host, Room } from '../room';
 import { FrameError } from '../rooms/bytes';
 import { CLOCK } from '../rooms/clock';
@@ -23,33 +23,26 @@ const MAX_GROUPS = 8;
 /** Least seconds between two moves to a seat, and metres that a seat may lie outside of the rectangle. */
 const [SEAT_INTERVAL, SEAT_MARGIN] = [3, 2] as const;
 
-export interface Collecting extends Activity {
-  /** State of the task; null before the user is in the room. */
-  readonly task: Task | null;
-}
-
 /** Starts the sphere collection for a room's users, with rules from the page's address. */
-export function begin(room: Room, host: Host): Collecting | null {
+export function begin(room: Room, host: Host): void {
   document.head.append(make('link', { rel: 'stylesheet', href: new URL('collect.css', import.meta.url).href }));
   const parameters = readRules(new URLSearchParams(location.search));
-  if (typeof parameters === 'string') {
-    host.announce(parameters);
-    return null;
-  }
-  return collect(room, host, parameters);
+  if (typeof parameters === 'string') host.announce(parameters);
+  else collect(room, host, parameters);
 }
 
-function collect(room: Room, host: Host, parameters: RuleParameters): Collecting {
+function collect(room: Room, host: Host, parameters: RuleParameters): void {
   const { viewer } = host;
   const ball = createBall(viewer.shared);
   const rays = new Map<number, Ray>();
   const groups = new Map<number, number>();
-  const frames = createFrames();
   const panel = createPanel(host.root, start);
   let task: Task | null = null;
   let pose: Pose | null = null;
   let seatedStage = '';
   let [updatedAt, seatedAt] = [-Infinity, -Infinity];
+  /** Number of frames in the trial, and times of its first and its last frame. */
+  let [frameCount, firstFrame, lastFrame] = [0, 0, 0];
 
   function start(): void {
     if (!task || !pose || !canStart(task)) return;
@@ -81,11 +74,12 @@ function collect(room: Room, host: Host, parameters: RuleParameters): Collecting
     const stage = trial ? `${trial.run} ${trial.trial}` : '';
     if (stage === seatedStage || now - seatedAt < SEAT_INTERVAL) return;
     seatedStage = stage;
-    frames.restart(now);
+    [frameCount, firstFrame, lastFrame] = [0, now, now];
     if (!seat || !trial || !isNearBox(trial.area, seat)) return;
     seatedAt = now;
-    const [x, , z] = subtract(middleOf(trial), seat);
-    host.go({ position: seat, yaw: Math.atan2(-x, -z), pitch: 0 });
+    const [[minX, , minZ], [maxX, , maxZ]] = trial.box;
+    const yaw = Math.atan2(seat[0] - (minX + maxX) / 2, seat[2] - (minZ + maxZ) / 2);
+    host.go({ position: seat, yaw, pitch: 0 });
     host.announce(`Trial ${trial.trial} of ${trial.trials}: all aim at the sphere at the same time`);
   }
 
@@ -111,13 +105,13 @@ function collect(room: Room, host: Host, parameters: RuleParameters): Collecting
   }
 
   function show(of: Task | null, now: number): void {
-    const { trial, heldSince } = of ?? { trial: null, heldSince: null };
-    if (!of || !trial || room.connection.state.kind !== 'here') {
+    const trial = room.connection.state.kind === 'here' ? of?.trial : null;
+    if (!of || !trial) {
       ball.show(null, 0, 0, 0);
       return;
     }
-    const held = heldSince === null ? 0 : (now - heldSince) / Math.max(trial.hold, 1e-3);
-    ball.show(of.place(now), trial.radius, of.aims.length / of.needed, Math.min(held, 1));
+    const heldShare = of.heldSince === null ? 0 : (now - of.heldSince) / Math.max(trial.hold, 1e-3);
+    ball.show(of.place(now), trial.radius, of.aims.length / of.needed, Math.min(heldShare, 1));
   }
 
   function cardState(now: number): CardState {
@@ -129,24 +123,25 @@ function collect(room: Room, host: Host, parameters: RuleParameters): Collecting
       .sort(([a], [b]) => a - b)
       .slice(0, MAX_GROUPS)
       .map(([other, { spheres, misses }]) => `Group ${other}: ${spheres} spheres, ${misses} misses`);
-    const { roundTrips } = room.connection;
-    const trial = task.trial && trialState(task, task.trial, now, frames.rate, roundTrips.median);
+    const frameRate = frameCount > 0 && lastFrame > firstFrame ? frameCount / (lastFrame - firstFrame) : null;
+    const trial = task.trial && trialState(task, task.trial, now, frameRate, room.connection.roundTrips.median);
     const instruction = instructionFor(task, canStart(task));
     return { instruction, canStart: canStart(task), trial, otherScores: others.join(' · ') };
   }
 
-  const collecting: Collecting = {
-    get task() {
+  const collecting = {
+    /** State of the task; null before the user is in the room. */
+    get task(): Task | null {
       return task;
     },
-    get meshes() {
+    get meshes(): Activity['meshes'] {
       return ball.meshes;
     },
-    get isPointing() {
+    get isPointing(): boolean {
       return task?.trial?.over === false;
     },
-    place: (center: Point) => ball.place(center),
-    hear(frame: FromServer, now: number) {
+    place: (center: Point): void => ball.place(center),
+    hear(frame: FromServer, now: number): void {
       if (frame.kind === 'welcome') enter(frame.user);
       else if (frame.kind === 'joined') {
         groups.set(frame.user, frame.group);
@@ -162,11 +157,11 @@ function collect(room: Room, host: Host, parameters: RuleParameters): Collecting
         conduct(now);
       } else if (frame.kind === 'say') hearPayload(frame.user, frame.payload, now);
     },
-    frame(at: Pose, body: Body, now: number) {
-      pose = at;
+    frame(userPose: Pose, body: Body, now: number): void {
+      pose = userPose;
       if (task) storeRay(rays, task.user, body);
       conduct(now);
-      if (task?.trial?.over === false) frames.count(now);
+      if (task?.trial?.over === false) [frameCount, lastFrame] = [frameCount + 1, now];
       show(task, now);
       if (now - updatedAt < CARD_INTERVAL) return;
       updatedAt = now;
@@ -185,29 +180,19 @@ function collect(room: Room, host: Host, parameters: RuleParameters): Collecting
     }
   }
   room.begin(collecting);
-  return collecting;
 }
 
-/** Stores the ray of a user's pointer, if there is one. */
+/** Stores the ray of a user's pointer, or removes it if the user points no longer. */
 function storeRay(rays: Map<number, Ray>, user: number, body: Body): void {
-  const from = body.pointer && body[body.pointer.begin];
-  if (!from) {
-    rays.delete(user);
-    return;
-  }
+  const origin = body.pointer && body[body.pointer.begin];
   // Quaternions in frames may deviate from length 1 by a tenth.
-  const [x, y, z] = rotate(from.rotation, [0, 0, -1]);
-  const size = Math.hypot(x, y, z) || 1;
-  rays.set(user, { begin: from.position, direction: [x / size, y / size, z / size] });
+  if (origin) rays.set(user, { begin: origin.position, direction: unit(rotate(origin.rotation, [0, 0, -1])) });
+  else rays.delete(user);
 }
 
-function middleOf({ box: [least, most] }: Trial): Vector {
-  return [(least[0] + most[0]) / 2, (least[1] + most[1]) / 2, (least[2] + most[2]) / 2];
-}
-
-/** Whether a place is in a box or at most `ASIDE` metres outside. */
+/** Whether a place is in a box or at most `SEAT_MARGIN` metres outside. */
 function isNearBox([least, most]: Box, place: Vector): boolean {
-  return place.every((at, axis) => at >= (least[axis] ?? at) - SEAT_MARGIN && at <= (most[axis] ?? at) + SEAT_MARGIN);
+  return place.every((value, axis) => Math.abs(value - clamp(value, least[axis] ?? value, most[axis] ?? value)) <= SEAT_MARGIN);
 }
 
 function instructionFor(task: Task, canStart: boolean): string {
@@ -229,22 +214,5 @@ function trialState(task: Task, trial: Trial, now: number, frames: number | null
     tallies: trial.tallies,
     framesPerSecond: frames,
     roundTrip,
-  };
-}
-
-function createFrames() {
-  let [frameCount, first, last] = [0, 0, 0];
-  return {
-    /** Frames per second since the restart; null before the second one. */
-    get rate(): number | null {
-      return frameCount > 0 && last > first ? frameCount / (last - first) : null;
-    },
-    restart(now: number): void {
-      [frameCount, first, last] = [0, now, now];
-    },
-    count(now: number): void {
-      frameCount += 1;
-      last = now;
-    },
   };
 }

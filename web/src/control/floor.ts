@@ -1,6 +1,6 @@
 /** Floor of the user in the world, the head above it, and destinations on it; independent of a headset. */
 import { type Bounds, clampToLimit } from './limit';
-import { addScaled, ahead, type Pose, rightOf, upOf, type Vector, wrapAngle } from './pose';
+import { addScaled, ahead, type Pose, rightOf, unit, upOf, type Vector, wrapAngle } from './pose';
 
 /** Origin of the headset's space in the world, metres, and its rotation about the vertical axis. */
 export interface Floor {
@@ -98,9 +98,7 @@ export interface Frame {
 export function directionTo(pose: Pose, [x, y]: readonly [number, number], { fov, aspect }: Frame): Vector {
   const height = Math.tan((fov * Math.PI) / 360);
   const across = addScaled(ahead(pose), rightOf(pose.yaw), (2 * x - 1) * height * aspect);
-  const [dx, dy, dz] = addScaled(across, upOf(pose), (1 - 2 * y) * height);
-  const size = Math.hypot(dx, dy, dz);
-  return [dx / size, dy / size, dz / size];
+  return unit(addScaled(across, upOf(pose), (1 - 2 * y) * height));
 }
 
 /** Place at the eye's own height for a direction; `hit` is the surface point seen there, or null. */

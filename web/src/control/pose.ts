@@ -38,13 +38,19 @@ export function upOf({ yaw, pitch }: Pick<Pose, 'yaw' | 'pitch'>): Vector {
   return [Math.sin(yaw) * Math.sin(pitch), Math.cos(pitch), Math.cos(yaw) * Math.sin(pitch)];
 }
 
-/** a + share · b. */
-export function addScaled(a: Vector, b: Vector, share: number): Vector {
-  return [a[0] + share * b[0], a[1] + share * b[1], a[2] + share * b[2]];
+/** a + factor · b. */
+export function addScaled(a: Vector, b: Vector, factor: number): Vector {
+  return [a[0] + factor * b[0], a[1] + factor * b[1], a[2] + factor * b[2]];
 }
 
 export function subtract(a: Vector, b: Vector): Vector {
   return [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+}
+
+/** Vector of length 1 in the same direction; the zero vector stays. */
+export function unit([x, y, z]: Vector): Vector {
+  const length = Math.hypot(x, y, z) || 1;
+  return [x / length, y / length, z / length];
 }
 
 export function isSamePose(a: Pose, b: Pose): boolean {

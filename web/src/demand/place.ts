@@ -3,7 +3,7 @@ import { choice, type Fields, integer, object, text } from '../bundle/checks';
 import { type ArrivingRegion, completeRegion, firstRings } from '../bundle/contents';
 import { BundleError } from '../bundle/error';
 import type { FileEntry, Manifest, MapEntry, RingEntry } from '../bundle/manifest';
-import { outlinedRing, readFiles, readManifest, ring as readRing, tilesOf } from '../bundle/parse';
+import { outlinedRing, readFiles, readManifest, readRing, tilesOf } from '../bundle/parse';
 
 /** Progress of the server with a place. */
 export type ServerProgress =

@@ -65,7 +65,7 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
   /** Ends waiting if no neighbour is left for which files wait. */
   function checkReady(): void {
     if (isOn === false) settle();
-    if (isOn === null || own === null || unannounced === null || unannounced > 0) return;
+    if (isOn === null || unannounced !== 0) return;
     const isOver = (user: number): boolean => failed.has(user) || dropped.has(user);
     if (neighbours().every((user) => isOver(user) || slots.get(user)?.hasGreeted)) settle();
   }
@@ -81,8 +81,8 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
   }
 
   function fail(user: number): void {
-    const place = slots.get(user);
-    if (place) remove(user, place);
+    const slot = slots.get(user);
+    if (slot) remove(user, slot);
     failed.add(user);
     checkReady();
   }
@@ -96,49 +96,43 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
 
   /** Begins a connection; null if the browser creates none. */
   function open(user: number, attempt: number): Slot | null {
+    const ifCurrent = (action: () => void): void => {
+      if (slots.get(user)?.call === call) action();
+    };
+    let call: Call;
     try {
-      return createPlace(user, attempt);
+      call = create({
+        opened: (line) => ifCurrent(() => {
+          slot.stop();
+          slot.isOpen = true;
+          opened(user, line);
+        }),
+        ended: () => ifCurrent(() => fail(user)),
+        refuse: (sentence) => ifCurrent(() => drop(user, sentence)),
+      });
     } catch {
       // Browsers allow a few hundred connections per page.
       fail(user);
       return null;
     }
-  }
-
-  function createPlace(user: number, attempt: number): Slot {
-    const isCurrent = (): boolean => slots.get(user) === place;
-    const call = create({
-      opened(line) {
-        if (!isCurrent()) return;
-        place.stop();
-        place.isOpen = true;
-        opened(user, line);
-      },
-      ended() {
-        if (isCurrent()) fail(user);
-      },
-      refuse(sentence) {
-        if (isCurrent()) drop(user, sentence);
-      },
-    });
     const stop = clock.later(CONNECT_TIMEOUT, () => fail(user));
-    const place: Slot = { attempt, call, stop, isOpen: false, hasGreeted: false };
-    slots.set(user, place);
-    return place;
+    const slot: Slot = { attempt, call, stop, isOpen: false, hasGreeted: false };
+    slots.set(user, slot);
+    return slot;
   }
 
   /** Sends a description when it is available; failure ends the connection. */
-  function describe(user: number, place: Slot, kind: 'offer' | 'answer', description: Promise<string>): void {
-    const isCurrent = (): boolean => slots.get(user) === place;
+  function describe(user: number, slot: Slot, kind: 'offer' | 'answer', description: Promise<string>): void {
+    const isCurrent = (): boolean => slots.get(user) === slot;
     description
-      .then((sdp) => isCurrent() && signal(user, { kind, attempt: place.attempt, sdp }))
+      .then((sdp) => isCurrent() && signal(user, { kind, attempt: slot.attempt, sdp }))
       .catch(() => isCurrent() && fail(user));
   }
 
   /** Sends offers to neighbours with greater numbers. */
   function offer(): void {
     // Before all users are known, other users may be neighbours than later, and would not answer.
-    if (!isOn || own === null || unannounced === null || unannounced > 0) return;
+    if (!isOn || own === null || unannounced !== 0) return;
     for (const user of neighbours()) {
       const isOther = user > own && !slots.has(user) && !failed.has(user) && !dropped.has(user);
       if (!isOther || slots.size >= MAX_CALLS) continue;
@@ -146,8 +140,8 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
         offerLater();
         return;
       }
-      const place = open(user, crypto.getRandomValues(new Uint32Array(1))[0] ?? 0);
-      if (place) describe(user, place, 'offer', place.call.offer());
+      const slot = open(user, crypto.getRandomValues(new Uint32Array(1))[0] ?? 0);
+      if (slot) describe(user, slot, 'offer', slot.call.offer());
     }
   }
 
@@ -162,21 +156,21 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
 
   /** Whether an offer is answered: only neighbours get this page's addresses and one of its connections. */
   function isAnswered(user: number): boolean {
-    const hasPlace = slots.has(user) || slots.size < MAX_CALLS;
-    return isOn === true && user < (own ?? 0) && hasPlace && neighbours().includes(user);
+    const hasSlot = slots.has(user) || slots.size < MAX_CALLS;
+    return isOn === true && user < (own ?? 0) && hasSlot && neighbours().includes(user);
   }
 
   function takeSignal(user: number, message: Signal): void {
-    const place = slots.get(user);
+    const slot = slots.get(user);
     if (message.kind === 'no') {
-      if (!place?.isOpen) fail(user);
+      if (!slot?.isOpen) fail(user);
     } else if (message.kind === 'answer') {
-      if (!place || place.isOpen || place.attempt !== message.attempt || user < (own ?? 0)) return;
-      place.call.take(message.sdp).catch(() => slots.get(user) === place && drop(user, 'its answer is invalid'));
+      if (!slot || slot.isOpen || slot.attempt !== message.attempt || user < (own ?? 0)) return;
+      slot.call.take(message.sdp).catch(() => slots.get(user) === slot && drop(user, 'its answer is invalid'));
     } else if (isOn === null) {
       early.set(user, message);
     } else if (isAnswered(user) && calls.take(1)) {
-      answer(user, message, place);
+      answer(user, message, slot);
     } else {
       refuse(user);
     }
@@ -191,8 +185,8 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
     }
     if (before) remove(user, before);
     failed.delete(user);
-    const place = open(user, message.attempt);
-    if (place) describe(user, place, 'answer', place.call.answer(message.sdp));
+    const slot = open(user, message.attempt);
+    if (slot) describe(user, slot, 'answer', slot.call.answer(message.sdp));
   }
 
   function refuse(user: number): void {
@@ -215,8 +209,8 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
     failed.delete(user);
     offers.delete(user);
     early.delete(user);
-    const place = slots.get(user);
-    if (place) remove(user, place);
+    const slot = slots.get(user);
+    if (slot) remove(user, slot);
   }
 
   function forget(): void {
@@ -242,8 +236,8 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
     drop,
     /** Records that a user has sent its list of files, which ends waiting for it. */
     greeted(user: number): void {
-      const place = slots.get(user);
-      if (place) place.hasGreeted = true;
+      const slot = slots.get(user);
+      if (slot) slot.hasGreeted = true;
       checkReady();
     },
     /** Forgets all users, because the user has left the room. */
@@ -261,7 +255,7 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
         // A returning user has a new page.
         leave(frame.user);
         users.add(frame.user);
-        if (unannounced !== null && unannounced > 0) unannounced -= 1;
+        if (unannounced) unannounced -= 1;
         if (isOn === false) refuse(frame.user);
       } else if (frame.kind === 'left') {
         leave(frame.user);
@@ -277,7 +271,7 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
     begin(on: boolean): void {
       isOn = on;
       if (!on) {
-        for (const [user, place] of [...slots]) remove(user, place);
+        for (const [user, slot] of [...slots]) remove(user, slot);
         for (const user of users) refuse(user);
       }
       offer();

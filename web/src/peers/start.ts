@@ -29,13 +29,6 @@ export interface PeersSettings {
   readonly signal: (user: number, payload: Uint8Array) => void;
 }
 
-/** Switch with which the user allows the exchange; available if nothing else prevents it. */
-export interface Switch {
-  readonly isOn: boolean;
-  /** Stores the choice. Off ends the exchange at once; on has an effect when the page is loaded again. */
-  set(isOn: boolean): void;
-}
-
 export type Peers = ReturnType<typeof startPeers>;
 
 /** Starts the exchange of files if all sides allow it. */
@@ -99,11 +92,13 @@ export function startPeers({ query, ask, files, wanted, isFirst, signal }: Peers
     else files.setRoute(null);
   }
 
-  const ownSwitch: Switch = {
-    get isOn() {
+  /** Switch with which the user allows the exchange. */
+  const ownSwitch = {
+    get isOn(): boolean {
       return choice.isOn;
     },
-    set(isOn) {
+    /** Stores the choice. Off ends the exchange at once; on has an effect when the page is loaded again. */
+    set(isOn: boolean): void {
       choice.set(isOn);
       if (!isOn && refusal === null) decide(SWITCHED_OFF);
     },
@@ -133,7 +128,7 @@ export function startPeers({ query, ask, files, wanted, isFirst, signal }: Peers
       return { ...share.counts, sent: sentBytes };
     },
     /** The switch; null if the exchange is impossible whatever the user chooses. */
-    get switch(): Switch | null {
+    get switch(): typeof ownSwitch | null {
       return refusal === null || refusal === SWITCHED_OFF ? ownSwitch : null;
     },
     /** Handles a frame of the server. */

@@ -1,5 +1,5 @@
 /** Card of the users in the room: names, buttons that mute pointers, the state of the connection, and arrivals. */
-import { button, copyText, icon, make, write } from '../ui/dom';
+import { button, copyText, iconButton, make, toolButton, write } from '../ui/dom';
 import { bytes, milliseconds } from '../ui/format';
 import { shownName } from './address';
 import type { State } from './connection';
@@ -62,16 +62,15 @@ export function createRoomCard(root: HTMLElement, commands: CardCommands) {
   );
   const corner = make('div', { class: 'here-corner' }, chip, card);
   const title = 'Hold to point at the middle of the picture (E at the cursor)';
-  const text = make('span', { class: 'tool-label' }, 'Point');
-  const point = make('button', { type: 'button', class: 'tool', title, 'aria-keyshortcuts': 'E' }, icon(ARROW_ICON), text);
+  const pointButton = toolButton(ARROW_ICON, 'Point', title, 'E');
   root.querySelector('.top')?.append(corner);
   const bar = root.querySelector('.tools');
-  bar?.append(point);
+  bar?.append(pointButton);
   bar?.classList.add('tools-many');
   chip.addEventListener('click', () => open(card.hidden !== false));
   open(false);
   const rows = new Map<number, Row>();
-  const ownRow = row();
+  const ownRow = createRow();
   let last: State | null = null;
 
   function open(isOpen: boolean): void {
@@ -94,14 +93,14 @@ export function createRoomCard(root: HTMLElement, commands: CardCommands) {
     joinButton.hidden = state.kind === 'here' || state.kind === 'joining';
     leaveButton.hidden = state.kind === 'ended';
     // Announces spontaneous changes, which the user may not see.
-    const isNewest = state !== last && 'words' in state;
-    if (isNewest && !(last && 'words' in last && last.words === state.words)) commands.announce(state.words);
+    const lastWords = last && 'words' in last ? last.words : null;
+    if (state !== last && 'words' in state && state.words !== lastWords) commands.announce(state.words);
     if (state.kind !== 'joining') last = state;
   }
 
   return {
     /** Button that is held to point at the middle of the picture. */
-    button: point,
+    button: pointButton,
     /** Updates the card, a few times a second. */
     update(state: State, room: Room): void {
       const isHere = state.kind === 'here';
@@ -112,12 +111,11 @@ export function createRoomCard(root: HTMLElement, commands: CardCommands) {
       for (const number of rows.keys()) if (!numbers.has(number)) rows.delete(number);
       ownRow.show(`${room.name} (you)`, isHere ? cssOf(state.user) : '', null);
       const others = room.guests.map((guest) => {
-        const found = rows.get(guest.number) ?? row((isMuted) => commands.mute(guest.number, isMuted));
-        rows.set(guest.number, found);
-        const isElsewhere = guest.group !== room.group;
-        const name = shownName(guest.name, guest.number);
-        found.show(isElsewhere ? `${name} (other group)` : name, cssOf(guest.number), guest.isMuted);
-        return found.element;
+        const guestRow = rows.get(guest.number) ?? createRow((isMuted) => commands.mute(guest.number, isMuted));
+        rows.set(guest.number, guestRow);
+        const suffix = guest.group === room.group ? '' : ' (other group)';
+        guestRow.show(`${shownName(guest.name, guest.number)}${suffix}`, cssOf(guest.number), guest.isMuted);
+        return guestRow.element;
       });
       arrange(list, [ownRow.element, ...others]);
     },
@@ -126,20 +124,19 @@ export function createRoomCard(root: HTMLElement, commands: CardCommands) {
       write(chip, 'No room');
       write(words, reason);
       chip.dataset['wrong'] = words.dataset['wrong'] = 'true';
-      for (const each of [joinButton, leaveButton, copyButton, point]) each.hidden = true;
+      for (const each of [joinButton, leaveButton, copyButton, pointButton]) each.hidden = true;
       commands.announce(reason);
       open(true);
     },
   };
 }
 
-type Row = ReturnType<typeof row>;
+type Row = ReturnType<typeof createRow>;
 
-function row(mute?: (isMuted: boolean) => void) {
+function createRow(mute?: (isMuted: boolean) => void) {
   const dot = make('span', { class: 'here-dot', 'aria-hidden': 'true' });
   const name = make('span', { class: 'here-name' });
-  const button = make('button', { type: 'button', class: 'button-icon' }, icon(RAY_ICON));
-  button.addEventListener('click', () => mute?.(button.getAttribute('aria-pressed') !== 'true'));
+  const button = iconButton(RAY_ICON, '', '', () => mute?.(button.getAttribute('aria-pressed') !== 'true'));
   return {
     element: make('li', {}, dot, name, ...(mute ? [button] : [])),
     /** Updates the row; `isMuted` is null for users who cannot be muted. */
@@ -185,12 +182,11 @@ function wordsOf(state: State): string {
 }
 
 /** Reorders children without touching those that are in place. */
-function arrange(list: HTMLElement, wanted: readonly HTMLElement[]): void {
-  const kept = new Set<Element>(wanted);
-  for (const child of [...list.children]) if (!kept.has(child)) child.remove();
+function arrange(list: HTMLElement, children: readonly HTMLElement[]): void {
+  for (const child of [...list.children]) if (!children.some((other) => other === child)) child.remove();
   // Rows in place keep the focus.
-  wanted.forEach((child, at) => {
-    if (list.children[at] !== child) list.insertBefore(child, list.children[at] ?? null);
+  children.forEach((child, index) => {
+    if (list.children[index] !== child) list.insertBefore(child, list.children[index] ?? null);
   });
 }
 

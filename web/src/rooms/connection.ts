@@ -45,7 +45,7 @@ export function connect(settings: ConnectionSettings) {
   /** Previous socket until the server has closed it. */
   let closing: Socket | null = null;
   let ticket = settings.ticket ?? new Uint8Array();
-  let pause: number = MIN_DELAY;
+  let delay: number = MIN_DELAY;
   let [enteredAt, sequence] = [0, 0];
   let stop = (): void => undefined;
   /** Other users who receive this user's poses. */
@@ -69,24 +69,24 @@ export function connect(settings: ConnectionSettings) {
   function enter(): void {
     stop();
     closing = null;
-    const own = open(relayOf(page, address), {
+    const opening = open(relayOf(page, address), {
       opened() {
-        if (socket === own) send({ kind: 'hello', group: address.group, name: address.name, ticket });
+        if (socket === opening) send({ kind: 'hello', group: address.group, name: address.name, ticket });
       },
       received(data) {
-        if (socket === own) take(data);
+        if (socket === opening) take(data);
       },
       closed(code) {
-        if (socket === own) {
+        if (socket === opening) {
           socket = null;
           end(endOfCode(code, state.kind === 'here'));
-        } else if (closing === own) {
+        } else if (closing === opening) {
           closing = null;
           if (state.kind === 'joining') enter();
         }
       },
     });
-    socket = own;
+    socket = opening;
     stop = later(WELCOME_TIMEOUT, () => end({ message: 'The room does not answer.', isFinal: false }));
   }
 
@@ -135,8 +135,8 @@ export function connect(settings: ConnectionSettings) {
 
   /** Whether a pose is newer than all others of a present user: datagrams overtake each other and the stream. */
   function isNewest(user: number, sequence: number): boolean {
-    const known = newest.get(user);
-    if (known === undefined || sequence <= known) return false;
+    const newestSequence = newest.get(user);
+    if (newestSequence === undefined || sequence <= newestSequence) return false;
     newest.set(user, sequence);
     return true;
   }
@@ -167,11 +167,10 @@ export function connect(settings: ConnectionSettings) {
       set({ kind: 'ended', words: message });
       return;
     }
-    if (wasStable) pause = MIN_DELAY;
-    const before = pause;
-    pause = Math.min(2 * pause, MAX_DELAY);
-    stop = later(before, join);
-    set({ kind: 'waiting', words: message, seconds: before });
+    const seconds = wasStable ? MIN_DELAY : delay;
+    delay = Math.min(2 * seconds, MAX_DELAY);
+    stop = later(seconds, join);
+    set({ kind: 'waiting', words: message, seconds });
   }
 
   join();

@@ -31,6 +31,12 @@ export function iconButton(path: string, label: string, title: string, action: (
   return element;
 }
 
+/** Creates a button of the bar with an icon and a label; the title says the effect and the key. */
+export function toolButton(path: string, label: string, title: string, key: string): HTMLButtonElement {
+  const text = make('span', { class: 'tool-label' }, label);
+  return make('button', { type: 'button', class: 'tool', title, 'aria-keyshortcuts': key }, icon(path), text);
+}
+
 /** Finds an element of the document; throws an error if there is none of this kind. */
 export function find<T extends HTMLElement>(selector: string, kind: abstract new () => T): T {
   const element = document.querySelector(selector);

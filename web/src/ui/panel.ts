@@ -1,7 +1,7 @@
 /** Panel with its buttons and keys. */
 import { messageOf } from '../base/errors';
 import type { Mode } from '../control/controls';
-import { copyText, icon, iconButton, ICONS, make, saveFile, write } from './dom';
+import { copyText, iconButton, ICONS, make, saveFile, toolButton, write } from './dom';
 import { createHelp, listen, type Name, SHORTCUTS } from './help';
 import { showProblems } from './messages';
 import { MIDDLE } from './overlays';
@@ -92,10 +92,9 @@ export function createPanel(root: HTMLElement, commands: Commands) {
       reflect({ mode: name });
       speak(name === 'walk' ? 'Walking' : 'Orbiting');
     } else if (name === 'split') {
-      const wanted = !isDivided;
-      reflect({ isDivided: wanted });
-      commands.setDivider(wanted ? MIDDLE : null);
-      speak(wanted ? 'Left conventional, right continuous' : 'Continuous');
+      reflect({ isDivided: !isDivided });
+      commands.setDivider(isDivided ? MIDDLE : null);
+      speak(isDivided ? 'Left conventional, right continuous' : 'Continuous');
     } else if (name === 'photo') {
       saveFile(await commands.screenshot(), `nearfar ${new Date().toISOString().slice(0, 19).replace(/\D/g, '-')}.png`);
       announce('Picture saved');
@@ -166,19 +165,21 @@ export function createPanel(root: HTMLElement, commands: Commands) {
     if (complete && !wasComplete) speak('All rings are shown');
     else if (status.ring !== wasRing) speak(`Ring ${status.ring} of ${status.rings} is shown`);
     [wasRing, wasComplete] = [status.ring, complete];
-    const made = progressText(status);
+    const progress = progressText(status);
     // The wait depends on other users or the server.
-    if (made !== null && made !== lastProgress && isDelayed(status)) announce(`The place is not ready yet: ${made}`);
-    lastProgress = made;
-    const texts = status.problems.join('\n');
-    if (texts !== problems) showProblems(status.problems, () => run('retry'));
-    problems = texts;
+    const isNews = progress !== null && progress !== lastProgress && isDelayed(status);
+    if (isNews) announce(`The place is not ready yet: ${progress}`);
+    lastProgress = progress;
+    const lines = status.problems.join('\n');
+    if (lines !== problems) showProblems(status.problems, () => run('retry'));
+    problems = lines;
   }
 
   function showHeadset(): void {
-    const found = headsetOf(commands);
-    headset.hidden = !found;
-    label(headset, found?.isPresenting ? 'Leave VR' : 'Enter VR');
+    const command = headsetOf(commands);
+    headset.hidden = !command;
+    const label = headset.querySelector('.tool-label');
+    if (label) write(label, command?.isPresenting ? 'Leave VR' : 'Enter VR');
     write(headsetNote, typeof commands.headset === 'string' ? commands.headset : '');
     headsetNote.hidden = typeof commands.headset !== 'string';
   }
@@ -188,12 +189,12 @@ export function createPanel(root: HTMLElement, commands: Commands) {
     update(status: Status): void {
       announceChanges(status);
       figures.update(status);
-      const none = status.serverProgress ? 0 : 1;
-      const share = status.expected > 0 ? Math.min(status.received / status.expected, 1) : none;
+      const emptyShare = status.serverProgress ? 0 : 1;
+      const loadedShare = status.expected > 0 ? Math.min(status.received / status.expected, 1) : emptyShare;
       line.hidden = wasComplete;
       line.dataset['stuck'] = String(problems !== '');
-      line.style.setProperty('--share', share.toFixed(4));
-      line.setAttribute('aria-valuenow', String(Math.floor(100 * share)));
+      line.style.setProperty('--share', loadedShare.toFixed(4));
+      line.setAttribute('aria-valuenow', String(Math.floor(100 * loadedShare)));
       write(chip, summaryOf(status));
       showHeadset();
       reflect({});
@@ -205,16 +206,10 @@ export function createPanel(root: HTMLElement, commands: Commands) {
 }
 
 /** Creates a button of the bar, with its effect and its key in the title. */
-function tool(name: Name, label: string, drawing: string): HTMLButtonElement {
+function tool(name: Name, label: string, path: string): HTMLButtonElement {
   const { label: key, does } = SHORTCUTS[name];
   const title = `${does.charAt(0).toUpperCase()}${does.slice(1)} (${key})`;
-  const text = make('span', { class: 'tool-label' }, label);
-  return make('button', { type: 'button', class: 'tool', title, 'aria-keyshortcuts': key }, icon(drawing), text);
-}
-
-function label(button: HTMLButtonElement, text: string): void {
-  const place = button.querySelector('.tool-label');
-  if (place) write(place, text);
+  return toolButton(path, label, title, key);
 }
 
 function headsetOf({ headset }: Commands): HeadsetCommand | null {

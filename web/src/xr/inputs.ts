@@ -1,6 +1,6 @@
 /** Input of a frame: rays of the hands, tracked joints, and sticks that walk and turn. */
 import { applyDeadZone, type Drive, NO_MOTION } from '../control/drive';
-import type { Vector } from '../control/pose';
+import { unit, type Vector } from '../control/pose';
 
 declare global {
   interface XRFrame {
@@ -59,9 +59,7 @@ export function readInputs(frame: XRFrame, space: XRReferenceSpace): Input[] {
 /** Returns the ray of a controller, which points along −z. */
 function rayOf(matrix: Float32Array): Ray {
   const at = (index: number): number => matrix[index] ?? 0;
-  const [x, y, z]: Vector = [-at(8), -at(9), -at(10)];
-  const size = Math.hypot(x, y, z) || 1;
-  return { origin: [at(12), at(13), at(14)], direction: [x / size, y / size, z / size] };
+  return { origin: [at(12), at(13), at(14)], direction: unit([-at(8), -at(9), -at(10)]) };
 }
 
 function stickOf({ axes, buttons, mapping }: Gamepad): Stick | null {
