@@ -1,31 +1,19 @@
 /** Card of the task: results so far, remaining time, and the figures of a trial at its end. */
 import { button, make, write } from '../ui/dom';
 import { milliseconds } from '../ui/format';
-import { LEVELS, type Tallies } from './messages';
+import { LEVELS, type Trial } from './messages';
+import type { Task } from './task';
 
 export interface CardState {
   readonly instruction: string;
   readonly canStart: boolean;
-  /** Null before the first trial. */
-  readonly trial: TrialState | null;
   /** Scores of other groups, as text. */
   readonly otherScores: string;
-}
-
-export interface TrialState {
-  /** Title, such as `Trial 1 of 3`. */
-  readonly title: string;
-  readonly secondsLeft: number;
-  /** Level of the sphere; empty without a sphere. */
-  readonly level: string;
-  /** Users who aim at the sphere and users needed, such as `1/2`; empty without a sphere. */
-  readonly aiming: string;
-  readonly spheres: number;
-  readonly misses: number;
-  readonly isOver: boolean;
-  readonly tallies: Tallies;
-  /** Null if unknown. */
-  readonly framesPerSecond: number | null;
+  /** Null outside the room. */
+  readonly task: Task | null;
+  readonly now: number;
+  /** Frames per second; null if unknown. */
+  readonly frameRate: number | null;
   /** Seconds; null if unknown. */
   readonly roundTrip: number | null;
 }
@@ -63,22 +51,23 @@ export function createPanel(root: HTMLElement, start: () => void) {
   );
   root.querySelector('.bottom')?.prepend(card);
 
-  function showTrial({ title: name, isOver, ...state }: TrialState): void {
-    write(title, name);
-    figures.hidden = isOver;
-    table.hidden = speedLine.hidden = !isOver;
-    const counts = [state.spheres, state.misses].map(String);
-    const texts = [formatClock(state.secondsLeft), state.level || '–', state.aiming || '–', ...counts];
+  function showTrial(task: Task, trial: Trial, { now, frameRate, roundTrip }: CardState): void {
+    write(title, `Trial ${trial.trial} of ${trial.trials}`);
+    figures.hidden = trial.over;
+    table.hidden = speedLine.hidden = !trial.over;
+    const aiming = task.sphere ? `${task.aims.length}/${task.needed}` : '–';
+    const counts = [task.count, task.missed + task.misses].map(String);
+    const texts = [formatClock(trial.duration - task.elapsed(now)), task.sphere?.level ?? '–', aiming, ...counts];
     texts.forEach((text, index) => figureCells[index] && write(figureCells[index], text));
-    state.tallies.forEach(({ spheres, seconds, misses }, index) => {
+    trial.tallies.forEach(({ spheres, seconds, misses }, index) => {
       const cells = [String(spheres), spheres > 0 ? (seconds / spheres).toFixed(2) : '–', String(misses)];
       cells.forEach((text, column) => {
         const cell = rows[index]?.[column];
         if (cell) write(cell, text);
       });
     });
-    const rateText = state.framesPerSecond === null ? [] : [`${state.framesPerSecond.toFixed(1)} frames a second`];
-    const tripText = state.roundTrip === null ? [] : [`round trip ${milliseconds(1000 * state.roundTrip)}`];
+    const rateText = frameRate === null ? [] : [`${frameRate.toFixed(1)} frames a second`];
+    const tripText = roundTrip === null ? [] : [`round trip ${milliseconds(1000 * roundTrip)}`];
     write(speedLine, [...rateText, ...tripText].join(', '));
   }
 
@@ -89,7 +78,7 @@ export function createPanel(root: HTMLElement, start: () => void) {
       write(otherScores, state.otherScores);
       otherScores.hidden = state.otherScores === '';
       startButton.hidden = !state.canStart;
-      if (state.trial) showTrial(state.trial);
+      if (state.task?.trial) showTrial(state.task, state.task.trial, state);
       else figures.hidden = table.hidden = speedLine.hidden = true;
     },
   };

@@ -10,8 +10,8 @@ import type { Activity } from '../rooms/pointing';
 import { type Body, rotate } from '../rooms/pose';
 import { make } from '../ui/dom';
 import { createBall, pointBeside } from './ball';
-import { audienceOf, type Box, type Message, read, type Trial, write } from './messages';
-import { type CardState, createPanel, type TrialState } from './panel';
+import { audienceOf, type Box, type Message, read, write } from './messages';
+import { type CardState, createPanel } from './panel';
 import { readRules, type RuleParameters, rulesAt } from './rules';
 import type { Ray } from './spheres';
 import { Task } from './task';
@@ -115,18 +115,20 @@ function collect(room: Room, host: Host, parameters: RuleParameters): void {
   }
 
   function cardState(now: number): CardState {
-    const isHere = room.connection.state.kind === 'here';
-    if (!task || !isHere) return { instruction: 'Not in the room', canStart: false, trial: null, otherScores: '' };
+    const frameRate = frameCount > 0 && lastFrame > firstFrame ? frameCount / (lastFrame - firstFrame) : null;
+    const common = { now, frameRate, roundTrip: room.connection.roundTrips.median };
+    if (!task || room.connection.state.kind !== 'here') {
+      return { ...common, instruction: 'Not in the room', canStart: false, task: null, otherScores: '' };
+    }
     const { group } = task;
-    const others = [...task.scores]
+    const scores = [...task.scores]
       .filter(([other]) => other !== group)
       .sort(([a], [b]) => a - b)
       .slice(0, MAX_GROUPS)
       .map(([other, { spheres, misses }]) => `Group ${other}: ${spheres} spheres, ${misses} misses`);
-    const frameRate = frameCount > 0 && lastFrame > firstFrame ? frameCount / (lastFrame - firstFrame) : null;
-    const trial = task.trial && trialState(task, task.trial, now, frameRate, room.connection.roundTrips.median);
-    const instruction = instructionFor(task, canStart(task));
-    return { instruction, canStart: canStart(task), trial, otherScores: others.join(' · ') };
+    const isStartable = canStart(task);
+    const instruction = instructionFor(task, isStartable);
+    return { ...common, instruction, canStart: isStartable, task, otherScores: scores.join(' · ') };
   }
 
   const collecting = {
@@ -200,19 +202,4 @@ function instructionFor(task: Task, canStart: boolean): string {
   if (task.trial && !task.isOver) return 'The next trial begins in a moment';
   if (canStart) return `Users of your group: ${task.present.size}. Look to where the spheres should appear, and start.`;
   return task.user === task.conductor ? 'Waiting for others of your group' : `#${task.conductor} starts the trials`;
-}
-
-function trialState(task: Task, trial: Trial, now: number, frames: number | null, roundTrip: number | null): TrialState {
-  return {
-    title: `Trial ${trial.trial} of ${trial.trials}`,
-    secondsLeft: trial.duration - task.elapsed(now),
-    level: task.sphere?.level ?? '',
-    aiming: task.sphere ? `${task.aims.length}/${task.needed}` : '',
-    spheres: task.count,
-    misses: task.missed + task.misses,
-    isOver: trial.over,
-    tallies: trial.tallies,
-    framesPerSecond: frames,
-    roundTrip,
-  };
 }

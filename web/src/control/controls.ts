@@ -6,8 +6,6 @@ import { createPointers, type Mode, type Thumb } from './pointers';
 import { isSamePose, type Pose } from './pose';
 import { createWalk } from './walk';
 
-export type { Mode, Thumb };
-
 /** Longest time per update, seconds: a page that was hidden continues where it was. */
 const MAX_SECONDS = 0.5;
 

@@ -57,15 +57,8 @@ export function createPeer({ number, line, shelf, budget, now, sent, greeted, re
     }
   }
 
-  const outlet = {
-    get bufferedAmount() {
-      return line.bufferedAmount;
-    },
-    send,
-    sent,
-  };
   const downloads = createDownloads(send, refuse);
-  const uploads = createUploads(outlet, shelf, budget, now);
+  const uploads = createUploads(line, send, sent, shelf, budget, now);
 
   function learn(holding: Holding, keys: readonly string[]): void {
     for (const key of keys) {

@@ -37,17 +37,21 @@ export interface ShareSettings {
   readonly fetch: (name: string, signal: AbortSignal) => Promise<ArrayBuffer>;
 }
 
-export interface Counts {
-  /** Bytes and files received from other pages, and from the server. */
-  readonly others: { bytes: number; files: number };
-  readonly server: { bytes: number; files: number };
+/** Bytes and files received from a source. */
+interface Count {
+  bytes: number;
+  files: number;
 }
 
 export type Share = ReturnType<typeof createShare>;
 
 export function createShare(settings: ShareSettings) {
   const { store, described, wanted, isFirst, own, peers, ready, fetch } = settings;
-  const counts: Counts = { others: { bytes: 0, files: 0 }, server: { bytes: 0, files: 0 } };
+  /** Counts by source: other pages, and the server. */
+  const counts: Readonly<Record<'others' | 'server', Count>> = {
+    others: { bytes: 0, files: 0 },
+    server: { bytes: 0, files: 0 },
+  };
   /** Received bytes of each file in transfer; files requested from the server. */
   const arriving = new Map<string, number>();
   const requested = new Set<string>();

@@ -8,7 +8,7 @@ import { createChoice, refusalOfPage, refusalOfServer, SWITCHED_OFF } from './ch
 import { TICK } from './downloads';
 import { createMesh } from './mesh';
 import { createPeer, type Peer } from './peer';
-import { type Counts, createShare } from './share';
+import { createShare } from './share';
 import { createBudget } from './uploads';
 
 /** Maximum number of bytes of files that this page stores for others. */
@@ -124,7 +124,7 @@ export function startPeers({ query, ask, files, wanted, isFirst, signal }: Peers
       return [...peers.keys()];
     },
     /** Bytes and files received from other pages and from the server; bytes sent to other pages. */
-    get counts(): Counts & { readonly sent: number } {
+    get counts() {
       return { ...share.counts, sent: sentBytes };
     },
     /** The switch; null if the exchange is impossible whatever the user chooses. */

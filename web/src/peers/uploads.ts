@@ -22,19 +22,20 @@ export interface Shelf {
   sizeOf(key: string): number;
 }
 
-/** Subset of the channel that uploads use. */
-export interface Outlet {
-  readonly bufferedAmount: number;
-  send(message: Message): void;
-  sent(bytes: number): void;
-}
-
 /** Budget of bytes that a page sends to all others. */
 export function createBudget(now: Clock['now']): Bucket {
   return createBucket(BYTES_RATE, BYTES_BURST, now);
 }
 
-export function createUploads(outlet: Outlet, shelf: Shelf, budget: Bucket, now: Clock['now']) {
+/** Creates the uploads to a page; `sent` is called with the number of sent bytes of files. */
+export function createUploads(
+  line: { readonly bufferedAmount: number },
+  send: (message: Message) => void,
+  sent: (bytes: number) => void,
+  shelf: Shelf,
+  budget: Bucket,
+  now: Clock['now'],
+) {
   const rate = createBucket(FILES_PER_SECOND, FILES_AT_ONCE, now);
   /** Number of times that the page got each file; keys are those of files that were present here. */
   const sendCounts = new Map<string, number>();
@@ -56,7 +57,7 @@ export function createUploads(outlet: Outlet, shelf: Shelf, budget: Bucket, now:
   /** Queues a file, or answers that there is none. */
   function queue(request: number, file: Blob | null): void {
     if (file) ready.set(request, file);
-    else outlet.send({ kind: 'none', request });
+    else send({ kind: 'none', request });
     void sendAll();
   }
 
@@ -64,12 +65,12 @@ export function createUploads(outlet: Outlet, shelf: Shelf, budget: Bucket, now:
   async function sendParts(request: number, file: Blob): Promise<void> {
     for (let begin = 0; begin < file.size; begin += READ_BYTES) {
       const data = new Uint8Array(await file.slice(begin, begin + READ_BYTES).arrayBuffer());
-      while (outlet.bufferedAmount > MAX_BUFFERED_BYTES) await new Promise<void>((done) => (resume = done));
+      while (line.bufferedAmount > MAX_BUFFERED_BYTES) await new Promise<void>((done) => (resume = done));
       for (let at = 0; at < data.length; at += PART) {
         if (!ready.has(request)) return;
         const part = data.subarray(at, at + PART);
-        outlet.send({ kind: 'part', request, data: part });
-        outlet.sent(part.length);
+        send({ kind: 'part', request, data: part });
+        sent(part.length);
       }
     }
   }
@@ -79,7 +80,7 @@ export function createUploads(outlet: Outlet, shelf: Shelf, budget: Bucket, now:
       await sendParts(request, file);
     } catch {
       // The browser cannot read the blob any more.
-      if (ready.has(request)) outlet.send({ kind: 'none', request });
+      if (ready.has(request)) send({ kind: 'none', request });
     }
     ready.delete(request);
   }
@@ -106,16 +107,16 @@ export function createUploads(outlet: Outlet, shelf: Shelf, budget: Bucket, now:
       // Recorded before `obtain`, so that the file is not requested from the page that waits for it.
       waiting.set(request, key);
       if (!isFast && shelf.obtain(key)) {
-        outlet.send({ kind: 'wait', request, bytes: shelf.sizeOf(key) });
+        send({ kind: 'wait', request, bytes: shelf.sizeOf(key) });
       } else {
         waiting.delete(request);
-        outlet.send({ kind: 'none', request });
+        send({ kind: 'none', request });
       }
       return null;
     },
     cancel(request: number): void {
       const isOpen = ready.delete(request) || waiting.delete(request);
-      if (isOpen) outlet.send({ kind: 'none', request });
+      if (isOpen) send({ kind: 'none', request });
     },
     /** Whether the other page waits for a file that is in transfer. */
     awaits: (key: string): boolean => [...waiting.values()].includes(key),
@@ -130,7 +131,7 @@ export function createUploads(outlet: Outlet, shelf: Shelf, budget: Bucket, now:
     },
     /** Reports the progress of files that are waited for. */
     tick(): void {
-      for (const [request, key] of waiting) outlet.send({ kind: 'wait', request, bytes: shelf.sizeOf(key) });
+      for (const [request, key] of waiting) send({ kind: 'wait', request, bytes: shelf.sizeOf(key) });
     },
     /** Continues when the browser can buffer more. */
     pump: (): void => resume(),

@@ -1,6 +1,6 @@
 /** Panel with its buttons and keys. */
 import { messageOf } from '../base/errors';
-import type { Mode } from '../control/controls';
+import type { Mode } from '../control/pointers';
 import { copyText, iconButton, ICONS, make, saveFile, toolButton, write } from './dom';
 import { createHelp, listen, type Name, SHORTCUTS } from './help';
 import { showProblems } from './messages';

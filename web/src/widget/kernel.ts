@@ -19,18 +19,13 @@ interface Piece {
   readonly bytes: number;
 }
 
-interface PendingPiece {
-  readonly done: (piece: Piece) => void;
-  readonly failed: (reason: Error) => void;
-}
-
 export interface KernelSource extends Source {
   dispose(): void;
 }
 
 /** Opens the bundle of a model; `received` is called with the bytes of all files. */
 export async function openKernel(model: Model, received: Received, signal: AbortSignal): Promise<KernelSource> {
-  const waiting = new Map<string, PendingPiece>();
+  const waiting = new Map<string, { done(piece: Piece): void; failed(reason: Error): void }>();
   // Answers reach every view of the model, so that ids must be unique.
   const viewId = Math.random().toString(36).slice(2);
   let last = 0;
