@@ -4,7 +4,7 @@ import type { Point } from '../bundle/manifest';
 import { directionTo } from '../control/floor';
 import { addScaled, type Pose, subtract, type Vector } from '../control/pose';
 import type { ScreenPoint } from '../rooms/hold';
-import { createMesh, type Drawn, geometryOf, ribbon } from '../rooms/meshes';
+import { createMesh, createRibbon, type Drawn } from '../rooms/meshes';
 import { morphOf } from '../rooms/pointing';
 import { HEAD } from '../rooms/shaders';
 import { shownAt } from '../rooms/unmorph';
@@ -25,7 +25,7 @@ export function createBall(shared: Shared) {
     placement: { value: placement },
   });
   const arc = (base: Color | undefined, shares: { value: number[] }): Drawn =>
-    createMesh(geometryOf(ribbon(PIECES, 0)), shared, RING_VERTEX, { UNLIT: '' }, {
+    createMesh(createRibbon(PIECES, 0), shared, RING_VERTEX, { UNLIT: '' }, {
       base_color: { value: new Vector4(base?.r, base?.g, base?.b, 1) },
       begin: { value: begin },
       radius: size,

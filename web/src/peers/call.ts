@@ -113,35 +113,35 @@ const MAX_QUEUED_SIGNALS = 64;
 /** Queue of signals that respects the rate limit of a room. */
 export function createOutbox(send: (user: number, payload: Uint8Array) => void, clock: Clock) {
   const bucket = createBucket(BYTES_PER_SECOND, BURST_BYTES, clock.now);
-  let waiting: (readonly [user: number, payload: Uint8Array])[] = [];
-  let isWaiting = false;
+  let queue: (readonly [user: number, payload: Uint8Array])[] = [];
+  let isScheduled = false;
 
   function flush(): void {
-    for (let next = waiting[0]; next; next = waiting[0]) {
+    for (let [next] = queue; next; [next] = queue) {
       const [user, payload] = next;
       const size = Math.min(Math.max(payload.length, MIN_SIGNAL_BYTES), BURST_BYTES);
       if (!bucket.take(size)) {
-        isWaiting = true;
+        isScheduled = true;
         clock.later(bucket.secondsTo(size) + 0.01, () => {
-          isWaiting = false;
+          isScheduled = false;
           flush();
         });
         return;
       }
-      waiting = waiting.slice(1);
+      queue = queue.slice(1);
       send(user, payload);
     }
   }
 
   return {
     send(user: number, payload: Uint8Array): void {
-      if (waiting.length >= MAX_QUEUED_SIGNALS) return;
-      waiting.push([user, payload]);
-      if (!isWaiting) flush();
+      if (queue.length >= MAX_QUEUED_SIGNALS) return;
+      queue.push([user, payload]);
+      if (!isScheduled) flush();
     },
     /** Discards queued signals. */
     clear(): void {
-      waiting = [];
+      queue = [];
     },
   };
 }

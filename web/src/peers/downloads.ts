@@ -39,7 +39,7 @@ interface Download {
 /** Creates the downloads from a page; `refuse` is called with a sentence if a file has the wrong content. */
 export function createDownloads(send: (message: Message) => void, refuse: (sentence: string) => void) {
   const downloads = new Map<number, Download>();
-  let last = 0;
+  let lastRequest = 0;
 
   function finish(download: Download, answer: Answer): void {
     if (download.hasEnded) return;
@@ -55,7 +55,7 @@ export function createDownloads(send: (message: Message) => void, refuse: (sente
     send({ kind: 'cancel', request });
   }
 
-  function part(request: number, download: Download, bytes: Uint8Array): string | null {
+  function receivePart(request: number, download: Download, bytes: Uint8Array): string | null {
     const { file } = download;
     const expected = Math.min(PART, file.bytes - download.size);
     if (bytes.length === 0 || bytes.length !== expected) return 'a part has a wrong length';
@@ -73,9 +73,9 @@ export function createDownloads(send: (message: Message) => void, refuse: (sente
   }
 
   async function check(download: Download, data: ArrayBuffer): Promise<void> {
-    const isRight = (await sha256(data)) === download.file.sha256;
-    finish(download, isRight ? data : 'wrong');
-    if (!isRight) refuse('a file has the wrong content');
+    const isCorrect = (await sha256(data)) === download.file.sha256;
+    finish(download, isCorrect ? data : 'wrong');
+    if (!isCorrect) refuse('a file has the wrong content');
   }
 
   return {
@@ -85,25 +85,25 @@ export function createDownloads(send: (message: Message) => void, refuse: (sente
     },
     /** Whether the page can take a request: it has room, and no abandoned request is open. */
     get isFree(): boolean {
-      return downloads.size < MAX_DOWNLOADS && ![...downloads.values()].some(({ hasEnded: isOver }) => isOver);
+      return downloads.size < MAX_DOWNLOADS && ![...downloads.values()].some(({ hasEnded }) => hasEnded);
     },
     /** Requests a file; `received` is called with its bytes, and with a negative number if they do not count. */
     ask(file: RequestedFile, signal: AbortSignal, received: Received): Promise<Answer> {
       signal.throwIfAborted();
-      const request = ++last;
+      const request = ++lastRequest;
       return new Promise((done, failed) => {
-        const stopped = (): void => {
+        const onAbort = (): void => {
           failed(signal.reason as Error);
           cancel(request, download, 'none');
         };
-        const ended = (answer: Answer): void => {
-          signal.removeEventListener('abort', stopped);
+        const onAnswer = (answer: Answer): void => {
+          signal.removeEventListener('abort', onAbort);
           done(answer);
         };
         const counts = { size: 0, reported: -1, quietTicks: 0, ageTicks: 0 };
-        const download: Download = { file, received, done: ended, data: null, hasEnded: false, ...counts };
+        const download: Download = { file, received, done: onAnswer, data: null, hasEnded: false, ...counts };
         downloads.set(request, download);
-        signal.addEventListener('abort', stopped, { once: true });
+        signal.addEventListener('abort', onAbort, { once: true });
         send({ kind: 'want', request, key: file.sha256 });
       });
     },
@@ -112,7 +112,7 @@ export function createDownloads(send: (message: Message) => void, refuse: (sente
       const { request } = message;
       const download = downloads.get(request);
       if (!download) return 'a message answers no open request';
-      if (message.kind === 'part') return part(request, download, message.data);
+      if (message.kind === 'part') return receivePart(request, download, message.data);
       if (message.kind === 'wait') {
         if (message.bytes > download.file.bytes) return 'more bytes are reported than the file has';
         if (message.bytes > download.reported) download.quietTicks = 0;
@@ -128,9 +128,9 @@ export function createDownloads(send: (message: Message) => void, refuse: (sente
         if (download.hasEnded) continue;
         download.quietTicks += 1;
         download.ageTicks += 1;
-        const { quietTimeout: patience, requestTimeout: longest, minRate: slowest, bytes } = download.file;
-        const isLate = TICK * download.ageTicks > longest + bytes / slowest;
-        if (isLate || TICK * download.quietTicks > patience) cancel(request, download, 'silent');
+        const { quietTimeout, requestTimeout, minRate, bytes } = download.file;
+        const isLate = TICK * download.ageTicks > requestTimeout + bytes / minRate;
+        if (isLate || TICK * download.quietTicks > quietTimeout) cancel(request, download, 'silent');
       }
     },
     /** Ends all requests, because the page is gone. */

@@ -46,14 +46,14 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
   /** Number of offers from each user. */
   const offers = new Map<number, number>();
   /** Offers that arrived before it was known whether this page connects. */
-  const early = new Map<number, Signal>();
+  const earlyOffers = new Map<number, Signal>();
   let own: number | null = null;
   let isOn: boolean | null = null;
   /** Number of present users that the server has not announced yet. */
   let unannounced: number | null = null;
   let settle = (): void => undefined;
   const ready = new Promise<void>((done) => (settle = done));
-  let [hasEntered, ticks, isLate] = [false, WAIT_TICKS, false];
+  let [hasEntered, ticks, isOfferScheduled] = [false, WAIT_TICKS, false];
 
   function wait(): void {
     ticks -= 1;
@@ -66,17 +66,15 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
   function checkReady(): void {
     if (isOn === false) settle();
     if (isOn === null || unannounced !== 0) return;
-    const isOver = (user: number): boolean => failed.has(user) || dropped.has(user);
-    if (neighbours().every((user) => isOver(user) || slots.get(user)?.hasGreeted)) settle();
+    const isExcluded = (user: number): boolean => failed.has(user) || dropped.has(user);
+    if (neighbours().every((user) => isExcluded(user) || slots.get(user)?.hasGreeted)) settle();
   }
 
   /** Returns the nearest users by number; the relation is symmetric. */
   function neighbours(): number[] {
     const others = [...users].sort((a, b) => a - b);
     if (others.length <= 2 * NEIGHBOURS_PER_SIDE) return others;
-    const after = others.findIndex((user) => user > (own ?? 0));
-    const begin = after < 0 ? others.length : after;
-    const circle = [...others.slice(begin), ...others.slice(0, begin)];
+    const circle = [...others.filter((user) => user > (own ?? 0)), ...others.filter((user) => user <= (own ?? 0))];
     return [...circle.slice(0, NEIGHBOURS_PER_SIDE), ...circle.slice(-NEIGHBOURS_PER_SIDE)];
   }
 
@@ -146,10 +144,10 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
   }
 
   function offerLater(): void {
-    if (isLate) return;
-    isLate = true;
+    if (isOfferScheduled) return;
+    isOfferScheduled = true;
     clock.later(calls.secondsTo(1), () => {
-      isLate = false;
+      isOfferScheduled = false;
       offer();
     });
   }
@@ -168,7 +166,7 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
       if (!slot || slot.isOpen || slot.attempt !== message.attempt || user < (own ?? 0)) return;
       slot.call.take(message.sdp).catch(() => slots.get(user) === slot && drop(user, 'its answer is invalid'));
     } else if (isOn === null) {
-      early.set(user, message);
+      earlyOffers.set(user, message);
     } else if (isAnswered(user) && calls.take(1)) {
       answer(user, message, slot);
     } else {
@@ -176,14 +174,14 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
     }
   }
 
-  function answer(user: number, message: Signal, before: Slot | undefined): void {
+  function answer(user: number, message: Signal, oldSlot: Slot | undefined): void {
     const count = (offers.get(user) ?? 0) + 1;
     offers.set(user, count);
     if (count > MAX_OFFERS) {
       drop(user, 'it offers too often');
       return;
     }
-    if (before) remove(user, before);
+    if (oldSlot) remove(user, oldSlot);
     failed.delete(user);
     const slot = open(user, message.attempt);
     if (slot) describe(user, slot, 'answer', slot.call.answer(message.sdp));
@@ -208,7 +206,7 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
     users.delete(user);
     failed.delete(user);
     offers.delete(user);
-    early.delete(user);
+    earlyOffers.delete(user);
     const slot = slots.get(user);
     if (slot) remove(user, slot);
   }
@@ -275,8 +273,8 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
         for (const user of users) refuse(user);
       }
       offer();
-      if (on) for (const [user, message] of early) takeSignal(user, message);
-      early.clear();
+      if (on) for (const [user, message] of earlyOffers) takeSignal(user, message);
+      earlyOffers.clear();
       checkReady();
     },
   };

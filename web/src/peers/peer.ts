@@ -46,7 +46,7 @@ export function createPeer({ number, line, shelf, budget, now, sent, greeted, re
   const requests = createBucket(REQUEST_RATE, REQUEST_BURST, now);
   let [isOver, hasGreeted, ticks] = [false, false, 0];
   /** Ticks in which requests remained unanswered. */
-  const silences = new Set<number>();
+  const timeouts = new Set<number>();
 
   function send(message: Message): void {
     if (isOver) return;
@@ -67,7 +67,7 @@ export function createPeer({ number, line, shelf, budget, now, sent, greeted, re
     }
   }
 
-  function follow(message: Message): string | null {
+  function handle(message: Message): string | null {
     const cost = message.kind === 'part' ? 0 : message.kind === 'tell' ? 1 + message.keys.length / KEYS_PER_MESSAGE : 1;
     if (!messages.take(cost)) return 'it sends too many messages';
     switch (message.kind) {
@@ -95,7 +95,7 @@ export function createPeer({ number, line, shelf, budget, now, sent, greeted, re
     if (isOver) return;
     try {
       if (!(data instanceof ArrayBuffer)) throw new FrameError('a message is text instead of bytes');
-      const sentence = follow(readMessage(new Uint8Array(data)));
+      const sentence = handle(readMessage(new Uint8Array(data)));
       if (sentence !== null) refuse(sentence);
     } catch (error) {
       if (!(error instanceof FrameError)) throw error;
@@ -109,22 +109,22 @@ export function createPeer({ number, line, shelf, budget, now, sent, greeted, re
       return downloads.open;
     },
     get isFree(): boolean {
-      return !isOver && silences.size < MAX_TIMEOUTS && downloads.isFree && requests.secondsTo(1) === 0;
+      return !isOver && timeouts.size < MAX_TIMEOUTS && downloads.isFree && requests.secondsTo(1) === 0;
     },
     /** State of a file on the page, as far as it is known. */
     holds: (key: string): Holding => known.get(key) ?? 'gone',
     /** Sends the state of files; the list may be empty. */
     tell(holding: Holding, keys: readonly string[]): void {
-      let at = 0;
+      let start = 0;
       do {
-        send({ kind: 'tell', holding, keys: keys.slice(at, at + MAX_FILES_PER_MESSAGE) });
-        at += MAX_FILES_PER_MESSAGE;
-      } while (at < keys.length);
+        send({ kind: 'tell', holding, keys: keys.slice(start, start + MAX_FILES_PER_MESSAGE) });
+        start += MAX_FILES_PER_MESSAGE;
+      } while (start < keys.length);
     },
     async ask(file: RequestedFile, signal: AbortSignal, received: Received): Promise<Answer> {
       requests.take(1);
       const answer = await downloads.ask(file, signal, received);
-      if (answer === 'silent') silences.add(ticks);
+      if (answer === 'silent') timeouts.add(ticks);
       if (answer === 'none') known.delete(file.sha256);
       return answer;
     },

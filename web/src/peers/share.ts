@@ -9,6 +9,7 @@ import type { FileEntry } from '../bundle/manifest';
 import type { Received, Serve } from '../bundle/source';
 import { sha256 } from '../base/bytes';
 import type { Answer } from './downloads';
+import type { Holding } from './messages';
 import type { Peer } from './peer';
 
 /**
@@ -62,15 +63,13 @@ export function createShare(settings: ShareSettings) {
     const number = own();
     const isUrgent = isFirst();
     if (number === null || (isUrgent && timedOutUsers.size >= MAX_TIMED_OUT_USERS)) return null;
-    const isPassed = (user: number): boolean => tried.has(user) || (isUrgent && timedOutUsers.has(user));
-    const free = peers().filter((peer) => peer.isFree && !peer.awaits(key) && !isPassed(peer.number));
-    const byLoad = (a: Peer, b: Peer): number => a.open - b.open || (isBefore(a.number, b.number, key) ? -1 : 1);
-    const [holder] = free.filter((peer) => peer.holds(key) === 'here').sort(byLoad);
-    if (holder) return holder;
-    const [asking] = free.filter((peer) => peer.holds(key) === 'coming').sort(byLoad);
-    if (asking) return asking;
-    const before = free.filter((peer) => isBefore(peer.number, number, key));
-    return before.sort((a, b) => (isBefore(a.number, b.number, key) ? -1 : 1))[0] ?? null;
+    const isExcluded = (user: number): boolean => tried.has(user) || (isUrgent && timedOutUsers.has(user));
+    const free = peers().filter((peer) => peer.isFree && !peer.awaits(key) && !isExcluded(peer.number));
+    const byWeight = (a: Peer, b: Peer): number => (isBefore(a.number, b.number, key) ? -1 : 1);
+    const leastLoaded = (holding: Holding): Peer | undefined =>
+      free.filter((peer) => peer.holds(key) === holding).sort((a, b) => a.open - b.open || byWeight(a, b))[0];
+    const [firstByWeight] = free.filter((peer) => isBefore(peer.number, number, key)).sort(byWeight);
+    return leastLoaded('here') ?? leastLoaded('coming') ?? firstByWeight ?? null;
   }
 
   async function fromOthers(file: FileEntry, signal: AbortSignal, received: Received): Promise<ArrayBuffer | null> {
@@ -80,7 +79,8 @@ export function createShare(settings: ShareSettings) {
     const tried = new Set<number>();
     for (let peer = choosePeer(key, tried); peer; peer = choosePeer(key, tried)) {
       tried.add(peer.number);
-      const answer: Answer = await peer.ask({ ...file, ...(isFirst() ? FIRST_PICTURE : AFTER_FIRST_PICTURE) }, signal, received);
+      const timeouts = isFirst() ? FIRST_PICTURE : AFTER_FIRST_PICTURE;
+      const answer: Answer = await peer.ask({ ...file, ...timeouts }, signal, received);
       if (answer instanceof ArrayBuffer) return answer;
       // A file of the first picture waits for only one page.
       if (answer === 'silent' && isFirst()) {
@@ -106,33 +106,11 @@ export function createShare(settings: ShareSettings) {
   }
 
   function keep(key: string, data: ArrayBuffer): void {
-    const gone = data.byteLength > store.maxBytes ? [] : store.add(key, new Blob([data]), data.byteLength);
+    const evicted = data.byteLength > store.maxBytes ? [] : store.add(key, new Blob([data]), data.byteLength);
     for (const peer of peers()) {
-      if (gone.length > 0) peer.tell('gone', gone);
+      if (evicted.length > 0) peer.tell('gone', evicted);
       if (store.has(key)) peer.tell('here', [key]);
     }
-  }
-
-  async function load(
-    file: FileEntry,
-    signal: AbortSignal,
-    received: Received,
-    serve: (received: Received) => Promise<ArrayBuffer>,
-  ): Promise<ArrayBuffer> {
-    const counted = (count: { bytes: number }): Received => (bytes) => {
-      arriving.set(file.sha256, (arriving.get(file.sha256) ?? 0) + bytes);
-      count.bytes += bytes;
-      received(bytes);
-    };
-    const peerData = await fromOthers(file, signal, counted(counts.others));
-    if (peerData) {
-      counts.others.files += 1;
-      keep(file.sha256, peerData);
-      return peerData;
-    }
-    const data = await fromServer(file.sha256, () => serve(counted(counts.server)));
-    counts.server.files += 1;
-    return data;
   }
 
   return {
@@ -148,9 +126,18 @@ export function createShare(settings: ShareSettings) {
         received(storedData.byteLength);
         return storedData;
       }
+      const countedBy = (source: 'others' | 'server'): Received => (bytes) => {
+        arriving.set(key, (arriving.get(key) ?? 0) + bytes);
+        counts[source].bytes += bytes;
+        received(bytes);
+      };
       arriving.set(key, 0);
       try {
-        return await load(file, signal, received, (told) => serve(name, signal, told));
+        const peerData = await fromOthers(file, signal, countedBy('others'));
+        if (peerData) keep(key, peerData);
+        const data = peerData ?? (await fromServer(key, () => serve(name, signal, countedBy('server'))));
+        counts[peerData ? 'others' : 'server'].files += 1;
+        return data;
       } finally {
         arriving.delete(key);
         for (const peer of peers()) peer.settle(key);

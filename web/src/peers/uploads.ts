@@ -42,22 +42,17 @@ export function createUploads(
   /** Requests for present files, in order; keys of requests for files in transfer. */
   const ready = new Map<number, Blob>();
   const waiting = new Map<number, string>();
-  let last = 0;
+  let lastRequest = 0;
   let isSending = false;
   let resume = (): void => undefined;
 
-  /** Returns the file if the limits of the page and the budget allow it, else null. */
-  function grant(key: string, found: Blob | null): Blob | null {
+  /** Queues a file; or answers that there is none, or that the limits of the page or the budget forbid it. */
+  function queue(request: number, key: string, file: Blob | null): void {
     const count = (sendCounts.get(key) ?? 0) + 1;
-    if (!found || count > MAX_SENDS_PER_PAGE || !budget.take(found.size)) return null;
-    sendCounts.set(key, count);
-    return found;
-  }
-
-  /** Queues a file, or answers that there is none. */
-  function queue(request: number, file: Blob | null): void {
-    if (file) ready.set(request, file);
-    else send({ kind: 'none', request });
+    if (file && count <= MAX_SENDS_PER_PAGE && budget.take(file.size)) {
+      sendCounts.set(key, count);
+      ready.set(request, file);
+    } else send({ kind: 'none', request });
     void sendAll();
   }
 
@@ -88,25 +83,25 @@ export function createUploads(
   async function sendAll(): Promise<void> {
     if (isSending) return;
     isSending = true;
-    for (let next = first(ready); next; next = first(ready)) await sendFile(...next);
+    for (let [next] = ready; next; [next] = ready) await sendFile(...next);
     isSending = false;
   }
 
   return {
     /** Handles a request; returns a sentence if it violates the protocol. */
     want(request: number, key: string): string | null {
-      if (request <= last) return 'a request reuses a number';
-      last = request;
+      if (request <= lastRequest) return 'a request reuses a number';
+      lastRequest = request;
       if (ready.size + waiting.size >= MAX_UPLOADS) return 'too many requests are open';
-      const isFast = !rate.take(1);
-      const found = isFast ? null : shelf.find(key);
-      if (found) {
-        queue(request, grant(key, found));
+      const isTooFast = !rate.take(1);
+      const file = isTooFast ? null : shelf.find(key);
+      if (file) {
+        queue(request, key, file);
         return null;
       }
       // Recorded before `obtain`, so that the file is not requested from the page that waits for it.
       waiting.set(request, key);
-      if (!isFast && shelf.obtain(key)) {
+      if (!isTooFast && shelf.obtain(key)) {
         send({ kind: 'wait', request, bytes: shelf.sizeOf(key) });
       } else {
         waiting.delete(request);
@@ -122,11 +117,11 @@ export function createUploads(
     awaits: (key: string): boolean => [...waiting.values()].includes(key),
     /** Handles that a file has arrived, or will not. */
     settle(key: string): void {
-      const found = shelf.find(key);
-      for (const [request, wanted] of waiting) {
-        if (wanted !== key) continue;
+      const file = shelf.find(key);
+      for (const [request, requestedKey] of waiting) {
+        if (requestedKey !== key) continue;
         waiting.delete(request);
-        queue(request, grant(key, found));
+        queue(request, key, file);
       }
     },
     /** Reports the progress of files that are waited for. */
@@ -141,8 +136,4 @@ export function createUploads(
       resume();
     },
   };
-}
-
-function first<K, V>(entries: ReadonlyMap<K, V>): [K, V] | undefined {
-  return entries.entries().next().value;
 }

@@ -32,11 +32,11 @@ export function createPointing(
   }
 
   return (pose, now) => {
-    const found = hands();
+    const rays = hands();
     hold.isAlways = activity()?.isPointing ?? false;
-    if (!hold.isAlways && !found?.some(({ isPointing }) => isPointing)) lengths.forget();
-    if (!found) return atScreen(pose, targetOf(pose, now));
-    return inHeadset(pose, found, hold.isAlways, ({ origin, direction }) =>
+    if (!hold.isAlways && !rays?.some(({ isPointing }) => isPointing)) lengths.forget();
+    if (!rays) return atScreen(pose, targetOf(pose, now));
+    return inHeadset(pose, rays, hold.isAlways, ({ origin, direction }) =>
       lengths.at(now, () => viewer.along(origin, direction) ?? DEFAULT_RANGE),
     );
   };
@@ -71,22 +71,16 @@ function atScreen(pose: Pose, target: Vector | null): Body {
  * Body of a user in a headset: a head, the tracked hands, and a pointer from the first pointing hand; if the user
  * always points, from the right hand or any other.
  */
-function inHeadset(
-  pose: Pose,
-  hands: readonly HandRay[],
-  isAlways: boolean,
-  lengthOf: (hand: HandRay) => number,
-): Body {
-  const placed = (side: HandRay['side']): Placed | null => {
-    const hand = hands.find((each) => each.side === side);
-    return hand ? { position: hand.origin, rotation: rotationAlong(hand.direction) } : null;
-  };
-  const other = isAlways ? (hands.find(({ side }) => side === 'right') ?? hands[0]) : undefined;
-  const pointing = hands.find((each) => each.isPointing) ?? other;
+function inHeadset(pose: Pose, hands: readonly HandRay[], isAlways: boolean, lengthOf: (hand: HandRay) => number): Body {
+  const handOf = (side: HandRay['side']): HandRay | undefined => hands.find((hand) => hand.side === side);
+  const placed = (hand: HandRay | undefined): Placed | null =>
+    hand ? { position: hand.origin, rotation: rotationAlong(hand.direction) } : null;
+  const defaultHand = isAlways ? (handOf('right') ?? hands[0]) : undefined;
+  const pointing = hands.find(({ isPointing }) => isPointing) ?? defaultHand;
   return {
     head: { position: pose.position, rotation: rotationOf(pose.yaw, pose.pitch) },
-    left: placed('left'),
-    right: placed('right'),
+    left: placed(handOf('left')),
+    right: placed(handOf('right')),
     pointer: pointing ? { begin: pointing.side, length: Math.min(lengthOf(pointing), FARTHEST) } : null,
   };
 }
@@ -97,14 +91,11 @@ const DEFAULT_RANGE = 100;
 const MAP_RADII = 2;
 
 /** Current morph of the picture, and the centre that it is relative to. */
-export function morphOf(
-  { facts }: Viewer,
-  nearShare: number,
-  pose: Pose,
-): { readonly center: Vector; readonly morph: Morph } {
+export function morphOf({ facts }: Viewer, nearShare: number, pose: Pose) {
   const { radius, strength } = facts.shown?.grown ?? { radius: 0, strength: 0 };
   const center: Vector = facts.entry?.center ?? pose.position;
-  return { center, morph: { user: subtract(pose.position, center), inner: nearShare * radius, radius, strength } };
+  const morph: Morph = { user: subtract(pose.position, center), inner: nearShare * radius, radius, strength };
+  return { center, morph };
 }
 
 /**
@@ -113,11 +104,10 @@ export function morphOf(
  */
 function targetAt(viewer: Viewer, nearShare: number, pose: Pose, [x, y]: ScreenPoint): Vector {
   const { center, morph } = morphOf(viewer, nearShare, pose);
-  const seen = viewer.pointAt(x, y);
-  if (seen && !viewer.isMorphedAt(x)) return seen;
-  if (seen) {
-    const found = pointShownAt(subtract(seen, pose.position), morph);
-    return found ? addScaled(center, found, 1) : seen;
+  const nearPoint = viewer.pointAt(x, y);
+  if (nearPoint) {
+    const origin = viewer.isMorphedAt(x) ? pointShownAt(subtract(nearPoint, pose.position), morph) : null;
+    return origin ? addScaled(center, origin, 1) : nearPoint;
   }
   const { camera, renderer, shared } = viewer;
   const direction = directionTo(pose, [x, y], camera);
@@ -128,14 +118,8 @@ function targetAt(viewer: Viewer, nearShare: number, pose: Pose, [x, y]: ScreenP
 /** Code of pixels without a range. */
 const NO_RANGE = 65535;
 
-export interface Texel {
-  readonly face: number;
-  readonly x: number;
-  readonly y: number;
-}
-
 /** Returns the texel of a cube map that GL samples for a direction. */
-export function texelOf([x, y, z]: Vector, size: number): Texel {
+export function texelOf([x, y, z]: Vector, size: number) {
   const [ax, ay, az] = [Math.abs(x), Math.abs(y), Math.abs(z)];
   const longest = Math.max(ax, ay, az);
   const [face, across, down] =
@@ -160,25 +144,22 @@ function rangeIn(renderer: WebGLRenderer, { codes, coding }: Shared, direction: 
   gl.readPixels(x, y, 1, 1, gl.RGBA_INTEGER, gl.UNSIGNED_INT, code);
   renderer.state.bindFramebuffer(gl.FRAMEBUFFER, null);
   gl.deleteFramebuffer(frame);
-  const [found = NO_RANGE] = code;
-  return found === NO_RANGE ? null : least * Math.exp(found * step);
+  const [rangeCode = NO_RANGE] = code;
+  return rangeCode === NO_RANGE ? null : least * Math.exp(rangeCode * step);
 }
 
 /** Creates a cache of a value that is computed less often than frames are drawn, at most once in `every` seconds. */
-export function createThrottled<Found>(every: number) {
-  let [found, next]: [{ readonly value: Found } | null, number] = [null, 0];
+export function createThrottled<Value>(every: number) {
+  let cached: { readonly value: Value; readonly end: number } | null = null;
   return {
-    /** Returns the cached value; calls `look` if it is too old or was discarded. */
-    at(now: number, look: () => Found): Found {
-      if (!found || now >= next) {
-        found = { value: look() };
-        next = now + every;
-      }
-      return found.value;
+    /** Returns the cached value; calls `compute` if it is too old or was discarded. */
+    at(now: number, compute: () => Value): Value {
+      if (!cached || now >= cached.end) cached = { value: compute(), end: now + every };
+      return cached.value;
     },
     /** Discards the cached value. */
     forget(): void {
-      found = null;
+      cached = null;
     },
   };
 }

@@ -24,9 +24,9 @@ export function createPresence() {
   const muted = new Set<number>();
   let guests: readonly Guest[] = [];
 
-  function removeGuest(number: number): readonly Guest[] {
+  function removeGuest(number: number): void {
     tracks.delete(number);
-    return guests.filter((guest) => guest.number !== number);
+    guests = guests.filter((guest) => guest.number !== number);
   }
 
   /** Forgets all users, because the connection is closed. */
@@ -43,13 +43,13 @@ export function createPresence() {
     clear,
     hear(frame: FromServer, now: number): void {
       if (frame.kind === 'welcome') clear();
-      else if (frame.kind === 'left') guests = removeGuest(frame.user);
+      else if (frame.kind === 'left') removeGuest(frame.user);
       else if (frame.kind === 'joined') {
         const { user: number, group, name } = frame;
-        const others = removeGuest(number);
+        removeGuest(number);
         tracks.set(number, createTrack());
         const guest = { number, group, name, isMuted: muted.has(number) };
-        guests = [...others, guest].sort((a, b) => a.number - b.number);
+        guests = [...guests, guest].sort((a, b) => a.number - b.number);
       } else if (frame.kind === 'pose') {
         tracks.get(frame.user)?.hear(frame.pose, now);
       }

@@ -42,14 +42,14 @@ export function createSender(send: (body: Body, stops: boolean) => boolean) {
 }
 
 function isSameBody(a: Body, b: Body): boolean {
-  const isSameHand = (side: 'head' | 'left' | 'right'): boolean => isSamePlaced(a[side], b[side]);
-  return isSameHand('head') && isSameHand('left') && isSameHand('right') && isSamePointer(a.pointer, b.pointer);
+  const parts = ['head', 'left', 'right'] as const;
+  return parts.every((part) => isSamePlaced(a[part], b[part])) && isSamePointer(a.pointer, b.pointer);
 }
 
 function isSamePlaced(a: Placed | null, b: Placed | null): boolean {
   if (!a || !b) return a === b;
-  const isNear = (of: readonly number[], other: readonly number[], most: number): boolean =>
-    of.every((value, axis) => Math.abs(value - (other[axis] ?? 0)) <= most);
+  const isNear = (u: readonly number[], v: readonly number[], tolerance: number): boolean =>
+    u.every((value, axis) => Math.abs(value - (v[axis] ?? 0)) <= tolerance);
   return isNear(a.position, b.position, MAX_SHIFT) && isNear(a.rotation, b.rotation, MAX_TURN);
 }
 

@@ -3,6 +3,7 @@
  * drawn with a delay: the jitter of its poses plus the interval between two of them. If that is too little, the
  * movement is extrapolated for a moment and stops. Times are in seconds.
  */
+import { clamp, subtract } from '../control/pose';
 import { between, type Body, type Pose } from './pose';
 
 /** Number of stored poses: more than half a second. */
@@ -71,21 +72,20 @@ export function createTrack() {
   }
 
   function bodyAt(time: number): Body | null {
-    const number = lastOf(samples, (sample) => sample.time <= time);
-    const [before, after] = [samples[number], samples[number + 1]];
+    const index = lastOf(samples, (sample) => sample.time <= time);
+    const [before, after] = [samples[index], samples[index + 1]];
     if (!before) return samples[0]?.body ?? null;
-    if (!after) return extrapolate(samples[number - 1], before, time);
+    if (!after) return extrapolate(samples[index - 1], before, time);
     const start = beginOf(before, after);
     return between(before.body, after.body, Math.max(time - start, 0) / (after.time - start));
   }
 
   function extrapolate(before: Sample | undefined, last: Sample, time: number): Body {
     if (!before || last.stops) return last.body;
-    const length = last.time - beginOf(before, last);
-    const [a, b] = [before.body.head.position, last.body.head.position];
-    const isJump = Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]) > MAX_SPEED * length;
-    if (isJump || !(length > 0)) return last.body;
-    return between(before.body, last.body, 1 + Math.min(time - last.time, MAX_EXTRAPOLATION) / length);
+    const duration = last.time - beginOf(before, last);
+    const move = subtract(last.body.head.position, before.body.head.position);
+    if (Math.hypot(...move) > MAX_SPEED * duration || !(duration > 0)) return last.body;
+    return between(before.body, last.body, 1 + Math.min(time - last.time, MAX_EXTRAPOLATION) / duration);
   }
 
   return {
@@ -110,7 +110,7 @@ export function createTrack() {
       const change = targetDelay - (delay ?? targetDelay);
       const maxChange = MAX_RATE_CHANGE * Math.max(now - drawnAt, 0);
       const isDrift = delay !== null && Math.abs(change) < MAX_DRIFT;
-      delay = isDrift ? (delay ?? 0) + Math.min(Math.max(change, -maxChange), maxChange) : targetDelay;
+      delay = isDrift ? (delay ?? 0) + clamp(change, -maxChange, maxChange) : targetDelay;
       drawnAt = now;
       return bodyAt(now - delay);
     },
@@ -122,11 +122,8 @@ export function createTrack() {
 }
 
 /** Returns the index of the last sample that satisfies a condition, or −1. */
-function lastOf(samples: readonly Sample[], isOfKind: (sample: Sample) => boolean): number {
-  let number = samples.length - 1;
-  for (; number >= 0; number--) {
-    const sample = samples[number];
-    if (sample && isOfKind(sample)) break;
-  }
-  return number;
+function lastOf(samples: readonly Sample[], condition: (sample: Sample) => boolean): number {
+  let index = samples.length - 1;
+  while (index >= 0 && !condition(samples[index] as Sample)) index -= 1;
+  return index;
 }
