@@ -50,9 +50,9 @@ async function main(): Promise<void> {
   let room: Room | null = null;
   let problems: readonly string[] = [];
   /** Pose that the user is moving to; pose whose loading has failed. */
-  let [wanted, missed]: (Pose | null)[] = [null, null];
+  let [targetPose, failedPose]: (Pose | null)[] = [null, null];
   const go = (target: Pose): void => {
-    wanted = target;
+    targetPose = target;
     viewer.go(target);
   };
   const retry = (): void => {
@@ -65,8 +65,8 @@ async function main(): Promise<void> {
     problems = [];
     clearMessage();
     viewer.retry();
-    if (missed) go(missed);
-    missed = null;
+    if (failedPose) go(failedPose);
+    failedPose = null;
   };
   const viewer = createViewer(canvas, {
     world,
@@ -78,7 +78,7 @@ async function main(): Promise<void> {
     isWhole: strategy.isWhole,
     failed(reason) {
       problems = [reason.message];
-      if (viewer.facts.goal === null) [wanted, missed] = [null, wanted];
+      if (viewer.facts.goal === null) [targetPose, failedPose] = [null, targetPose];
       const file = damagedFile(reason);
       if (file !== null) files.distrust(file);
       // Without ring 0 there is nothing to draw.
@@ -91,8 +91,8 @@ async function main(): Promise<void> {
     },
     moved(pose) {
       // The failed pose is no longer wanted.
-      if (missed) problems = [];
-      wanted = missed = null;
+      if (failedPose) problems = [];
+      targetPose = failedPose = null;
       controls.setPose(pose);
       headset?.place(pose);
     },

@@ -16,13 +16,13 @@ export async function sha256(bytes: BufferSource): Promise<string | null> {
 }
 
 export function concatBytes(parts: readonly Uint8Array[]): Uint8Array<ArrayBuffer> {
-  const whole = new Uint8Array(parts.reduce((sum, { length }) => sum + length, 0));
+  const all = new Uint8Array(parts.reduce((sum, { length }) => sum + length, 0));
   let offset = 0;
   for (const part of parts) {
-    whole.set(part, offset);
+    all.set(part, offset);
     offset += part.length;
   }
-  return whole;
+  return all;
 }
 
 /** Chunks of a stream, as they arrive; none of null. */
@@ -36,18 +36,18 @@ export async function* chunksOf(stream: ReadableStream<Uint8Array> | null): Asyn
       yield value as Uint8Array<ArrayBuffer>;
     }
   } finally {
-    // Ends a stream of which the rest is not wanted; a broken one has reported its error.
+    // Ends a stream that is not read to its end; a broken one has reported its error.
     reader.cancel().catch(() => undefined);
   }
 }
 
-/** Decompresses a zlib stream; throws an error for damaged data, and for more than `most` bytes. */
-export async function inflated(data: Uint8Array<ArrayBuffer>, most: number): Promise<Uint8Array<ArrayBuffer>> {
+/** Decompresses a zlib stream; throws an error for damaged data, and for more than `maxBytes` bytes. */
+export async function inflated(data: Uint8Array<ArrayBuffer>, maxBytes: number): Promise<Uint8Array<ArrayBuffer>> {
   const parts: Uint8Array[] = [];
   let size = 0;
   for await (const part of chunksOf(new Blob([data]).stream().pipeThrough(new DecompressionStream('deflate')))) {
     size += part.length;
-    if (size > most) throw new Error(`more than ${most} bytes`);
+    if (size > maxBytes) throw new Error(`more than ${maxBytes} bytes`);
     parts.push(part);
   }
   return concatBytes(parts);

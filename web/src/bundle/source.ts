@@ -37,7 +37,7 @@ export interface Files {
   /** Manifest entry of a file; undefined for unlisted files. */
   readonly described: (name: string) => FileEntry | undefined;
   /** Sets another way to fetch files; null for the server only. */
-  readonly setRoute: (way: Route | null) => void;
+  readonly setRoute: (route: Route | null) => void;
 }
 
 export interface Source extends Pick<Files, 'fetch' | 'distrust'> {
@@ -80,27 +80,27 @@ export function createFiles(
   network: Network = NETWORK,
 ): Files {
   const distrusted = new Set<string>();
-  let way: Route | null = null;
+  let route: Route | null = null;
 
-  const serve = serveListed(described, MAX_TRANSFERS, (name, bytes, own, onBytes) =>
-    withRetries(`${name} cannot be loaded`, own, network, (isRetry) => {
-      const isRenewed = distrusted.delete(name) || isRetry;
-      return transfer(new URL(name, base), { name, bytes, maxBytes: bytes }, onBytes, own, isRenewed, network);
+  const serve = serveListed(described, MAX_TRANSFERS, (name, bytes, signal, onBytes) =>
+    withRetries(`${name} cannot be loaded`, signal, network, (isRetry) => {
+      const mustReload = distrusted.delete(name) || isRetry;
+      return transfer(new URL(name, base), { name, bytes, maxBytes: bytes }, onBytes, signal, mustReload, network);
     }),
   );
 
-  const shared = createShared((name, own, onBytes) => {
-    const both: Received = (more) => {
-      received(more);
-      onBytes(more);
+  const shared = createShared((name, signal, onBytes) => {
+    const report: Received = (bytes) => {
+      received(bytes);
+      onBytes(bytes);
     };
-    return way ? way(name, own, both, serve) : serve(name, own, both);
+    return route ? route(name, signal, report, serve) : serve(name, signal, report);
   });
   return {
-    fetch: (name, own, onBytes = () => undefined) => shared(name, own, onBytes),
+    fetch: (name, signal, onBytes = () => undefined) => shared(name, signal, onBytes),
     distrust: (name) => distrusted.add(name),
     described,
-    setRoute: (next) => (way = next),
+    setRoute: (next) => (route = next),
   };
 }
 

@@ -105,10 +105,10 @@ export function directionTo(pose: Pose, [x, y]: readonly [number, number], { fov
 export function placeFor(eye: Vector, direction: Vector, hit: Vector | null): Vector {
   const ground = eye[1] - EYE_HEIGHT;
   if (hit && hit[1] <= ground + MAX_STEP_HEIGHT) return [hit[0], eye[1], hit[2]];
-  const level = Math.hypot(direction[0], direction[2]);
-  if (level === 0) return eye;
-  const free = hit ? Math.hypot(hit[0] - eye[0], hit[2] - eye[2]) - MIN_DISTANCE : FAR_STEP;
-  const toGround = direction[1] < 0 ? (EYE_HEIGHT * level) / -direction[1] : Number.POSITIVE_INFINITY;
-  const away = Math.max(Math.min(free, toGround), 0);
-  return [eye[0] + (away * direction[0]) / level, eye[1], eye[2] + (away * direction[2]) / level];
+  const horizontal = Math.hypot(direction[0], direction[2]);
+  if (horizontal === 0) return eye;
+  const freeDistance = hit ? Math.hypot(hit[0] - eye[0], hit[2] - eye[2]) - MIN_DISTANCE : FAR_STEP;
+  const groundDistance = direction[1] < 0 ? (EYE_HEIGHT * horizontal) / -direction[1] : Infinity;
+  const step = Math.max(Math.min(freeDistance, groundDistance), 0) / horizontal;
+  return [eye[0] + step * direction[0], eye[1], eye[2] + step * direction[2]];
 }

@@ -30,9 +30,7 @@ export function confine(from: Vector, to: Vector, bounds: Bounds | null): Vector
   const soft = bounds && withMostSpace(to, bounds.open);
   let place = soft ? slowDown(from, to, soft) : to;
   for (const wall of bounds?.shown ?? []) {
-    const end = Math.max(distance(from, wall), wall.metres);
-    const far = distance(place, wall);
-    if (far > end) place = atDistance(place, end, far, wall);
+    place = clampToLimit(place, { ...wall, metres: Math.max(distance(from, wall), wall.metres) });
   }
   return place;
 }
@@ -50,9 +48,8 @@ export function leadBack(position: Vector, bounds: Bounds | null, seconds: numbe
   const soft = bounds && withMostSpace(position, bounds.open);
   let place = position;
   for (const limit of new Set([...(soft ? [soft] : []), ...(bounds?.shown ?? [])])) {
-    const far = distance(place, limit);
-    if (far <= limit.metres) continue;
-    place = atDistance(place, limit.metres + (far - limit.metres) * Math.exp(-RETURN_RATE * seconds), far, limit);
+    const excess = distance(place, limit) - limit.metres;
+    if (excess > 0) place = atDistance(place, limit.metres + excess * Math.exp(-RETURN_RATE * seconds), limit);
   }
   return place;
 }
@@ -64,14 +61,13 @@ export function distance([x, , z]: Vector, { center }: Limit): number {
 
 /** The place, moved towards the centre's axis if it is beyond the limit. */
 export function clampToLimit(place: Vector, limit: Limit): Vector {
-  const far = distance(place, limit);
-  return far <= limit.metres ? place : atDistance(place, limit.metres, far, limit);
+  return distance(place, limit) <= limit.metres ? place : atDistance(place, limit.metres, limit);
 }
 
 /** The limit whose edge is farthest from an inside position. */
 function withMostSpace(place: Vector, limits: readonly Limit[]): Limit | null {
-  const room = (limit: Limit): number => limit.metres - distance(place, limit);
-  return limits.reduce<Limit | null>((best, each) => (best && room(best) >= room(each) ? best : each), null);
+  const space = (limit: Limit): number => limit.metres - distance(place, limit);
+  return limits.reduce<Limit | null>((best, each) => (best && space(best) >= space(each) ? best : each), null);
 }
 
 function slowDown(from: Vector, to: Vector, limit: Limit): Vector {
@@ -81,7 +77,7 @@ function slowDown(from: Vector, to: Vector, limit: Limit): Vector {
   if (after <= start) return to;
   const width = limit.metres - free;
   const end = start >= limit.metres ? start : limit.metres - (limit.metres - start) * Math.exp((start - after) / width);
-  return atDistance(to, end, after, limit);
+  return atDistance(to, end, limit);
 }
 
 /** Conservative estimate of the share of a step after which it reaches a distance. */
@@ -91,7 +87,9 @@ function shareOf(from: Vector, to: Vector, end: number, limit: Limit): number {
   return Math.max(end - before, 0) / (after - before);
 }
 
-function atDistance([x, y, z]: Vector, wanted: number, is: number, { center }: Limit): Vector {
-  const share = wanted / is;
-  return [center[0] + share * (x - center[0]), y, center[2] + share * (z - center[2])];
+/** Place in the same direction from the centre's axis, at another distance from it. */
+function atDistance(place: Vector, metres: number, limit: Limit): Vector {
+  const [[x, y, z], [centerX, , centerZ]] = [place, limit.center];
+  const factor = metres / distance(place, limit);
+  return [centerX + factor * (x - centerX), y, centerZ + factor * (z - centerZ)];
 }

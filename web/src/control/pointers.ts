@@ -111,19 +111,19 @@ export function createPointers(element: HTMLElement, actions: PointerActions) {
 
   /** One of two fingers has moved: their midpoint pans, their distance zooms. */
   function pinch(before: Press, after: Press, other: Press): void {
-    const [was, is] = [before, after].map(({ x, y }) => Math.hypot(x - other.x, y - other.y));
-    if (was && is) actions.zoom(was / is);
-    const half = (0.5 * PAN) * scale();
-    actions.pan(-(after.x - before.x) * half, (after.y - before.y) * half);
+    const [oldGap, newGap] = [before, after].map(({ x, y }) => Math.hypot(x - other.x, y - other.y));
+    if (oldGap && newGap) actions.zoom(oldGap / newGap);
+    const halfPan = 0.5 * PAN * scale();
+    actions.pan(-(after.x - before.x) * halfPan, (after.y - before.y) * halfPan);
   }
 
   function up(event: PointerEvent): void {
     if (event.pointerType === 'touch') taps.up(event);
-    if (presses.get(event.pointerId)?.task === 'step') rest();
+    if (presses.get(event.pointerId)?.task === 'step') stopThumb();
     presses.delete(event.pointerId);
   }
 
-  function rest(): void {
+  function stopThumb(): void {
     drive = NO_MOTION;
     actions.thumb(null);
   }
@@ -156,7 +156,7 @@ export function createPointers(element: HTMLElement, actions: PointerActions) {
   /** Discards all fingers, because the mode has changed. */
   function release(): void {
     presses.clear();
-    rest();
+    stopThumb();
     if (isLocked()) element.ownerDocument.exitPointerLock();
   }
 
@@ -179,7 +179,7 @@ const [MAX_TAP_MS, MAX_PAUSE_MS, MAX_TAP_PIXELS] = [300, 400, 16] as const;
 
 type Event = Pick<PointerEvent, 'pointerId' | 'clientX' | 'clientY' | 'timeStamp'>;
 
-/** `twice` receives the second tap. */
+/** `onDoubleTap` receives the second tap. */
 export function createTaps(onDoubleTap: (event: Event) => void) {
   const downs = new Map<number, Event>();
   let last: Event | null = null;
@@ -193,10 +193,10 @@ export function createTaps(onDoubleTap: (event: Event) => void) {
       downs.set(event.pointerId, event);
     },
     up(event: Event): void {
-      const begun = downs.get(event.pointerId);
+      const firstEvent = downs.get(event.pointerId);
       const isAlone = downs.size === 1;
       downs.delete(event.pointerId);
-      const isTap = begun && isAlone && event.timeStamp - begun.timeStamp <= MAX_TAP_MS && isNear(begun, event);
+      const isTap = firstEvent && isAlone && event.timeStamp - firstEvent.timeStamp <= MAX_TAP_MS && isNear(firstEvent, event);
       if (!isTap) {
         last = null;
         return;

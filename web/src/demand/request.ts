@@ -43,16 +43,16 @@ async function reasonOf(response: Response): Promise<string> {
   return text.replace(/^\d{3} [^:]*: /, '') || `the server answers ${response.status} ${response.statusText}`.trim();
 }
 
-/** Yields each line's document as soon as it is complete; rejects lines longer than `most` characters. */
-export async function* linesOf(name: string, response: Response, most: number): AsyncGenerator<unknown> {
+/** Yields each line's document as soon as it is complete; rejects lines longer than `maxLength` characters. */
+export async function* linesOf(name: string, response: Response, maxLength: number): AsyncGenerator<unknown> {
   const decoder = new TextDecoder();
-  let rest = '';
+  let partialLine = '';
   for await (const chunk of chunksOf(response.body)) {
-    const pieces = (rest + decoder.decode(chunk, { stream: true })).split('\n');
-    rest = pieces.pop() ?? '';
-    for (const piece of pieces) yield parseJson(name, piece);
-    if (rest.length > most) throw new BundleError(`${name}: expected lines of at most ${most} characters`);
+    const lines = (partialLine + decoder.decode(chunk, { stream: true })).split('\n');
+    partialLine = lines.pop() ?? '';
+    for (const line of lines) yield parseJson(name, line);
+    if (partialLine.length > maxLength) throw new BundleError(`${name}: expected lines of at most ${maxLength} characters`);
   }
-  rest += decoder.decode();
-  if (rest !== '') yield parseJson(name, rest);
+  partialLine += decoder.decode();
+  if (partialLine !== '') yield parseJson(name, partialLine);
 }

@@ -25,15 +25,15 @@ export interface KernelSource extends Source {
 
 /** Opens the bundle of a model; `received` is called with the bytes of all files. */
 export async function openKernel(model: Model, received: Received, signal: AbortSignal): Promise<KernelSource> {
-  const waiting = new Map<string, { done(piece: Piece): void; failed(reason: Error): void }>();
+  const pendingPieces = new Map<string, { done(piece: Piece): void; failed(reason: Error): void }>();
   // Answers reach every view of the model, so that ids must be unique.
   const viewId = Math.random().toString(36).slice(2);
   let last = 0;
 
   const onAnswer = (answer: Answer, buffers: readonly DataView[]): void => {
-    const pending = waiting.get(answer?.id);
+    const pending = pendingPieces.get(answer?.id);
     if (!pending) return;
-    waiting.delete(answer.id);
+    pendingPieces.delete(answer.id);
     const [buffer] = buffers;
     if ('problem' in answer) pending.failed(new BundleError(answer.problem));
     else if (!buffer) pending.failed(new BundleError('the kernel answers without a file'));
@@ -45,9 +45,9 @@ export async function openKernel(model: Model, received: Received, signal: Abort
   function ask(name: string, start: number, stop: AbortSignal): Promise<Piece> {
     const id = `${viewId}-${++last}`;
     return abortable<Piece>(stop, (done, failed) => {
-      waiting.set(id, { done, failed });
+      pendingPieces.set(id, { done, failed });
       model.send({ kind: 'read', id, name, start });
-      return () => waiting.delete(id);
+      return () => pendingPieces.delete(id);
     });
   }
 
@@ -78,7 +78,7 @@ export async function openKernel(model: Model, received: Received, signal: Abort
     distrust: () => undefined,
     dispose() {
       model.off('msg:custom', onAnswer);
-      waiting.clear();
+      pendingPieces.clear();
     },
   };
 }

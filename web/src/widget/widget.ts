@@ -68,11 +68,11 @@ function createView(model: Model, el: HTMLElement) {
   host.append(canvas, text);
   el.append(host);
   let problem = '';
-  const say = (said: string): void => {
-    if (text.textContent !== (problem || said)) text.textContent = problem || said;
+  /** Shows a text below the picture, or a problem instead of it until the problem is empty. */
+  const say = (line: string): void => {
+    if (text.textContent !== (problem || line)) text.textContent = problem || line;
   };
-  return { host, canvas, /** Shows a text below the picture, or a problem instead of it until that is empty. */
-    say, complain: (told: string): void => say((problem = told)) };
+  return { host, canvas, say, complain: (newProblem: string): void => say((problem = newProblem)) };
 }
 
 /** Draws frames until the returned function is called. */

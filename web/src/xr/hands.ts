@@ -12,30 +12,23 @@ export interface HandRay {
   readonly isPointing: boolean;
 }
 
-export type Hands = ReturnType<typeof createHands>;
-
-export function createHands(session: XRSession) {
-  const stop = new AbortController();
+/** Creates a function that returns the tracked hands above a floor, until the signal aborts. */
+export function createHands(session: XRSession, signal: AbortSignal) {
   const squeezed = new Set<XRInputSource>();
   let gesturing = new Set<XRInputSource>();
-  const { signal } = stop;
   session.addEventListener('squeezestart', ({ inputSource }) => squeezed.add(inputSource), { signal });
   session.addEventListener('squeezeend', ({ inputSource }) => squeezed.delete(inputSource), { signal });
 
-  return {
-    /** Returns the tracked hands above a floor. */
-    update(inputs: readonly Input[], floor: Floor): HandRay[] {
-      const turn = { position: [0, 0, 0], yaw: floor.yaw } as const;
-      const found = inputs.filter(({ source, joints }) => isPointing(joints, gesturing.has(source)));
-      gesturing = new Set(found.map(({ source }) => source));
-      return inputs.flatMap(({ source, ray }) => {
-        const { handedness: side } = source;
-        if (!ray || side === 'none') return [];
-        const [origin, direction] = [worldOf(floor, ray.origin), worldOf(turn, ray.direction)];
-        return [{ side, origin, direction, isPointing: squeezed.has(source) || gesturing.has(source) }];
-      });
-    },
-    dispose: (): void => stop.abort(),
+  return (inputs: readonly Input[], floor: Floor): HandRay[] => {
+    const turn = { position: [0, 0, 0], yaw: floor.yaw } as const;
+    const pointing = inputs.filter(({ source, joints }) => isPointing(joints, gesturing.has(source)));
+    gesturing = new Set(pointing.map(({ source }) => source));
+    return inputs.flatMap(({ source, ray }) => {
+      const { handedness: side } = source;
+      if (!ray || side === 'none') return [];
+      const [origin, direction] = [worldOf(floor, ray.origin), worldOf(turn, ray.direction)];
+      return [{ side, origin, direction, isPointing: squeezed.has(source) || gesturing.has(source) }];
+    });
   };
 }
 

@@ -24,7 +24,7 @@ const [HANDS, JOINTS] = [2, 25] as const;
 /** Radius and half length of a controller, radius of an arc's point, radii of the ring, metres. */
 const [CONTROLLER_RADIUS, CONTROLLER_HALF_LENGTH, ARC_POINT_RADIUS] = [0.018, 0.05, 0.012] as const;
 const RING = [0.22, 0.3] as const;
-const [FREE_COLOR, HELD_COLOR] = [0x4cc2ff, 0xffb84c] as const;
+const [FREE_COLOR, CLAMPED_COLOR] = [0x4cc2ff, 0xffb84c] as const;
 
 export function createLook() {
   const group = new Group();
@@ -40,10 +40,10 @@ export function createLook() {
     return mesh;
   });
   const light = new HemisphereLight(0xffffff, 0x666a70, 2.5);
-  const drawn = [...controllers, joints, points, ring];
-  for (const mesh of drawn) mesh.frustumCulled = false;
-  group.add(light, ...drawn);
-  const colors = { free: new Color(FREE_COLOR), held: new Color(HELD_COLOR) };
+  const meshes = [...controllers, joints, points, ring];
+  for (const mesh of meshes) mesh.frustumCulled = false;
+  group.add(light, ...meshes);
+  const colors = { free: new Color(FREE_COLOR), clamped: new Color(CLAMPED_COLOR) };
   const [matrix, scale] = [new Matrix4(), new Vector3()];
 
   function showControllers(inputs: readonly Input[]): void {
@@ -57,11 +57,11 @@ export function createLook() {
 
   function showJoints(inputs: readonly Input[]): void {
     let count = 0;
-    for (const { joints: found } of inputs) {
-      if (!found) continue;
-      for (let joint = 0; joint < found.radii.length && count < HANDS * JOINTS; joint++) {
-        matrix.fromArray(found.matrices, 16 * joint);
-        const radius = found.radii[joint] ?? 0;
+    for (const { joints: hand } of inputs) {
+      if (!hand) continue;
+      for (let joint = 0; joint < hand.radii.length && count < HANDS * JOINTS; joint++) {
+        matrix.fromArray(hand.matrices, 16 * joint);
+        const radius = hand.radii[joint] ?? 0;
         joints.setMatrixAt(count++, matrix.scale(scale.setScalar(radius)));
       }
     }
@@ -76,7 +76,7 @@ export function createLook() {
     ring.visible = aim !== null;
     if (!aim) return;
     ring.position.set(...aim.target);
-    mark.color.copy(aim.isHeld ? colors.held : colors.free);
+    mark.color.copy(aim.isClamped ? colors.clamped : colors.free);
   }
 
   return {
@@ -88,7 +88,7 @@ export function createLook() {
       showAim(aim);
     },
     dispose(): void {
-      for (const mesh of drawn) mesh.geometry.dispose();
+      for (const mesh of meshes) mesh.geometry.dispose();
       for (const mesh of [joints, points]) mesh.dispose();
       for (const material of [body, mark]) material.dispose();
       group.removeFromParent();

@@ -17,11 +17,11 @@ import type { Bounds } from '../control/limit';
 import type { Pose, Vector } from '../control/pose';
 import { createWalk } from '../control/walk';
 import type { Viewer } from '../show/viewer';
-import { createHands, type HandRay, type Hands } from './hands';
+import { createHands, type HandRay } from './hands';
 import { createSteering, type Input, readInputs, type Steering } from './inputs';
 import { createMapLayer } from './layer';
 import { createLook, type Look } from './look';
-import { type Aiming, createAiming, createJump, type Jump } from './teleport';
+import { createAiming, createJump, type Jump } from './teleport';
 
 export type Headset = ReturnType<typeof createHeadset>;
 
@@ -38,8 +38,10 @@ export interface HeadsetSettings {
 
 interface SessionState {
   readonly look: Look;
-  readonly aiming: Aiming;
-  readonly hands: Hands;
+  readonly aim: ReturnType<typeof createAiming>;
+  readonly findHands: ReturnType<typeof createHands>;
+  /** Ends listening to the session. */
+  readonly stop: AbortController;
   readonly steer: Steering;
   readonly jump: Jump;
   readonly walk: ReturnType<typeof createWalk>;
@@ -74,23 +76,24 @@ function createHeadset(viewer: Viewer, xr: XRSystem, settings: HeadsetSettings) 
       await session.end();
       throw reason;
     }
-    const begun = begin(session);
-    state = begun;
-    rig.add(begun.look.group);
-    renderer.xr.getReferenceSpace()?.addEventListener('reset', () => (begun.isMoved = true));
+    const newState = begin(session);
+    state = newState;
+    rig.add(newState.look.group);
+    renderer.xr.getReferenceSpace()?.addEventListener('reset', () => (newState.isMoved = true));
     if (settings.isStatic) viewer.setMapLayer(createMapLayer(renderer, viewer.faceSize));
   }
 
   function begin(session: XRSession): SessionState {
-    const pose = settings.pose();
-    const made: SessionState = {
+    const [pose, stop] = [settings.pose(), new AbortController()];
+    const newState: SessionState = {
       look: createLook(),
-      aiming: createAiming(session, (target) => {
-        const { floor, jump } = made;
+      aim: createAiming(session, stop.signal, (target) => {
+        const { floor, jump } = newState;
         const goal = floor && worldOf(floor, target);
-        jump.start(() => (made.goal = goal));
+        jump.start(() => (newState.goal = goal));
       }),
-      hands: createHands(session),
+      findHands: createHands(session, stop.signal),
+      stop,
       steer: createSteering(),
       jump: createJump(),
       walk: createWalk(pose, () => bounds, neverSudden),
@@ -99,17 +102,16 @@ function createHeadset(viewer: Viewer, xr: XRSystem, settings: HeadsetSettings) 
       goal: null,
       isMoved: false,
     };
-    return made;
+    return newState;
   }
 
   function leave(): void {
     if (!state) return;
-    const { look, aiming, floor, pose } = state;
-    state.hands.dispose();
+    const { look, stop, floor, pose } = state;
     state = null;
     hands = [];
+    stop.abort();
     look.dispose();
-    aiming.dispose();
     viewer.setMapLayer(null);
     viewer.setVeil(0);
     const [x, y, z] = pose.position;
@@ -117,17 +119,17 @@ function createHeadset(viewer: Viewer, xr: XRSystem, settings: HeadsetSettings) 
   }
 
   /** Returns the floor after a frame: the user has walked, turned or jumped, and stays within the bounds. */
-  function floorOf(of: SessionState, head: Head, inputs: readonly Input[], seconds: number): Floor {
-    const { position: [x, y, z], yaw } = of.pose;
-    const ground: Vector = [x, of.floor?.position[1] ?? y - EYE_HEIGHT, z];
-    let floor = of.floor && !of.isMoved ? of.floor : floorUnder(ground, yaw, head);
-    of.isMoved = false;
-    const { drive, turn } = of.steer(stickOf(inputs, 'left'), stickOf(inputs, 'right'));
+  function floorOf(session: SessionState, head: Head, inputs: readonly Input[], seconds: number): Floor {
+    const { position: [x, y, z], yaw } = session.pose;
+    const ground: Vector = [x, session.floor?.position[1] ?? y - EYE_HEIGHT, z];
+    let floor = session.floor && !session.isMoved ? session.floor : floorUnder(ground, yaw, head);
+    session.isMoved = false;
+    const { drive, turn } = session.steer(stickOf(inputs, 'left'), stickOf(inputs, 'right'));
     if (turn !== 0) floor = turnFloor(floor, head, turn);
-    of.walk.follow(worldPose(floor, head));
-    of.walk.update(seconds, drive);
-    floor = moveFloor(floor, head, of.goal ?? of.walk.pose.position);
-    of.goal = null;
+    session.walk.follow(worldPose(floor, head));
+    session.walk.update(seconds, drive);
+    floor = moveFloor(floor, head, session.goal ?? session.walk.pose.position);
+    session.goal = null;
     // A body that moves beyond the bounds drags the floor along.
     return moveFloor(floor, head, clampToBounds(worldOf(floor, head.position), bounds));
   }
@@ -153,20 +155,20 @@ function createHeadset(viewer: Viewer, xr: XRSystem, settings: HeadsetSettings) 
     update(seconds: number): Pose | null {
       const [frame, space] = [renderer.xr.getFrame(), renderer.xr.getReferenceSpace()];
       if (!state || !frame || !space) return null;
-      const seen = frame.getViewerPose(space);
+      const viewerPose = frame.getViewerPose(space);
       // Without tracking the pose does not change.
-      if (!seen) return state.pose;
+      if (!viewerPose) return state.pose;
       bounds = headBounds(settings.bounds());
-      const head = headOf(seen.transform.matrix);
+      const head = headOf(viewerPose.transform.matrix);
       const inputs = readInputs(frame, space);
       viewer.setVeil(state.jump.advance(seconds));
       const floor = floorOf(state, head, inputs, seconds);
       state.floor = floor;
       state.pose = worldPose(floor, head);
       viewer.stand(floor);
-      hands = state.hands.update(inputs, floor);
-      const allowed = (wanted: Vector): Vector => localOf(floor, clampToBounds(worldOf(floor, wanted), bounds));
-      state.look.update(inputs, state.aiming.update(inputs, allowed));
+      hands = state.findHands(inputs, floor);
+      const allowed = (point: Vector): Vector => localOf(floor, clampToBounds(worldOf(floor, point), bounds));
+      state.look.update(inputs, state.aim(inputs, allowed));
       return state.pose;
     },
   };
@@ -177,22 +179,14 @@ function stickOf(inputs: readonly Input[], hand: XRHandedness): Input['stick'] {
 }
 
 /** Detects the headset; `tell` is called with it, or with a sentence why there is none, now and on changes. */
-export function offerHeadset(
-  viewer: Viewer,
-  settings: HeadsetSettings,
-  tell: (found: Headset | string) => void,
-): void {
+export function offerHeadset(viewer: Viewer, settings: HeadsetSettings, tell: (found: Headset | string) => void): void {
   const { xr } = navigator;
   let headset: Headset | null = null;
 
   async function seek(): Promise<void> {
     const reason = await whyNoHeadset(xr, window.isSecureContext);
-    if (reason !== null || !xr) {
-      tell(reason ?? '');
-      return;
-    }
-    headset ??= createHeadset(viewer, xr, settings);
-    tell(headset);
+    if (reason === null && xr) headset ??= createHeadset(viewer, xr, settings);
+    tell(reason ?? headset ?? '');
   }
 
   void seek();

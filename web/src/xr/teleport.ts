@@ -37,15 +37,9 @@ function fall(height: number, up: number): number {
 export type Jump = ReturnType<typeof createJump>;
 
 export function createJump() {
-  // Seconds since the start; the picture is darkest at FADE.
+  // Seconds since the start; the picture is darkest at FADE_SECONDS.
   let since = 2 * FADE_SECONDS;
   let pending: (() => void) | null = null;
-
-  function act(): void {
-    const action = pending;
-    pending = null;
-    action?.();
-  }
 
   return {
     /** Fades to black, acts, and fades back. Replaces a jump that has not acted. */
@@ -61,7 +55,9 @@ export function createJump() {
       if (pending && since >= FADE_SECONDS) {
         // Guarantees a frame at full darkness, however long frames are.
         if (before < FADE_SECONDS) since = FADE_SECONDS;
-        act();
+        const action = pending;
+        pending = null;
+        action();
       }
       return 1 - Math.abs(since - FADE_SECONDS) / FADE_SECONDS;
     },
@@ -73,52 +69,37 @@ export interface Aim {
   readonly arc: readonly Vector[];
   readonly target: Vector;
   /** Whether the target was clamped, because the aimed place lies beyond the limit. */
-  readonly isHeld: boolean;
+  readonly isClamped: boolean;
 }
-
-export type Aiming = ReturnType<typeof createAiming>;
 
 /** Tolerance in metres between the aimed place and the target. */
 const TOLERANCE = 0.01;
 
-/** Listens to a session; `jump` is called with the target on release. */
-export function createAiming(session: XRSession, jump: (target: Vector) => void) {
-  const stop = new AbortController();
+/**
+ * Listens to a session until the signal aborts; `jump` is called with the target on release. The returned function
+ * updates the aim of the holding hand; the target is the nearest `allowed` place. Points are in the headset's space.
+ */
+export function createAiming(session: XRSession, signal: AbortSignal, jump: (target: Vector) => void) {
   let holding: XRInputSource | null = null;
   let aim: Aim | null = null;
 
   // The hand that pressed last aims; the press of the other one is ignored.
-  session.addEventListener('selectstart', ({ inputSource }) => (holding = inputSource), { signal: stop.signal });
+  session.addEventListener('selectstart', ({ inputSource }) => (holding = inputSource), { signal });
   session.addEventListener('selectend', ({ inputSource }) => {
     if (inputSource !== holding) return;
     const target = aim?.target;
-    drop();
+    holding = aim = null;
     if (target) jump(target);
-  }, { signal: stop.signal });
+  }, { signal });
 
-  function drop(): void {
-    holding = null;
-    aim = null;
-  }
-
-  return {
-    /**
-     * Updates the aim of the holding hand; the target is the nearest `allowed` place. Points are in the headset's space.
-     */
-    update(inputs: readonly Input[], allowed: (wanted: Vector) => Vector): Aim | null {
-      if (!holding) return null;
-      const ray = inputs.find(({ source }) => source === holding)?.ray;
-      if (!ray) {
-        // A hand out of sight has no aim; it may come back.
-        aim = null;
-        return null;
-      }
-      const wanted = landing(ray);
-      const target = allowed(wanted);
-      const isHeld = Math.hypot(target[0] - wanted[0], target[2] - wanted[2]) > TOLERANCE;
-      aim = { arc: arc(ray, target), target, isHeld };
-      return aim;
-    },
-    dispose: (): void => stop.abort(),
+  return (inputs: readonly Input[], allowed: (aimed: Vector) => Vector): Aim | null => {
+    // A hand out of sight has no aim; it may come back.
+    const ray = holding && inputs.find(({ source }) => source === holding)?.ray;
+    if (!ray) return (aim = null);
+    const aimed = landing(ray);
+    const target = allowed(aimed);
+    const isClamped = Math.hypot(target[0] - aimed[0], target[2] - aimed[2]) > TOLERANCE;
+    aim = { arc: arc(ray, target), target, isClamped };
+    return aim;
   };
 }
