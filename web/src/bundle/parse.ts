@@ -28,8 +28,8 @@ const [LAST_CODE, MAX_EXPONENT] = [65534, 600] as const;
 /** Greatest coordinate, and greatest radius, metres. */
 const MAX_COORDINATE = 1e12;
 
-/** Parses the entry of a ring; `tiles` is the number of tiles of a map. */
-type RingReader = (place: string, value: unknown, order: number, tiles: number) => RingEntry;
+/** Reads the entry of a ring. */
+type RingOf = (place: string, value: unknown, order: number) => RingEntry;
 
 export function parseManifest(source: string): Manifest {
   return readManifest(parseJson('manifest.json', source));
@@ -44,8 +44,8 @@ export function parseJson(name: string, source: string): unknown {
   }
 }
 
-/** Reads a manifest; `ringReader` reads its rings, which are incomplete in the outline of a region. */
-export function readManifest(parsed: unknown, ringReader: RingReader = readRing): Manifest {
+/** Reads a manifest; `readRingOf` reads its rings, which are incomplete in the outline of a region. */
+export function readManifest(parsed: unknown, readRingOf: typeof readRing = readRing): Manifest {
   const all = object('manifest', parsed);
   if (all['format'] !== FORMAT) throw new BundleError(`manifest.json: expected the format ${FORMAT}, got another one`);
   const version = integer('version', all['version'], 1);
@@ -80,7 +80,8 @@ export function readManifest(parsed: unknown, ringReader: RingReader = readRing)
     map: { face_size: faceSize, tile, across },
     regions: entries.map((entry, number) => {
       const place = `regions[${number}]`;
-      return cutBy(unit, place, readRegion(place, entry, tiles, number, entries.length, ringReader));
+      const ringOf: RingOf = (name, item, order) => readRingOf(name, item, order, tiles);
+      return cutBy(unit, place, readRegion(place, entry, number, entries.length, ringOf));
     }),
     dynamic: optional('dynamic', all['dynamic'], readDynamic),
     notes: list('notes', all['notes'], text),
@@ -124,16 +125,9 @@ export function point(place: string, value: unknown): Point {
   return list(place, value, (name, item) => number(name, item, -MAX_COORDINATE, MAX_COORDINATE), 3) as unknown as Point;
 }
 
-function readRegion(
-  place: string,
-  value: Fields,
-  tiles: number,
-  own: number,
-  count: number,
-  ringReader: RingReader,
-): RegionEntry {
+function readRegion(place: string, value: Fields, own: number, count: number, ringOf: RingOf): RegionEntry {
   const range = object(`${place}.range`, value['range']);
-  const rings = list(`${place}.rings`, value['rings'], (name, item, number) => ringReader(name, item, number, tiles));
+  const rings = list(`${place}.rings`, value['rings'], ringOf);
   const radii = rings.map(({ radius }) => radius);
   const isAscending = radii[0] === 0 && radii.every((radius, number) => number === 0 || radius > (radii[number - 1] ?? 0));
   if (rings.length < 2 || rings.length > MAX_RINGS || !isAscending) {
@@ -142,9 +136,8 @@ function readRegion(
   const other = (name: string, item: unknown): number => integer(name, item, 0, count - 1);
   const neighbours = list(`${place}.neighbours`, value['neighbours'], other);
   if (neighbours.includes(own)) throw new BundleError(`manifest.json: ${place}.neighbours: expected other regions`);
-  const [least, step] = (['least', 'step'] as const).map((name) => {
-    return number(`${place}.range.${name}`, range[name], Number.MIN_VALUE);
-  }) as [number, number];
+  const least = number(`${place}.range.least`, range['least'], Number.MIN_VALUE);
+  const step = number(`${place}.range.step`, range['step'], Number.MIN_VALUE);
   if (!(Math.abs(Math.log(least)) + LAST_CODE * step <= MAX_EXPONENT)) {
     throw new BundleError(`manifest.json: ${place}.range: expected ranges that are finite`);
   }
@@ -166,6 +159,7 @@ function cutBy(unit: 'object' | 'triangle', place: string, entry: RegionEntry): 
   return { ...entry, cut: entry.rings[1]?.radius ?? Infinity };
 }
 
+/** Reads the entry of a ring; `tiles` is the number of tiles of a map. */
 export function readRing(place: string, value: unknown, order: number, tiles: number): RingEntry {
   const entry = object(place, value);
   return {

@@ -26,11 +26,6 @@ const EVENTS = ['waiting', 'begin', 'ring', 'end', 'whole', 'failed'] as const;
 const [COARSE, FULL] = [0, 1] as const;
 const NOTHING = { objects: 0, triangles: 0, geometry: null, parts: [], map: null } as const;
 
-interface Line {
-  readonly event: (typeof EVENTS)[number];
-  readonly fields: Fields;
-}
-
 /**
  * Reads the lines of a place; resolves once its centre and rings are known, then continues reading. `last` is the last
  * requested ring, as text; null for all.
@@ -64,7 +59,7 @@ async function readParts(lines: Lines, place: Place, listener: Listener): Promis
   }
 }
 
-async function nextLine(lines: Lines, listener: Listener): Promise<Line> {
+async function nextLine(lines: Lines, listener: Listener) {
   for (;;) {
     const { done, value } = await lines.next();
     if (done) throw new BundleError('the connection ended before the place was complete', 'network');

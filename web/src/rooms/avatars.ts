@@ -19,7 +19,6 @@ import type { Point } from '../bundle/manifest';
 import { subtract } from '../control/pose';
 import { NEAR_VERTEX } from '../shaders/scene';
 import type { Shared } from '../show/materials';
-import type { Guests } from '../show/painter';
 import { shownName } from './address';
 import { colorOf, createMesh, createRay, createShapes, type Drawn, paint, type Shapes } from './meshes';
 import type { Body, Placed } from './pose';
@@ -29,18 +28,11 @@ import { NAME_VERTEX } from './shaders';
 /** Greatest number of unused avatars that are kept for new users. */
 const MAX_SPARE_AVATARS = 16;
 
-export interface Avatars extends Guests {
-  readonly meshes: readonly Drawn[];
-  /** Sets the users to draw; `pixel` is the tangent of the angle of a pixel. */
-  show(seen: readonly Seen[], own: Own | null, pixel: number): void;
-  /** Compiles the shaders that the first user needs. */
-  prepare(renderer: WebGLRenderer, camera: Camera): void;
-}
-
 /** The user itself, whose own picture shows only the pointer. */
-export type Own = Pick<Seen, 'number' | 'body'>;
+type Own = Pick<Seen, 'number' | 'body'>;
 
-export function createAvatars(shared: Shared): Avatars {
+/** Creates the avatars, which are guests of the picture. */
+export function createAvatars(shared: Shared) {
   const shapes = createShapes();
   const common = { ...shared, pixel: { value: 0 } };
   const avatars = new Map<number, { readonly name: string; readonly avatar: Avatar }>();
@@ -69,22 +61,24 @@ export function createAvatars(shared: Shared): Avatars {
   }
 
   return {
-    get meshes() {
+    get meshes(): readonly Drawn[] {
       const others = [...avatars.values()].flatMap(({ avatar }) => avatar.meshes);
       return ownPointer ? [...others, ray.mesh] : others;
     },
-    show(seen, own, pixel) {
+    /** Sets the users to draw; `pixel` is the tangent of the angle of a pixel. */
+    show(seen: readonly Seen[], own: Own | null, pixel: number): void {
       common.pixel.value = pixel;
       forget(new Set(seen.map(({ number }) => number)));
       for (const { number, name, body } of seen) avatarOf(number, shownName(name, number)).show(body);
       ownPointer = own?.body.pointer ? own : null;
       if (ownPointer) paint(color, ownPointer.number);
     },
-    prepare(renderer, camera) {
+    /** Compiles the shaders that the first user needs. */
+    prepare(renderer: WebGLRenderer, camera: Camera): void {
       const meshes = spare.flatMap((avatar) => avatar.meshes);
       renderer.compile(new Scene().add(...meshes, ray.mesh), camera);
     },
-    place(center) {
+    place(center: Point): void {
       for (const { avatar } of avatars.values()) avatar.place(center);
       if (ownPointer) ray.place(ownPointer.body, center);
     },

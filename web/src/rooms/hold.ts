@@ -10,18 +10,13 @@ const PICTURE_CENTER = [0.5, 0.5] as const;
 /** Position in the picture, as fractions of its width and height, from the upper left. */
 export type ScreenPoint = readonly [number, number];
 
-export interface Hold {
-  /** Whether the user points without holding anything. */
-  isAlways: boolean;
-  /** Point that the user points at; null while the user does not point. */
-  readonly point: ScreenPoint | null;
-}
+export type Hold = ReturnType<typeof createHold>;
 
 /**
  * Creates the controls. Key and mouse point at the cursor, or at the picture's centre if there is no cursor; `button`
  * points at the centre.
  */
-export function createHold(canvas: HTMLCanvasElement, button: HTMLElement): Hold {
+export function createHold(canvas: HTMLCanvasElement, button: HTMLElement) {
   const heldInputs = new Set<'key' | 'mouse' | 'button'>();
   let cursor: ScreenPoint = PICTURE_CENTER;
 
@@ -63,8 +58,10 @@ export function createHold(canvas: HTMLCanvasElement, button: HTMLElement): Hold
   }
 
   return {
+    /** Whether the user points without holding anything. */
     isAlways: false,
-    get point() {
+    /** Point that the user points at; null while the user does not point. */
+    get point(): ScreenPoint | null {
       if (heldInputs.size === 0 && !this.isAlways) return null;
       const isLocked = document.pointerLockElement === canvas;
       return isLocked || (heldInputs.has('button') && heldInputs.size === 1) ? PICTURE_CENTER : cursor;

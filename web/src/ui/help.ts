@@ -88,15 +88,8 @@ function section(title: string, rows: readonly Row[]): HTMLElement {
 
 export type Name = 'walk' | 'orbit' | 'split' | 'photo' | 'link' | 'home' | 'next' | 'look' | 'panel' | 'retry' | 'headset' | 'help';
 
-export interface Shortcut {
-  /** Key in lower case, and its label. */
-  readonly key: string;
-  readonly label: string;
-  readonly does: string;
-}
-
-/** Keys as labelled on the user's keyboard. */
-export const SHORTCUTS: Readonly<Record<Name, Shortcut>> = {
+/** Keys as labelled on the user's keyboard, in lower case; their labels; and the effects. */
+export const SHORTCUTS: Readonly<Record<Name, { readonly key: string; readonly label: string; readonly does: string }>> = {
   walk: { key: '1', label: '1', does: 'walk' },
   orbit: { key: '2', label: '2', does: 'orbit around the point ahead' },
   split: { key: 'c', label: 'C', does: 'compare with the conventional picture' },

@@ -65,6 +65,7 @@ export interface HeadsetCommand {
 /** Returns the lines of the panel by name. */
 export function linesOf(status: Status): Readonly<Record<string, string>> {
   const { ring, rings, radius, received, expected, frame, maxFrame, triangles, drawn, sceneTriangles } = status;
+  const progress = progressText(status);
   return {
     Loaded: `${bytesOf(received, expected)} (${percent(received, expected)})`,
     Speed: isComplete(status) ? 'complete' : rate(status.rate),
@@ -73,7 +74,7 @@ export function linesOf(status: Status): Readonly<Record<string, string>> {
     Triangles: `${count(triangles)} of ${count(sceneTriangles)}`,
     'Split into': drawn > triangles ? count(drawn) : UNUSED,
     Frame: `${milliseconds(frame)}, at most ${milliseconds(maxFrame)}`,
-    ...regionOrProgress(status),
+    ...(progress === null ? { Region: `${status.region + 1} of ${status.regions ?? 1}` } : { Place: progress }),
     'From centre': `${metres(status.distance)} of ${metres(status.foldMargin)}`,
   };
 }
@@ -100,12 +101,6 @@ export function progressText({ serverProgress, isSharp }: Status): string | null
 /** Whether the server is busy, or computes regions of other users first. */
 export function isDelayed({ serverProgress }: Status): boolean {
   return serverProgress?.stage === 'busy' || (serverProgress?.stage === 'waiting' && serverProgress.before > 0);
-}
-
-function regionOrProgress(status: Status): Readonly<Record<string, string>> {
-  const progress = progressText(status);
-  if (progress !== null) return { Place: progress };
-  return { Region: `${status.region + 1} of ${status.regions ?? 1}` };
 }
 
 /** Short summary for small screens. */

@@ -18,12 +18,12 @@ interface Host extends HTMLElement {
 
 type View = ReturnType<typeof createView>;
 
-/** A view for anywidget: an element with its model, and a function that ends it. */
-type Render = (context: { model: Model; el: HTMLElement }) => () => void;
-
-/** Creates the widget; `worker` is the script of the workers. */
-export function createWidget(worker: URL): { readonly render: Render } {
-  return { render: ({ model, el }) => render(model, el, worker) };
+/**
+ * Creates the widget; `worker` is the script of the workers. Anywidget calls `render` with an element and its model, and
+ * calls the returned function to end the view.
+ */
+export function createWidget(worker: URL) {
+  return { render: ({ model, el }: { model: Model; el: HTMLElement }) => render(model, el, worker) };
 }
 
 function render(model: Model, el: HTMLElement, worker: URL): () => void {
