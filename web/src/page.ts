@@ -213,7 +213,6 @@ function ringsOf(entry: RegionEntry | null): number {
   return (entry?.rings.length ?? 1) - 1 - (entry?.isCoarse ? 1 : 0);
 }
 
-/** Shows a page-wide message about a fatal error. */
 function showError(reason: unknown): void {
   const detail = messageOf(reason);
   const { title, text } = FATAL[reason instanceof BundleError ? reason.kind : 'other'];

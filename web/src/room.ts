@@ -141,7 +141,6 @@ function join(host: Host, address: Address, card: ReturnType<typeof createRoomCa
     get seen(): readonly Seen[] {
       return seen;
     },
-    /** The user's own body. */
     get body(): Body | null {
       return body;
     },

@@ -35,7 +35,6 @@ export function parseManifest(source: string): Manifest {
   return readManifest(parseJson('manifest.json', source));
 }
 
-/** Parses a JSON document. */
 export function parseJson(name: string, source: string): unknown {
   try {
     return JSON.parse(source) as unknown;
@@ -91,7 +90,6 @@ export function readManifest(parsed: unknown, readRingOf: typeof readRing = read
   return manifest;
 }
 
-/** Files that a document lists. */
 export function readFiles(files: Fields): Record<string, FileEntry> {
   const entries = Object.entries(files).map(([name, value]) => {
     const [key, entry] = [fileName('files', name), object(name, value)];

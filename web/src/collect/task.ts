@@ -97,7 +97,6 @@ export class Task {
     return Math.min(this.trial?.tallies.reduce((sum, { misses }) => sum + misses, 0) ?? 0, MAX_COUNT);
   }
 
-  /** Elapsed seconds of the trial. */
   elapsed(now: number): number {
     return now - this.startedAt;
   }
@@ -115,7 +114,6 @@ export class Task {
     if (this.conductor !== before) this.formerConductor = before;
   }
 
-  /** Records that a user of the group has left. */
   left(user: number): void {
     if (user !== this.user) this.present.delete(user);
     if (user === this.formerConductor) this.formerConductor = null;

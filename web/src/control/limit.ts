@@ -7,7 +7,6 @@ export interface Limit {
   readonly metres: number;
 }
 
-/** Bounds of the user's position. */
 export interface Bounds {
   /**
    * At least one of these must contain the user: regions that can be shown at once. Steps slow down towards their edge.

@@ -29,7 +29,6 @@ export interface PointerActions {
   rotate(left: number, up: number): void;
   pan(right: number, up: number): void;
   zoom(factor: number): void;
-  /** The left thumb has moved, or is lifted. */
   thumb(thumb: Thumb | null): void;
   /** A double tap or double click asks for a place, as shares of the picture's width and height from its upper left. */
   go(x: number, y: number): void;

@@ -53,7 +53,6 @@ export function createWalk(start: Pose, bounds: () => Bounds | null, isSudden: (
     get pose(): Pose {
       return { position, yaw, pitch };
     },
-    /** Advances by some seconds. */
     update(seconds: number, drive: Drive): void {
       const steps = Math.ceil(seconds / MAX_STEP);
       for (let number = 0; number < steps; number++) step(seconds / steps, drive);

@@ -8,30 +8,24 @@ import { createChoice, refusalOfPage, refusalOfServer, SWITCHED_OFF } from './ch
 import { TICK } from './downloads';
 import { createMesh } from './mesh';
 import { createPeer, type Peer } from './peer';
-import { createShare } from './share';
+import { createShare, type ShareSettings } from './share';
 import { createBudget } from './uploads';
 
 /** Maximum number of bytes of files that this page stores for others. */
 const MAX_STORED_BYTES = 64 * 2 ** 20;
 const TICKS_PER_SECOND = Math.round(1 / TICK);
 
-export interface PeersSettings {
-  /** Query of the page's address. */
+export interface PeersSettings extends Pick<ShareSettings, 'wanted' | 'isFirst'> {
   readonly query: URLSearchParams;
   /** Asks the server for its settings of rooms. */
   readonly ask: Ask;
   readonly files: Files;
-  /** Names of the files that the page shows or will show. */
-  readonly wanted: () => Iterable<string>;
-  /** Whether the first picture is still missing. */
-  readonly isFirst: () => boolean;
   /** Sends a signal to a user of the room. */
   readonly signal: (user: number, payload: Uint8Array) => void;
 }
 
 export type Peers = ReturnType<typeof startPeers>;
 
-/** Starts the exchange of files if all sides allow it. */
 export function startPeers({ query, ask, files, wanted, isFirst, signal }: PeersSettings) {
   const clock = CLOCK;
   const peers = new Map<number, Peer>();

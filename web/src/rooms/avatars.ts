@@ -31,7 +31,6 @@ const MAX_SPARE_AVATARS = 16;
 /** The user itself, whose own picture shows only the pointer. */
 type Own = Pick<Seen, 'number' | 'body'>;
 
-/** Creates the avatars, which are guests of the picture. */
 export function createAvatars(shared: Shared) {
   const shapes = createShapes();
   const common = { ...shared, pixel: { value: 0 } };
@@ -91,7 +90,6 @@ const VISOR_COLOR = new Vector4(0.03, 0.035, 0.045, 1);
 
 type Avatar = ReturnType<typeof createAvatar>;
 
-/** Creates an avatar without a user. */
 function createAvatar(shapes: Shapes, shared: Shared) {
   const color = new Vector4();
   const solid = (shape: BufferGeometry, baseColor: Vector4): Drawn => {
@@ -128,7 +126,6 @@ function createAvatar(shapes: Shapes, shared: Shared) {
         ...(body?.pointer ? [ray.mesh] : []),
       ];
     },
-    /** Assigns the avatar to a user. */
     assign(number: number, name: string): void {
       image.value?.dispose();
       const label = createLabel(name, colorOf(number));

@@ -21,7 +21,6 @@ import { POSE } from './pose';
 
 /** Protocol version of all frames. */
 const VERSION = 1;
-/** Greatest number of bytes of a user's name. */
 export const MAX_NAME_BYTES = 64;
 /** Characters forbidden in names: control characters, and format characters, which are invisible or reorder text. */
 export const HIDDEN = /[\p{Cc}\p{Cf}]/u;
@@ -64,7 +63,6 @@ const SERVER_KINDS = {
 export type FromServer = MessageOf<typeof SERVER_KINDS>;
 export const SERVER_FRAME = kindsOf(SERVER_KINDS, 'a frame has an unknown kind');
 
-/** Recipients of a `say` frame. */
 export type Audience = (FromUser & { readonly kind: 'say' })['to'];
 
 /** Value behind the number of its bytes. */

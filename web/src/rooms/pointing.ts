@@ -157,7 +157,6 @@ export function createThrottled<Value>(every: number) {
       if (!cached || now >= cached.end) cached = { value: compute(), end: now + every };
       return cached.value;
     },
-    /** Discards the cached value. */
     forget(): void {
       cached = null;
     },

@@ -1,7 +1,6 @@
 /** Formatting of numbers. Invalid numbers become a dash. */
 
 const UNKNOWN = '–';
-/** No-break space between a number and its unit. */
 const NO_BREAK_SPACE = '\u00a0';
 const PREFIXES = ['', 'k', 'M', 'G', 'T'] as const;
 

@@ -36,7 +36,6 @@ export interface Status {
   readonly problems: readonly string[];
 }
 
-/** Commands of the panel and the keys. */
 export interface Commands {
   /** Sets the position of the divider between conventional (left) and continuous (right), 0 to 1; null removes it. */
   setDivider(share: number | null): void;

@@ -80,7 +80,6 @@ export function createLook() {
   }
 
   return {
-    /** Group to add to the rig. */
     group,
     update(inputs: readonly Input[], aim: Aim | null): void {
       showControllers(inputs);

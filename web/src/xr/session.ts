@@ -138,7 +138,6 @@ function createHeadset(viewer: Viewer, xr: XRSystem, settings: HeadsetSettings) 
     get isPresenting(): boolean {
       return state !== null;
     },
-    /** Hands in the last frame. */
     get hands(): readonly HandRay[] {
       return hands;
     },
