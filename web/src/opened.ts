@@ -42,8 +42,8 @@ export async function openAddress(
   const document = parseJson('manifest.json', await readDocument(base, received, signal));
   const lastRing = query.get('rings');
   if (!isSite(document)) {
-    const whole = readManifest(document);
-    return openBundle(base, whole, firstRings(lastRing, strategy.arrange(whole)), received);
+    const bundleManifest = readManifest(document);
+    return openBundle(base, bundleManifest, firstRings(lastRing, strategy.arrange(bundleManifest)), received);
   }
   if (!strategy.isByRings) {
     throw new BundleError('strategy: expected clovr or clovrd with a scene whose regions are made on demand', 'address');

@@ -135,9 +135,9 @@ async function main(): Promise<void> {
   };
   if (centers && centers.length > 1) {
     commands.next = () => {
-      const place = (world.places.nearest(pose.position) + 1) % centers.length;
-      go(homeOf(place));
-      panel.announce(`Place ${place + 1} of ${centers.length}`);
+      const placeNumber = (world.places.nearest(pose.position) + 1) % centers.length;
+      go(homeOf(placeNumber));
+      panel.announce(`Place ${placeNumber + 1} of ${centers.length}`);
     };
   }
   const panel = createPanel(root, commands);

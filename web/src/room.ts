@@ -100,7 +100,7 @@ function join(host: Host, address: Address, card: ReturnType<typeof createRoomCa
     query: new URLSearchParams(location.search),
     ask,
     files: host.files,
-    wanted: () => [...host.moving, ...(viewer.facts.entry?.rings ?? []).flatMap(filesOfRing)],
+    shownNames: () => [...host.moving, ...(viewer.facts.entry?.rings ?? []).flatMap(filesOfRing)],
     isFirst: () => viewer.facts.arrived < 0,
     signal: connection.signal,
   });

@@ -123,7 +123,7 @@ export function point(place: string, value: unknown): Point {
   return list(place, value, (name, item) => number(name, item, -MAX_COORDINATE, MAX_COORDINATE), 3) as unknown as Point;
 }
 
-function readRegion(place: string, value: Fields, own: number, count: number, ringOf: RingOf): RegionEntry {
+function readRegion(place: string, value: Fields, regionNumber: number, count: number, ringOf: RingOf): RegionEntry {
   const range = object(`${place}.range`, value['range']);
   const rings = list(`${place}.rings`, value['rings'], ringOf);
   const radii = rings.map(({ radius }) => radius);
@@ -133,7 +133,7 @@ function readRegion(place: string, value: Fields, own: number, count: number, ri
   }
   const other = (name: string, item: unknown): number => integer(name, item, 0, count - 1);
   const neighbours = list(`${place}.neighbours`, value['neighbours'], other);
-  if (neighbours.includes(own)) throw new BundleError(`manifest.json: ${place}.neighbours: expected other regions`);
+  if (neighbours.includes(regionNumber)) throw new BundleError(`manifest.json: ${place}.neighbours: expected other regions`);
   const least = number(`${place}.range.least`, range['least'], Number.MIN_VALUE);
   const step = number(`${place}.range.step`, range['step'], Number.MIN_VALUE);
   if (!(Math.abs(Math.log(least)) + LAST_CODE * step <= MAX_EXPONENT)) {

@@ -75,11 +75,11 @@ const vec2 RING = vec2(1.25, 1.45);
 
 void main() {
   v_point = begin;
-  vec3 at = displayed(v_point);
-  mat3 axes = facing(at);
+  vec3 from_eye = displayed(v_point);
+  mat3 axes = facing(from_eye);
   float angle = 6.2831853 * mix(shares[0], shares[1], position.x);
   float size = radius * mix(RING.x, RING.y, position.y);
-  v_shown = at + size * (sin(angle) * axes[0] + cos(angle) * axes[1]);
+  v_shown = from_eye + size * (sin(angle) * axes[0] + cos(angle) * axes[1]);
   gl_Position = projectionMatrix * vec4(mat3(viewMatrix) * v_shown, 1.0);
 }
 `;
@@ -99,9 +99,9 @@ export function pointBeside(
   sphere: Vector,
 ): Vector | null {
   const { center, morph } = morphOf(viewer, nearShare, pose);
-  const seen = shownAt(subtract(sphere, center), morph);
+  const shownCenter = shownAt(subtract(sphere, center), morph);
   const [dx, dy, dz] = directionTo(pose, place, viewer.camera);
-  const along = seen[0] * dx + seen[1] * dy + seen[2] * dz;
-  const aside = subtract([along * dx, along * dy, along * dz], seen);
-  return along > 0 && Math.hypot(...aside) <= MAX_TANGENT * along ? addScaled(sphere, aside, 1) : null;
+  const distanceAlong = shownCenter[0] * dx + shownCenter[1] * dy + shownCenter[2] * dz;
+  const offset = subtract([distanceAlong * dx, distanceAlong * dy, distanceAlong * dz], shownCenter);
+  return distanceAlong > 0 && Math.hypot(...offset) <= MAX_TANGENT * distanceAlong ? addScaled(sphere, offset, 1) : null;
 }

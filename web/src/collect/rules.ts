@@ -25,17 +25,17 @@ export type RuleParameters = Readonly<Record<keyof typeof PARAMETERS, number>>;
 
 /** Rules from `?users=…&hold=…`; an error message for invalid numbers. */
 export function readRules(query: URLSearchParams): RuleParameters | string {
-  const found: Record<string, number> = {};
-  for (const [name, [usual, least, most]] of Object.entries(PARAMETERS)) {
+  const values: Record<string, number> = {};
+  for (const [name, [defaultValue, least, most]] of Object.entries(PARAMETERS)) {
     const text = query.get(name);
-    const value = text === null ? usual : Number(text);
+    const value = text === null ? defaultValue : Number(text);
     const isWhole = Number.isInteger(value) || !INTEGERS.includes(name);
     if (text?.trim() === '' || !isWhole || !(value >= least && value <= most)) {
       return `${name}: expected a ${INTEGERS.includes(name) ? 'whole ' : ''}number from ${least} to ${most}`;
     }
-    found[name] = value;
+    values[name] = value;
   }
-  return found as RuleParameters;
+  return values as RuleParameters;
 }
 
 /** Rules with seats about a place at eye height and spheres ahead of it, aligned to quarter turns. */

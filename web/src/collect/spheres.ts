@@ -46,8 +46,8 @@ export function seatsOf(rules: Rules, stage: Stage, group: number, users: readon
       const [x, z] = [draw(2 * at), draw(2 * at + 1)];
       return { user, position: [least[0] + x * (most[0] - least[0]), least[1], least[2] + z * (most[2] - least[2])] };
     });
-    const isApart = seats.every(({ position }, at) =>
-      seats.slice(0, at).every((other) => Math.hypot(...subtract(position, other.position)) >= MIN_SEAT_DISTANCE),
+    const isApart = seats.every(({ position }, index) =>
+      seats.slice(0, index).every((other) => Math.hypot(...subtract(position, other.position)) >= MIN_SEAT_DISTANCE),
     );
     if (isApart) break;
   }
@@ -56,15 +56,15 @@ export function seatsOf(rules: Rules, stage: Stage, group: number, users: readon
 
 /** Position of a sphere's centre some seconds after it appeared. */
 export function placeOf({ position, velocity }: Sphere, [least, most]: Box, age: number): Vector {
-  const at = (axis: 0 | 1 | 2): number => reflectInto(position[axis] + age * velocity[axis], least[axis], most[axis]);
-  return [at(0), at(1), at(2)];
+  const index = (axis: 0 | 1 | 2): number => reflectInto(position[axis] + age * velocity[axis], least[axis], most[axis]);
+  return [index(0), index(1), index(2)];
 }
 
 /** Coordinate reflected at both ends of a range. */
-export function reflectInto(at: number, low: number, high: number): number {
+export function reflectInto(value: number, low: number, high: number): number {
   const length = high - low;
   if (length <= 0) return low;
-  const turned = (((at - low) % (2 * length)) + 2 * length) % (2 * length);
+  const turned = (((value - low) % (2 * length)) + 2 * length) % (2 * length);
   return low + (turned <= length ? turned : 2 * length - turned);
 }
 

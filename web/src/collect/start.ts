@@ -53,9 +53,9 @@ function collect(room: Room, host: Host, parameters: RuleParameters): void {
   }
 
   /** Whether the user may start a run: as conductor, with enough users, while no trial runs or is pending. */
-  function canStart(of: Task): boolean {
-    const isEnough = of.present.size >= Math.min(parameters.users, 2);
-    return of.user === of.conductor && isEnough && (of.trial === null || of.isOver);
+  function canStart(activeTask: Task): boolean {
+    const isEnough = activeTask.present.size >= Math.min(parameters.users, 2);
+    return activeTask.user === activeTask.conductor && isEnough && (activeTask.trial === null || activeTask.isOver);
   }
 
   function send(messages: readonly Message[]): void {
@@ -69,8 +69,8 @@ function collect(room: Room, host: Host, parameters: RuleParameters): void {
   }
 
   /** Moves the user to its seat when a trial has begun. */
-  function follow(of: Task, now: number): void {
-    const { trial, seat } = of;
+  function follow(activeTask: Task, now: number): void {
+    const { trial, seat } = activeTask;
     const stage = trial ? `${trial.run} ${trial.trial}` : '';
     if (stage === seatedStage || now - seatedAt < SEAT_INTERVAL) return;
     seatedStage = stage;
@@ -104,14 +104,14 @@ function collect(room: Room, host: Host, parameters: RuleParameters): void {
     else task = new Task(user, room.address.group);
   }
 
-  function show(of: Task | null, now: number): void {
-    const trial = room.connection.state.kind === 'here' ? of?.trial : null;
-    if (!of || !trial) {
+  function show(activeTask: Task | null, now: number): void {
+    const trial = room.connection.state.kind === 'here' ? activeTask?.trial : null;
+    if (!activeTask || !trial) {
       ball.show(null, 0, 0, 0);
       return;
     }
-    const heldShare = of.heldSince === null ? 0 : (now - of.heldSince) / Math.max(trial.hold, 1e-3);
-    ball.show(of.place(now), trial.radius, of.aims.length / of.needed, Math.min(heldShare, 1));
+    const heldShare = activeTask.heldSince === null ? 0 : (now - activeTask.heldSince) / Math.max(trial.hold, 1e-3);
+    ball.show(activeTask.place(now), trial.radius, activeTask.aims.length / activeTask.needed, Math.min(heldShare, 1));
   }
 
   function cardState(now: number): CardState {

@@ -50,7 +50,7 @@ export class Task {
   heldSince: number | null = null;
   private startedAt = 0;
   private appearedAt = 0;
-  private nextAt = 0;
+  private nextSphereAt = 0;
   private mustSendState = false;
   private judgedAt = -Infinity;
   private readonly aimsRate = createBucket(AIMS_RATE, AIMS_AT_ONCE, () => this.judgedAt);
@@ -193,7 +193,7 @@ export class Task {
     const isCollected = this.sphere !== null && this.sphere.number < countOf(trial);
     if (isOther || isCollected) {
       this.sphere = null;
-      this.nextAt = trial.elapsed === 0 ? now : now + Math.max(trial.pause, MIN_PAUSE);
+      this.nextSphereAt = trial.elapsed === 0 ? now : now + Math.max(trial.pause, MIN_PAUSE);
       this.clearAims();
     }
     this.trial = trial;
@@ -221,8 +221,8 @@ export class Task {
   }
 
   private hearCollected({ level, misses, seconds }: Collected, trial: Trial, now: number): void {
-    const tallies = trial.tallies.map((tally, at) => {
-      if (LEVELS[at] !== level) return tally;
+    const tallies = trial.tallies.map((tally, index) => {
+      if (LEVELS[index] !== level) return tally;
       return {
         spheres: tally.spheres + 1,
         misses: Math.min(tally.misses + misses, MAX_COUNT),
@@ -231,7 +231,7 @@ export class Task {
     });
     this.trial = { ...trial, tallies: tallies as unknown as Tallies };
     this.sphere = null;
-    this.nextAt = now + Math.max(trial.pause, MIN_PAUSE);
+    this.nextSphereAt = now + Math.max(trial.pause, MIN_PAUSE);
     this.clearAims();
   }
 
@@ -283,7 +283,7 @@ export class Task {
     }
     if (elapsed >= trial.duration) return { ...trial, over: true, elapsed: Math.min(elapsed, MAX_SECONDS) };
     if (sphere) return rays && judge(this.aimingAt(sphere, now), trial, rays);
-    return now >= this.nextAt && this.count < MAX_COUNT ? sphereOf(trial, trial, this.group, this.count) : null;
+    return now >= this.nextSphereAt && this.count < MAX_COUNT ? sphereOf(trial, trial, this.group, this.count) : null;
   }
 
   private aimingAt(sphere: Sphere, now: number): Aiming {

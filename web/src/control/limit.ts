@@ -71,10 +71,10 @@ function withMostSpace(place: Vector, limits: readonly Limit[]): Limit | null {
 
 function slowDown(from: Vector, to: Vector, limit: Limit): Vector {
   const [before, after] = [distance(from, limit), distance(to, limit)];
-  const free = FREE_SHARE * limit.metres;
-  const start = Math.max(before, free);
+  const freeDistance = FREE_SHARE * limit.metres;
+  const start = Math.max(before, freeDistance);
   if (after <= start) return to;
-  const width = limit.metres - free;
+  const width = limit.metres - freeDistance;
   const end = start >= limit.metres ? start : limit.metres - (limit.metres - start) * Math.exp((start - after) / width);
   return atDistance(to, end, limit);
 }

@@ -87,9 +87,9 @@ function createPlace(outline: Manifest, listener: Listener) {
   const maps: MapEntry[] = [];
   let full: Manifest | null = null;
 
-  function list(more: Readonly<Record<string, FileEntry>>): void {
-    Object.assign(files, more);
-    listener.listed(more);
+  function list(entries: Readonly<Record<string, FileEntry>>): void {
+    Object.assign(files, entries);
+    listener.listed(entries);
   }
 
   function put(number: number, ring: RingEntry): void {

@@ -26,7 +26,7 @@ export interface ShareSettings {
   readonly store: LruCache<Blob>;
   readonly described: (name: string) => FileEntry | undefined;
   /** Names of the files that the page shows or will show. */
-  readonly wanted: () => Iterable<string>;
+  readonly shownNames: () => Iterable<string>;
   /** Whether the first picture is still missing. */
   readonly isFirst: () => boolean;
   /** User's own number; null outside the room. */
@@ -47,7 +47,7 @@ interface Count {
 export type Share = ReturnType<typeof createShare>;
 
 export function createShare(settings: ShareSettings) {
-  const { store, described, wanted, isFirst, own, peers, ready, fetch } = settings;
+  const { store, described, shownNames, isFirst, own, peers, ready, fetch } = settings;
   /** Counts by source: other pages, and the server. */
   const counts: Readonly<Record<'others' | 'server', Count>> = {
     others: { bytes: 0, files: 0 },
@@ -153,7 +153,7 @@ export function createShare(settings: ShareSettings) {
       sizeOf: (key: string) => Math.max(arriving.get(key) ?? 0, 0),
       obtain(key: string): boolean {
         if (arriving.has(key)) return true;
-        for (const name of wanted()) {
+        for (const name of shownNames()) {
           if (described(name)?.sha256 !== key) continue;
           fetch(name, new AbortController().signal).catch(() => {
             for (const peer of peers()) peer.settle(key);

@@ -15,7 +15,7 @@ import { createBudget } from './uploads';
 const MAX_STORED_BYTES = 64 * 2 ** 20;
 const TICKS_PER_SECOND = Math.round(1 / TICK);
 
-export interface PeersSettings extends Pick<ShareSettings, 'wanted' | 'isFirst'> {
+export interface PeersSettings extends Pick<ShareSettings, 'shownNames' | 'isFirst'> {
   readonly query: URLSearchParams;
   /** Asks the server for its settings of rooms. */
   readonly ask: Ask;
@@ -26,7 +26,7 @@ export interface PeersSettings extends Pick<ShareSettings, 'wanted' | 'isFirst'>
 
 export type Peers = ReturnType<typeof startPeers>;
 
-export function startPeers({ query, ask, files, wanted, isFirst, signal }: PeersSettings) {
+export function startPeers({ query, ask, files, shownNames, isFirst, signal }: PeersSettings) {
   const clock = CLOCK;
   const peers = new Map<number, Peer>();
   const store = new LruCache<Blob>(MAX_STORED_BYTES);
@@ -62,7 +62,7 @@ export function startPeers({ query, ask, files, wanted, isFirst, signal }: Peers
   const share = createShare({
     store,
     described: files.described,
-    wanted,
+    shownNames,
     isFirst,
     own: () => mesh.own,
     peers: () => [...peers.values()],

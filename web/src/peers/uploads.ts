@@ -61,9 +61,9 @@ export function createUploads(
     for (let begin = 0; begin < file.size; begin += READ_BYTES) {
       const data = new Uint8Array(await file.slice(begin, begin + READ_BYTES).arrayBuffer());
       while (line.bufferedAmount > MAX_BUFFERED_BYTES) await new Promise<void>((done) => (resume = done));
-      for (let at = 0; at < data.length; at += PART) {
+      for (let start = 0; start < data.length; start += PART) {
         if (!ready.has(request)) return;
-        const part = data.subarray(at, at + PART);
+        const part = data.subarray(start, start + PART);
         send({ kind: 'part', request, data: part });
         sent(part.length);
       }

@@ -38,13 +38,13 @@ const PERSONAL_PARAMETERS = ['name', 'token', 'peers', 'datagrams'] as const;
 /** Link to the room for other users. */
 export function inviteOf(page: string): string {
   const address = new URL(page);
-  for (const own of PERSONAL_PARAMETERS) address.searchParams.delete(own);
+  for (const parameter of PERSONAL_PARAMETERS) address.searchParams.delete(parameter);
   return address.href;
 }
 
 /** Truncates a name to the length that a frame can hold. */
-function nameOf(wanted: string): string {
-  const letters = [...wanted.replace(new RegExp(HIDDEN, 'gu'), '').trim()];
+function nameOf(text: string): string {
+  const letters = [...text.replace(new RegExp(HIDDEN, 'gu'), '').trim()];
   while (sizeOf(letters.join('')) > MAX_NAME_BYTES) letters.pop();
   return letters.join('') || DEFAULT_NAME;
 }

@@ -61,8 +61,8 @@ export function createAvatars(shared: Shared) {
 
   return {
     get meshes(): readonly Drawn[] {
-      const others = [...avatars.values()].flatMap(({ avatar }) => avatar.meshes);
-      return ownPointer ? [...others, ray.mesh] : others;
+      const presentNumbers = [...avatars.values()].flatMap(({ avatar }) => avatar.meshes);
+      return ownPointer ? [...presentNumbers, ray.mesh] : presentNumbers;
     },
     /** Sets the users to draw; `pixel` is the tangent of the angle of a pixel. */
     show(seen: readonly Seen[], own: Own | null, pixel: number): void {

@@ -110,14 +110,14 @@ export function createRoomCard(root: HTMLElement, commands: CardCommands) {
       const numbers = new Set(room.guests.map(({ number }) => number));
       for (const number of rows.keys()) if (!numbers.has(number)) rows.delete(number);
       ownRow.show(`${room.name} (you)`, isHere ? cssOf(state.user) : '', null);
-      const others = room.guests.map((guest) => {
+      const presentUsers = room.guests.map((guest) => {
         const guestRow = rows.get(guest.number) ?? createRow((isMuted) => commands.mute(guest.number, isMuted));
         rows.set(guest.number, guestRow);
         const suffix = guest.group === room.group ? '' : ' (other group)';
         guestRow.show(`${shownName(guest.name, guest.number)}${suffix}`, cssOf(guest.number), guest.isMuted);
         return guestRow.element;
       });
-      arrange(list, [ownRow.element, ...others]);
+      arrange(list, [ownRow.element, ...presentUsers]);
     },
     /** Shows why there is no room. */
     refuse(reason: string): void {

@@ -35,15 +35,15 @@ const ticket = shortBytes('a ticket is too long');
 const sentence = utf8(payload(1 << 12), 'a sentence is not UTF-8');
 /** Recipients and content of a `say` frame; content of a signal. */
 const to = choiceOf(['group', 'room'], 'expected the group or the room');
-const [said, signal] = [payload(1 << 12), payload(1 << 14)];
+const [sayPayload, signalPayload] = [payload(1 << 12), payload(1 << 14)];
 
 /** Frames of users. */
 const USER_KINDS = {
   hello: [1, sized(behind(VERSION, 'a hello has another version', record({ group: U16, name, ticket })))],
   pose: [2, sized(record({ pose: POSE }))],
   ack: [3, sized(record({ user: U16, sequence: U32 }))],
-  say: [4, sized(record({ to, payload: said }))],
-  signal: [5, sized(record({ user: U16, payload: signal }))],
+  say: [4, sized(record({ to, payload: sayPayload }))],
+  signal: [5, sized(record({ user: U16, payload: signalPayload }))],
   bye: [6, sized(record({}))],
 } as const;
 export type FromUser = MessageOf<typeof USER_KINDS>;
@@ -54,8 +54,8 @@ const SERVER_KINDS = {
   welcome: [129, sized(record({ user: U16, others: U16, ticket }))],
   pose: [130, sized(record({ user: U16, pose: POSE }))],
   settled: [131, sized(record({ sequence: U32 }))],
-  say: [132, sized(record({ user: U16, to, payload: said }))],
-  signal: [133, sized(record({ user: U16, payload: signal }))],
+  say: [132, sized(record({ user: U16, to, payload: sayPayload }))],
+  signal: [133, sized(record({ user: U16, payload: signalPayload }))],
   joined: [134, sized(record({ user: U16, group: U16, name }))],
   left: [135, sized(record({ user: U16 }))],
   refused: [136, sized(record({ reason: U8, sentence }))],

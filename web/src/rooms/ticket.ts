@@ -24,13 +24,13 @@ export function createTicketStore(relay: string, storage: () => Storage = () => 
   return {
     /** Removes and returns the ticket of the previous page; empty if there is none. */
     take(): Uint8Array {
-      const text = onStorage(storage, (found) => found.getItem(key)) ?? '';
-      onStorage(storage, (found) => found.removeItem(key));
+      const text = onStorage(storage, (store) => store.getItem(key)) ?? '';
+      onStorage(storage, (store) => store.removeItem(key));
       return /^(?:[\da-f]{2}){1,255}$/.test(text) ? bytesOf(text) : new Uint8Array();
     },
     put(ticket: Uint8Array): void {
       if (ticket.length === 0) return;
-      onStorage(storage, (found) => found.setItem(key, hexOf(ticket)));
+      onStorage(storage, (store) => store.setItem(key, hexOf(ticket)));
     },
   };
 }

@@ -33,7 +33,7 @@ export function createTrack() {
   let samples: Sample[] = [];
   let [interval, jitter, comparedAt] = [INITIAL_INTERVAL, 0, 0];
   /** Least difference of both clocks, in this window and in the one before. */
-  let least = { since: 0, now: Infinity, before: Infinity };
+  let minDifference = { windowStart: 0, current: Infinity, previous: Infinity };
   /** Delay in seconds that is subtracted from local time; null until something is drawn. */
   let delay: number | null = null;
   let drawnAt = 0;
@@ -42,19 +42,21 @@ export function createTrack() {
     begin = clock;
     samples = [];
     [interval, jitter, delay] = [INITIAL_INTERVAL, 0, null];
-    least = { since: -Infinity, now: Infinity, before: Infinity };
+    minDifference = { windowStart: -Infinity, current: Infinity, previous: Infinity };
   }
 
   /** Compares both clocks when a pose arrives. */
   function compare(difference: number, now: number): void {
-    if (now - least.since > WINDOW_SECONDS) least = { since: now, now: difference, before: least.now };
-    least.now = Math.min(least.now, difference);
+    if (now - minDifference.windowStart > WINDOW_SECONDS) {
+      minDifference = { windowStart: now, current: difference, previous: minDifference.current };
+    }
+    minDifference.current = Math.min(minDifference.current, difference);
     jitter = Math.max(jitter * Math.exp(-(now - comparedAt) / JITTER_DECAY), difference - offset());
     comparedAt = now;
   }
 
   function offset(): number {
-    return Math.min(least.now, least.before);
+    return Math.min(minDifference.current, minDifference.previous);
   }
 
   function add(sample: Sample): void {

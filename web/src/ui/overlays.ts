@@ -38,9 +38,9 @@ export function createDivider(root: HTMLElement, changed: (share: number | null)
 
   /** Sets the share of the picture that is conventional, 0 to 1; null removes the divider. */
   function set(next: number | null): void {
-    const wanted = next === null || Number.isNaN(next) ? null : Math.min(Math.max(next, 0), 1);
-    if (wanted === share) return;
-    share = wanted;
+    const newShare = next === null || Number.isNaN(next) ? null : Math.min(Math.max(next, 0), 1);
+    if (newShare === share) return;
+    share = newShare;
     layer.hidden = share === null;
     if (share !== null) {
       const percent = String(Math.round(100 * share));

@@ -28,7 +28,7 @@ export async function openKernel(model: Model, received: Received, signal: Abort
   const pendingPieces = new Map<string, { done(piece: Piece): void; failed(reason: Error): void }>();
   // Answers reach every view of the model, so that ids must be unique.
   const viewId = Math.random().toString(36).slice(2);
-  let last = 0;
+  let requestCount = 0;
 
   const onAnswer = (answer: Answer, buffers: readonly DataView[]): void => {
     const pending = pendingPieces.get(answer?.id);
@@ -43,7 +43,7 @@ export async function openKernel(model: Model, received: Received, signal: Abort
 
   /** Requests a piece of a file, without a timeout, because a busy kernel answers later. */
   function ask(name: string, start: number, stop: AbortSignal): Promise<Piece> {
-    const id = `${viewId}-${++last}`;
+    const id = `${viewId}-${++requestCount}`;
     return abortable<Piece>(stop, (done, failed) => {
       pendingPieces.set(id, { done, failed });
       model.send({ kind: 'read', id, name, start });

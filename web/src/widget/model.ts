@@ -57,5 +57,5 @@ export function createMirror(model: Model) {
 /** Compares numbers, texts and lists of them. */
 function isSame(a: unknown, b: unknown): boolean {
   if (!Array.isArray(a) || !Array.isArray(b)) return Object.is(a, b);
-  return a.length === b.length && a.every((item, place) => isSame(item, b[place]));
+  return a.length === b.length && a.every((item, index) => isSame(item, b[index]));
 }

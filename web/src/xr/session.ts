@@ -178,14 +178,14 @@ function stickOf(inputs: readonly Input[], hand: XRHandedness): Input['stick'] {
 }
 
 /** Detects the headset; `tell` is called with it, or with a sentence why there is none, now and on changes. */
-export function offerHeadset(viewer: Viewer, settings: HeadsetSettings, tell: (found: Headset | string) => void): void {
+export function offerHeadset(viewer: Viewer, settings: HeadsetSettings, report: (found: Headset | string) => void): void {
   const { xr } = navigator;
   let headset: Headset | null = null;
 
   async function seek(): Promise<void> {
     const reason = await whyNoHeadset(xr, window.isSecureContext);
     if (reason === null && xr) headset ??= createHeadset(viewer, xr, settings);
-    tell(reason ?? headset ?? '');
+    report(reason ?? headset ?? '');
   }
 
   void seek();

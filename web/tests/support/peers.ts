@@ -154,7 +154,7 @@ export function createPage(number: number, world: World, clock: Stepped, ready =
     share: createShare({
       store,
       described: (name) => world[name]?.listed,
-      wanted: () => page.wanted,
+      shownNames: () => page.wanted,
       isFirst: () => page.isFirst,
       own: () => number,
       peers: () => [...peers.values()],
