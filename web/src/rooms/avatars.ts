@@ -21,7 +21,7 @@ import { NEAR_VERTEX } from '../shaders/scene';
 import type { Shared } from '../show/materials';
 import { shownName } from './address';
 import { colorOf, createMesh, createRay, createShapes, type Drawn, paint, type Shapes } from './meshes';
-import type { Body, Placed } from './pose';
+import type { Body } from './pose';
 import type { Seen } from './presence';
 import { NAME_VERTEX } from './shaders';
 
@@ -142,7 +142,10 @@ function createAvatar(shapes: Shapes, shared: Shared) {
       const { head, left, right } = body;
       const [x, y, z] = subtract(head.position, center);
       for (const [part, placed] of [['head', head], ['visor', head], ['left', left], ['right', right]] as const) {
-        if (placed) compose(parts[part], placed, center);
+        if (!placed) continue;
+        const matrix = parts[part].material.uniforms['placement']?.value as Matrix4;
+        const rotation = new Quaternion(...placed.rotation).normalize();
+        matrix.compose(new Vector3(...subtract(placed.position, center)), rotation, new Vector3(1, 1, 1));
       }
       nameBase.set(x, y + NAME_HEIGHT, z);
       ray.place(body, center);
@@ -152,12 +155,6 @@ function createAvatar(shapes: Shapes, shared: Shared) {
       for (const { material } of [...Object.values(parts), ray.mesh, title]) material.dispose();
     },
   };
-}
-
-function compose({ material }: Drawn, { position, rotation }: Placed, center: Point): void {
-  const matrix = material.uniforms['placement']?.value as Matrix4;
-  const place = new Vector3(...subtract(position, center));
-  matrix.compose(place, new Quaternion(...rotation).normalize(), new Vector3(1, 1, 1));
 }
 
 /** Height of a label, size of its letters and horizontal padding, pixels. */

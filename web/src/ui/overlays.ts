@@ -1,6 +1,4 @@
-/**
- * Elements over the picture: the divider between both pictures, the mark of the left thumb, and a line while waiting.
- */
+/** Elements over the picture: the divider of both pictures, the mark of the left thumb, and a line while waiting. */
 import { type Thumb, THUMB_REACH } from '../control/pointers';
 import { icon, ICONS, make } from './dom';
 
@@ -19,13 +17,9 @@ export function createDivider(root: HTMLElement, changed: (share: number | null)
   const line = make(
     'div',
     {
-      class: 'divider',
-      role: 'slider',
-      tabindex: '0',
+      class: 'divider', role: 'slider', tabindex: '0', 'aria-orientation': 'horizontal',
       'aria-label': 'Divider between the conventional picture, left, and the continuous one, right',
-      'aria-orientation': 'horizontal',
-      'aria-valuemin': '0',
-      'aria-valuemax': '100',
+      'aria-valuemin': '0', 'aria-valuemax': '100',
     },
     left,
     make('span', { class: 'divider-grip' }, icon(ICONS.grip)),

@@ -115,9 +115,7 @@ export function createFigures() {
   const foldBar = make('div', { class: 'reach', 'aria-hidden': 'true' }, make('span', {}));
   const problems = make('ul', { class: 'problems' });
 
-  function line(name: string): HTMLElement {
-    const existing = lines.get(name);
-    if (existing) return existing;
+  function createLine(name: string): HTMLElement {
     const value = make('dd', {});
     list.append(make('div', {}, make('dt', {}, name), value));
     lines.set(name, value);
@@ -127,7 +125,7 @@ export function createFigures() {
   return {
     element: make('div', { class: 'panel-body' }, list, foldBar, problems),
     update(status: Status): void {
-      for (const [name, text] of Object.entries(linesOf(status))) write(line(name), text);
+      for (const [name, text] of Object.entries(linesOf(status))) write(lines.get(name) ?? createLine(name), text);
       const fraction = status.foldMargin > 0 ? Math.min(status.distance / status.foldMargin, 1) : 0;
       foldBar.style.setProperty('--share', fraction.toFixed(3));
       foldBar.dataset['near'] = String(fraction > 0.8);

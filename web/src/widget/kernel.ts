@@ -35,9 +35,11 @@ export async function openKernel(model: Model, received: Received, signal: Abort
     if (!pending) return;
     pendingPieces.delete(answer.id);
     const [buffer] = buffers;
+    // A copy, whose buffer can be transferred to a worker.
+    const copy = buffer && new Uint8Array(buffer.buffer, buffer.byteOffset, buffer.byteLength).slice();
     if ('problem' in answer) pending.failed(new BundleError(answer.problem));
-    else if (!buffer) pending.failed(new BundleError('the kernel answers without a file'));
-    else pending.done({ data: bytesOf(buffer), bytes: answer.bytes });
+    else if (!copy) pending.failed(new BundleError('the kernel answers without a file'));
+    else pending.done({ data: copy as Uint8Array<ArrayBuffer>, bytes: answer.bytes });
   };
   model.on('msg:custom', onAnswer);
 
@@ -81,9 +83,4 @@ export async function openKernel(model: Model, received: Received, signal: Abort
       pendingPieces.clear();
     },
   };
-}
-
-/** Returns a copy, whose buffer can be transferred to a worker. */
-function bytesOf(view: DataView): Uint8Array<ArrayBuffer> {
-  return new Uint8Array(view.buffer, view.byteOffset, view.byteLength).slice() as Uint8Array<ArrayBuffer>;
 }
