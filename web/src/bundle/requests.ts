@@ -11,10 +11,7 @@ interface Request {
   receivedBytes: number;
 }
 
-/**
- * Shares the requests of a function. Each caller gets its own copy of the data and all progress; a request is aborted
- * when its last caller aborts.
- */
+/** Shares requests: each caller gets a copy of the data and all progress; the last caller's abort ends the request. */
 export function createShared(load: Load): Load {
   const pending = new Map<string, Request>();
 

@@ -104,10 +104,7 @@ export function createFiles(
   };
 }
 
-/**
- * Result of an attempt, which is repeated after pauses until it succeeds or throws a BundleError; after the last attempt
- * the error begins with `failure`.
- */
+/** Repeats an attempt until it succeeds or throws a BundleError; the error after the last one begins with `failure`. */
 export async function withRetries<T>(
   failure: string,
   signal: AbortSignal,

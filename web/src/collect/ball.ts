@@ -88,19 +88,13 @@ void main() {
 const MAX_TANGENT = 0.5;
 
 /**
- * Target beside or on a sphere for a place of the picture, at the sphere's distance, so that a hand beside the eyes
+ * Target beside or on a sphere for a point of the picture, at the sphere's distance, so that a hand beside the eyes
  * points there, too; null for directions that miss the sphere.
  */
-export function pointBeside(
-  viewer: Viewer,
-  nearShare: number,
-  pose: Pose,
-  place: ScreenPoint,
-  sphere: Vector,
-): Vector | null {
+export function pointBeside(viewer: Viewer, nearShare: number, pose: Pose, point: ScreenPoint, sphere: Vector): Vector | null {
   const { center, morph } = morphOf(viewer, nearShare, pose);
   const shownCenter = shownAt(subtract(sphere, center), morph);
-  const [dx, dy, dz] = directionTo(pose, place, viewer.camera);
+  const [dx, dy, dz] = directionTo(pose, point, viewer.camera);
   const distanceAlong = shownCenter[0] * dx + shownCenter[1] * dy + shownCenter[2] * dz;
   const offset = subtract([distanceAlong * dx, distanceAlong * dy, distanceAlong * dz], shownCenter);
   return distanceAlong > 0 && Math.hypot(...offset) <= MAX_TANGENT * distanceAlong ? addScaled(sphere, offset, 1) : null;

@@ -38,21 +38,12 @@ export interface ShareSettings {
   readonly fetch: (name: string, signal: AbortSignal) => Promise<ArrayBuffer>;
 }
 
-/** Bytes and files received from a source. */
-interface Count {
-  bytes: number;
-  files: number;
-}
-
 export type Share = ReturnType<typeof createShare>;
 
 export function createShare(settings: ShareSettings) {
   const { store, described, shownNames, isFirst, own, peers, ready, fetch } = settings;
-  /** Counts by source: other pages, and the server. */
-  const counts: Readonly<Record<'others' | 'server', Count>> = {
-    others: { bytes: 0, files: 0 },
-    server: { bytes: 0, files: 0 },
-  };
+  /** Bytes and files received from other pages, and from the server. */
+  const counts = { others: { bytes: 0, files: 0 }, server: { bytes: 0, files: 0 } };
   /** Received bytes of each file in transfer; files requested from the server. */
   const arriving = new Map<string, number>();
   const requested = new Set<string>();
@@ -167,16 +158,12 @@ export function createShare(settings: ShareSettings) {
 }
 
 /**
- * Weight of a user for a file in rendezvous hashing, by which all users agree on the one that requests the file from the
- * server. The key is a SHA-256 in hexadecimal digits; the greatest weight wins.
+ * Whether one user precedes another one for a file, by weights of rendezvous hashing: all users agree that the one with
+ * the greatest weight requests the file from the server. The key is a SHA-256 in hexadecimal digits.
  */
-function weightOf(user: number, key: string): number {
-  return mixed(mixed(user + 1) ^ parseInt(key.slice(0, 8), 16));
-}
-
-/** Whether one user precedes another one for a file. */
 export function isBefore(a: number, b: number, key: string): boolean {
-  const difference = weightOf(a, key) - weightOf(b, key);
+  const [weightA = 0, weightB = 0] = [a, b].map((user) => mixed(mixed(user + 1) ^ parseInt(key.slice(0, 8), 16)));
+  const difference = weightA - weightB;
   return difference > 0 || (difference === 0 && a < b);
 }
 

@@ -90,9 +90,7 @@ export function readMessage(message: Uint8Array): FromServer[] {
   return frames;
 }
 
-/**
- * Serializes a frame; throws `FrameError` for an invalid name or ticket in a hello, and for a payload that is too long.
- */
+/** Writes a frame; throws `FrameError` for an invalid name or ticket in a hello, and for a payload that is too long. */
 export function writeFrame(frame: FromUser): Uint8Array<ArrayBuffer> {
   if (frame.kind === 'hello') checkName(frame.name);
   return encode(USER_FRAME, frame);

@@ -12,10 +12,7 @@ export type ScreenPoint = readonly [number, number];
 
 export type Hold = ReturnType<typeof createHold>;
 
-/**
- * Creates the controls. Key and mouse point at the cursor, or at the picture's centre if there is no cursor; `button`
- * points at the centre.
- */
+/** Creates the controls. Key and mouse point at the cursor, if there is one, else at the centre, as `button` does. */
 export function createHold(canvas: HTMLCanvasElement, button: HTMLElement) {
   const heldInputs = new Set<'key' | 'mouse' | 'button'>();
   let cursor: ScreenPoint = PICTURE_CENTER;

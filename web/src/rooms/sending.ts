@@ -6,10 +6,7 @@ const RATE = 72;
 /** Tolerances of "no change": metres; component of a rotation; relative change of a pointer's length. */
 const [MAX_SHIFT, MAX_TURN, MAX_LENGTH_CHANGE] = [1e-3, 5e-4, 1e-3] as const;
 
-/**
- * Creates a sender; `send` gets a pose, and whether none follows until the next movement, and returns whether it was
- * sent.
- */
+/** Creates a sender; `send` sends a pose, the last one before a rest if `stops`, and returns whether it was sent. */
 export function createSender(send: (body: Body, stops: boolean) => boolean) {
   let last: Body | null = null;
   let hasStopped = false;

@@ -32,25 +32,20 @@ export function createOpen(
   let failedEndpoint = '';
   let failedAt = -Infinity;
 
-  async function open(url: string, listener: Listener): Promise<OpeningSocket> {
+  async function open(url: string, listener: Listener): Promise<readonly [socket: Socket, isOpen: boolean]> {
     // The server may have a new certificate each time.
     const endpoint = isOff ? null : await transports.datagrams();
     if (endpoint && (nameOf(endpoint) !== failedEndpoint || clock.now() - failedAt >= RETRY_SECONDS)) {
       try {
-        return { socket: await transports.openDatagrams(url, endpoint, listener), isOpen: true };
+        return [await transports.openDatagrams(url, endpoint, listener), true];
       } catch {
         [failedEndpoint, failedAt] = [nameOf(endpoint), clock.now()];
       }
     }
-    return { socket: transports.openSocket(url, listener), isOpen: false };
+    return [transports.openSocket(url, listener), false];
   }
 
   return (url, listener) => deferredSocket(open(url, listener), listener);
-}
-
-interface OpeningSocket {
-  readonly socket: Socket;
-  readonly isOpen: boolean;
 }
 
 function nameOf({ port, hashes }: Datagrams): string {
@@ -69,13 +64,13 @@ function browserTransports(ask: Ask): Transports {
 }
 
 /** Socket that is resolved later; earlier data are discarded. */
-function deferredSocket(opening: Promise<OpeningSocket>, listener: Listener): Socket {
+function deferredSocket(opening: Promise<readonly [socket: Socket, isOpen: boolean]>, listener: Listener): Socket {
   let socket: Socket | null = null;
   let isClosed = false;
-  opening.then((opened) => {
-    socket = opened.socket;
+  opening.then(([openedSocket, isOpen]) => {
+    socket = openedSocket;
     if (isClosed) socket.close(true);
-    else if (opened.isOpen) listener.opened();
+    else if (isOpen) listener.opened();
   }, () => listener.closed(BROKEN_CODE));
   return {
     get bufferedAmount() {

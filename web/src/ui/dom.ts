@@ -1,7 +1,4 @@
-/**
- * Creation of elements without parsing HTML, so that no text of a bundle becomes markup; icons; saving of files;
- * copying of texts.
- */
+/** Elements, created without parsing HTML, so that no text of a bundle becomes markup; icons; saving and copying. */
 
 type Attributes = Readonly<Record<string, string | boolean | undefined>>;
 type Child = Node | string;
