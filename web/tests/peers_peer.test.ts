@@ -31,6 +31,14 @@ const wants = (heard: readonly Message[]): number[] =>
 const ends = (heard: readonly Message[], kind: Message['kind']): number =>
   heard.filter((each) => each.kind === kind).length;
 
+/** Announces files of user 2 to the page, which then requests the file `a`. */
+async function requestA({ page, say, heard }: ReturnType<typeof bench>, keys = [A], holding: 'here' | 'coming' = 'here') {
+  await say({ kind: 'tell', holding, keys });
+  const coming = page.get('a');
+  await settled();
+  return { coming, request: wants(heard)[0] ?? 0 };
+}
+
 /** The parts of a file. */
 function partsOf(name: string, request: number, begin = 0): Message[] {
   const data = contentOf(name);
@@ -51,11 +59,9 @@ test('a file comes from a user who has it, complete and checked, and is offered 
 });
 
 test('a wrong file is not used: its sender is dropped, and the server sends the file', async () => {
-  const { page, heard, say, line } = bench();
-  await say({ kind: 'tell', holding: 'here', keys: [A] });
-  const coming = page.get('a');
-  await settled();
-  const [request = 0] = wants(heard);
+  const context = bench();
+  const { page, say, line } = context;
+  const { coming, request } = await requestA(context);
   const parts = partsOf('a', request);
   (parts.at(-1) as { data: Uint8Array }).data = new Uint8Array(5).fill(9);
   await say(...parts);
@@ -77,11 +83,10 @@ test('unrequested bytes and parts of a wrong length drop their sender', async ()
     [/more bytes are reported/, (request) => [{ kind: 'wait', request, bytes: 3 * PART + 6 }]],
   ];
   for (const [reason, messages] of wrong) {
-    const { page, heard, say } = bench();
-    await say({ kind: 'tell', holding: 'here', keys: [A] });
-    const coming = page.get('a');
-    await settled();
-    await say(...messages(wants(heard)[0] ?? 0));
+    const context = bench();
+    const { page, say } = context;
+    const { coming, request } = await requestA(context);
+    await say(...messages(request));
     assertContent(await coming, 'a');
     assert.match(page.dropped.get(2) ?? '', reason);
   }
@@ -100,11 +105,9 @@ test('malformed messages, texts and floods drop their sender', async () => {
 });
 
 test('a sender that stalls within a file loses the request, and is asked again once it has ended the request', async () => {
-  const { page, heard, say, clock } = bench();
-  await say({ kind: 'tell', holding: 'here', keys: KEYS });
-  const coming = page.get('a');
-  await settled();
-  const [request = 0] = wants(heard);
+  const context = bench();
+  const { page, heard, say, clock } = context;
+  const { coming, request } = await requestA(context, KEYS);
   await say(...partsOf('a', request).slice(0, 2));
   await clock.pass(3.75);
   assert.equal(ends(heard, 'cancel'), 0);
@@ -151,11 +154,9 @@ test('requests that are unanswered at the same time count as one', async () => {
 });
 
 test('a page waits for another that has to fetch the file first, while it makes progress', async () => {
-  const { page, heard, say, clock } = bench();
-  await say({ kind: 'tell', holding: 'coming', keys: [A] });
-  const coming = page.get('a');
-  await settled();
-  const [request = 0] = wants(heard);
+  const context = bench();
+  const { page, say, clock } = context;
+  const { coming, request } = await requestA(context, [A], 'coming');
   for (let bytes = 0; bytes < 3; bytes++) {
     await say({ kind: 'wait', request, bytes });
     await clock.pass(3);
@@ -169,11 +170,9 @@ test('a page waits for another that has to fetch the file first, while it makes 
 });
 
 test('a file that trickles is given up in the end', async () => {
-  const { page, heard, say, clock } = bench();
-  await say({ kind: 'tell', holding: 'here', keys: [A] });
-  const coming = page.get('a');
-  await settled();
-  const [request = 0] = wants(heard);
+  const context = bench();
+  const { page, say, clock } = context;
+  const { coming, request } = await requestA(context);
   const parts = partsOf('a', request);
   for (const part of parts.slice(0, 3)) {
     await say(part);
@@ -184,11 +183,10 @@ test('a file that trickles is given up in the end', async () => {
 });
 
 test('a user who leaves in the middle of a file is replaced by the server', async () => {
-  const { page, heard, say } = bench();
-  await say({ kind: 'tell', holding: 'here', keys: [A] });
-  const coming = page.get('a');
-  await settled();
-  await say(...partsOf('a', wants(heard)[0] ?? 0).slice(0, 1));
+  const context = bench();
+  const { page, say } = context;
+  const { coming, request } = await requestA(context);
+  await say(...partsOf('a', request).slice(0, 1));
   page.peers.get(2)?.end();
   page.peers.delete(2);
   assertContent(await coming, 'a');
