@@ -70,11 +70,12 @@ export const U32 = numeric<number>(4, 'Uint32');
 export const U64 = numeric<bigint>(8, 'BigUint64');
 export const F32 = numeric<number>(4, 'Float32');
 
+/** Little-endian number, read and written by the accessors of `DataView` for a kind. */
 function numeric<Value extends number | bigint>(
   size: number,
   kind: 'Uint8' | 'Uint16' | 'Int16' | 'Uint32' | 'BigUint64' | 'Float32',
 ): Codec<Value> {
-  type Accessors = Record<string, (offset: number, ...arguments_: (Value | boolean)[]) => Value>;
+  type Accessors = Record<string, (offset: number, ...args: (Value | boolean)[]) => Value>;
   const accessors = (bytes: Uint8Array): Accessors =>
     new DataView(bytes.buffer, bytes.byteOffset, size) as unknown as Accessors;
   return {

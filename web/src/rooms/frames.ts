@@ -21,7 +21,9 @@ import { POSE } from './pose';
 
 /** Protocol version of all frames. */
 const VERSION = 1;
+/** Greatest numbers of bytes of a user's name, of the payload of a `say` frame, and of a signal. */
 export const MAX_NAME_BYTES = 64;
+const [MAX_SAY_BYTES, MAX_SIGNAL_BYTES] = [1 << 12, 1 << 14] as const;
 /** Characters forbidden in names: control characters, and format characters, which are invisible or reorder text. */
 export const HIDDEN = /[\p{Cc}\p{Cf}]/u;
 
@@ -32,10 +34,10 @@ function checkName(text: string): void {
 
 const name = checked(utf8(shortBytes('a name is too long'), 'a name is not UTF-8'), checkName);
 const ticket = shortBytes('a ticket is too long');
-const sentence = utf8(payload(1 << 12), 'a sentence is not UTF-8');
-/** Recipients and content of a `say` frame; content of a signal. */
+const sentence = utf8(payload(MAX_SAY_BYTES), 'a sentence is not UTF-8');
+/** Recipients of a `say` frame. */
 const to = choiceOf(['group', 'room'], 'expected the group or the room');
-const [sayPayload, signalPayload] = [payload(1 << 12), payload(1 << 14)];
+const [sayPayload, signalPayload] = [payload(MAX_SAY_BYTES), payload(MAX_SIGNAL_BYTES)];
 
 /** Frames of users. */
 const USER_KINDS = {
