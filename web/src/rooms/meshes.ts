@@ -102,7 +102,7 @@ function createPointerShape(): BufferGeometry {
 
 /** Ribbon in pieces: x is the share of its length; y is `low` on one side and 1 on the other. */
 export function createRibbon(pieces: number, low: number): BufferGeometry {
-  return new PlaneGeometry(1, 1 - low, pieces, 1).translate(0.5, (1 + low) / 2, 0);
+  return new PlaneGeometry(1, 1 - low, pieces, 1).scale(1, -1, 1).translate(0.5, (1 + low) / 2, 0);
 }
 
 export function createRay(shapes: Shapes, shared: Shared, color: Vector4) {
