@@ -17,7 +17,7 @@ export interface Bounds {
 }
 
 /** Share of the radius from which outward steps shrink. */
-export const FREE_SHARE = 0.8;
+export const FREE = 0.8;
 /** Rate per second at which a user beyond the limit is led back: the excess falls by e in a third of a second. */
 const RETURN_RATE = 3;
 
@@ -71,7 +71,7 @@ function withMostSpace(place: Vector, limits: readonly Limit[]): Limit | null {
 
 function slowDown(from: Vector, to: Vector, limit: Limit): Vector {
   const [before, after] = [distance(from, limit), distance(to, limit)];
-  const freeDistance = FREE_SHARE * limit.metres;
+  const freeDistance = FREE * limit.metres;
   const start = Math.max(before, freeDistance);
   if (after <= start) return to;
   const width = limit.metres - freeDistance;

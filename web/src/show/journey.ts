@@ -3,7 +3,7 @@
  * replaces another one by a cross-fade, and only where neither picture folds; until then the user is confined to the
  * area where the current picture does not fold.
  */
-import { type Bounds, clampToLimit, distance, FREE_SHARE, type Limit } from '../control/limit';
+import { type Bounds, clampToLimit, distance, FREE, type Limit } from '../control/limit';
 import type { Pose, Vector } from '../control/pose';
 import { type MorphState, NOTHING_NEAR } from './stage';
 import { distanceBetween, type Places } from './world';
@@ -117,7 +117,7 @@ export function createJourney(settings: JourneySettings, regions: Regions, first
     const isAlike = from.strength === 0 || isAsLarge || regions.isComplete(next);
     if (isNearer && isAlike && marginAt(there, place) >= ROOM_SHARE * there.metres) return true;
     // At its edge the picture is replaced even by one that is less similar.
-    const isAtEdge = marginAt(here, place) < (1 - FREE_SHARE) * here.metres;
+    const isAtEdge = marginAt(here, place) < (1 - FREE) * here.metres;
     return isAtEdge && marginAt(there, place) >= Math.max(marginAt(here, place), 0) + gap;
   }
 
@@ -144,7 +144,7 @@ export function createJourney(settings: JourneySettings, regions: Regions, first
     const offer = isHere ? from : regions.offer(region, from ?? NOTHING_NEAR);
     if (!offer) return;
     // Its picture must leave the user room; otherwise it begins with nothing near.
-    const fits = isHere || marginAt(limitOf(region, offer), target.position) > (1 - FREE_SHARE) * limitOf(region, offer).metres;
+    const fits = isHere || marginAt(limitOf(region, offer), target.position) > (1 - FREE) * limitOf(region, offer).metres;
     const place = landing(region, fits ? offer : NOTHING_NEAR, target);
     going = null;
     take(region, fits && from ? from : NOTHING_NEAR, from ? pose : null);
