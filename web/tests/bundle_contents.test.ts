@@ -9,14 +9,14 @@ test('a bundle ends with the requested ring', () => {
   const count = read.regions[0]?.rings.length ?? 0;
   assert.ok(count > 1);
   assert.equal(firstRings(null, read), read);
-  for (const [asked, rings] of [['0', 1], ['1', 2], ['9999', count]] as const) {
-    assert.equal(firstRings(asked, read).regions[0]?.rings.length, rings);
+  for (const [last, rings] of [['0', 1], ['1', 2], ['9999', count]] as const) {
+    assert.equal(firstRings(last, read).regions[0]?.rings.length, rings);
   }
 });
 
 test('an invalid ring number is refused', () => {
   const read = parseManifest(asManifest(manifest()));
-  for (const asked of ['', '-1', '1.5', 'two', '99999']) {
-    assert.throws(() => firstRings(asked, read), /rings: expected the number of a ring, got/);
+  for (const last of ['', '-1', '1.5', 'two', '99999']) {
+    assert.throws(() => firstRings(last, read), /rings: expected the number of a ring, got/);
   }
 });

@@ -2,11 +2,11 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { allowedShare, type Bounds, clampToLimit, confine, distance, leadBack } from '../src/control/limit';
 import type { Vector } from '../src/control/pose';
+import { assertNear } from './support/near';
 
 const LIMIT = { center: [5, 0, -3], metres: 10 } as const;
 const BOUNDS: Bounds = { open: [LIMIT], shown: [LIMIT] };
 const at = (away: number, height = 1.7): Vector => [5 + 0.6 * away, height, -3 + 0.8 * away];
-const close = (a: number, b: number, within = 1e-9): void => assert.ok(Math.abs(a - b) <= within, `${a} is not ${b}`);
 
 test('within the free part, and without a limit, steps have their full length', () => {
   assert.deepEqual(confine(at(0), at(7.9), BOUNDS), at(7.9));
@@ -33,33 +33,33 @@ test('one long step equals many short ones', () => {
     const away = distance(place, LIMIT);
     place = confine(place, at(away + 0.1), BOUNDS);
   }
-  place.forEach((value, axis) => close(value, once[axis] ?? 0));
+  assertNear(place, once);
 });
 
 test('the first step beyond the free part has almost its full length: no jolt', () => {
-  close(distance(confine(at(8), at(8.001), BOUNDS), LIMIT), 8.001, 1e-6);
+  assertNear(distance(confine(at(8), at(8.001), BOUNDS), LIMIT), 8.001, 1e-6);
 });
 
 test('a user beyond the limit can only move back, and without a jump', () => {
-  close(distance(confine(at(12), at(13), BOUNDS), LIMIT), 12);
+  assertNear(distance(confine(at(12), at(13), BOUNDS), LIMIT), 12);
   let place = at(12);
   for (let step = 0; step < 100; step++) {
     const next = leadBack(place, BOUNDS, 0.02);
     assert.ok(distance(place, LIMIT) - distance(next, LIMIT) < 0.13);
     place = next;
   }
-  close(distance(place, LIMIT), distance(leadBack(at(12), BOUNDS, 2), LIMIT));
-  close(distance(place, LIMIT), 10, 0.01);
+  assertNear(distance(place, LIMIT), distance(leadBack(at(12), BOUNDS, 2), LIMIT));
+  assertNear(distance(place, LIMIT), 10, 0.01);
   assert.deepEqual(leadBack(at(9), BOUNDS, 1), at(9));
 });
 
 test('the returned share of a step agrees with its end point', () => {
   const [from, to]: [Vector, Vector] = [at(7), at(15)];
   const share = allowedShare(from, to, BOUNDS);
-  close(7 + 8 * share, distance(confine(from, to, BOUNDS), LIMIT));
+  assertNear(7 + 8 * share, distance(confine(from, to, BOUNDS), LIMIT));
   assert.equal(allowedShare(to, from, BOUNDS), 1);
   assert.equal(allowedShare(from, to, null), 1);
-  close(allowedShare(at(12), at(13), BOUNDS), 0);
+  assertNear(allowedShare(at(12), at(13), BOUNDS), 0);
 });
 
 /** Two discs that overlap by 8 m along x; the border lies at 6. */
@@ -75,7 +75,7 @@ test('between two displayable regions no step is shortened', () => {
 
 test('no step leaves the displayed region, even if others can be displayed', () => {
   const both: Bounds = { open: [LEFT, RIGHT], shown: [LEFT] };
-  close(confine([9, 1.7, 0], [14, 1.7, 0], both)[0], 10);
+  assertNear(confine([9, 1.7, 0], [14, 1.7, 0], both)[0], 10);
   const crossing: Bounds = { open: [RIGHT], shown: [LEFT, RIGHT] };
   for (const goal of [[40, 1.7, 3], [-40, 1.7, 3], [6, 1.7, 60]] as const) {
     const place = confine([6, 1.7, 0], goal, crossing);
@@ -88,7 +88,7 @@ test('no step leaves the displayed region, even if others can be displayed', () 
 
 test('a user outside all regions is led to the nearest one', () => {
   const place = leadBack([30, 1.7, 0], { open: [LEFT, RIGHT], shown: [] }, 60);
-  close(place[0], 22, 1e-6);
+  assertNear(place[0], 22, 1e-6);
 });
 
 test('a place is clamped to a limit', () => {

@@ -6,6 +6,7 @@ import { openGlb } from '../src/decode/glb';
 import type { GeometryRequest } from '../src/decode/messages';
 import { type Arrays, createArrays, documentOf, fileOf, glbOf, type Json, NAME, requestOf } from './support/glb';
 import { replaceAt } from './support/manifest';
+import { randomOf } from './support/random';
 
 before(() => MeshoptEncoder.ready);
 
@@ -280,11 +281,8 @@ test('files with wrong bytes are decoded or refused, always with a message', asy
   const attributes = { POSITION: arrays.pack(POSITIONS, 3, 'ATTRIBUTES') };
   const primitive = { ...square(arrays), attributes };
   const whole = glbOf(documentOf(arrays, primitive, [{ mesh: 0 }]), arrays.chunk());
-  let seed = 1;
-  const random = (below: number): number => {
-    seed = (Math.imul(seed, 1_664_525) + 1_013_904_223) >>> 0;
-    return Math.floor((seed / 2 ** 32) * below);
-  };
+  const unit = randomOf(1);
+  const random = (below: number): number => Math.floor(unit() * below);
   let refused = 0;
   for (let round = 0; round < 500; round++) {
     const data = whole.slice(0, random(8) === 0 ? random(whole.length) : whole.length);

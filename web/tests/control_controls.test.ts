@@ -2,11 +2,12 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { type Controls, createControls } from '../src/control/controls';
 import { type Pad, readPads } from '../src/control/drive';
-import type { Thumb } from '../src/control/pointers';
+import { createTaps, type Thumb } from '../src/control/pointers';
 import type { Pose } from '../src/control/pose';
 import { listen } from '../src/ui/help';
 import { nextShare } from '../src/ui/overlays';
-import { fakeElement, letGo, point, press, send } from './fakes';
+import { fakeElement, letGo, point, press, send } from './support/fakes';
+import { assertNear } from './support/near';
 
 const START: Pose = { position: [0, 1.7, 0], yaw: 0, pitch: 0 };
 
@@ -26,17 +27,13 @@ function createSteering(pads: readonly (Pad | null)[] = []) {
   return { element, keys, controls, poses, thumbs, places };
 }
 
-function close(a: number | undefined, b: number): void {
-  assert.ok(Math.abs((a ?? Number.NaN) - b) < 1e-9, `${a} is not ${b}`);
-}
-
 test('keys walk while they are held', () => {
   const { keys, controls } = createSteering();
   assert.ok(press(keys, 'KeyW').defaultPrevented);
-  close(controls.update(0.5).position[2], -0.8);
+  assertNear(controls.update(0.5).position[2], -0.8);
   press(keys, 'KeyD');
   const { position } = controls.update(0.5);
-  close(Math.hypot(position[0], position[2] + 0.8), 0.8);
+  assertNear(Math.hypot(position[0], position[2] + 0.8), 0.8);
   letGo(keys, 'KeyW');
   letGo(keys, 'KeyD');
   assert.deepEqual(controls.update(0.5).position, position);
@@ -45,12 +42,12 @@ test('keys walk while they are held', () => {
 test('shift runs, opposite keys cancel each other, losing the focus stops', () => {
   const { keys, controls } = createSteering();
   press(keys, 'ArrowUp', { shiftKey: true });
-  close(controls.update(0.5).position[2], -2.4);
+  assertNear(controls.update(0.5).position[2], -2.4);
   press(keys, 'KeyS');
-  close(controls.update(0.5).position[2], -2.4);
+  assertNear(controls.update(0.5).position[2], -2.4);
   letGo(keys, 'KeyS');
   send(keys, 'blur');
-  close(controls.update(0.5).position[2], -2.4);
+  assertNear(controls.update(0.5).position[2], -2.4);
 });
 
 test('arrow keys turn, and other keys and shortcuts are ignored', () => {
@@ -62,7 +59,7 @@ test('arrow keys turn, and other keys and shortcuts are ignored', () => {
   assert.ok(!press(keys, 'constructor').defaultPrevented);
   assert.deepEqual(controls.update(0.5), START);
   press(keys, 'ArrowLeft');
-  close(controls.update(0.5).yaw, 0.7);
+  assertNear(controls.update(0.5).yaw, 0.7);
 });
 
 test('no time means no movement, and a long pause counts as half a second', () => {
@@ -70,7 +67,7 @@ test('no time means no movement, and a long pause counts as half a second', () =
   press(keys, 'KeyW');
   for (const seconds of [0, -1, Number.NaN]) assert.deepEqual(controls.update(seconds), START);
   assert.equal(poses.length, 0);
-  close(controls.update(3600).position[2], -0.8);
+  assertNear(controls.update(3600).position[2], -0.8);
   assert.equal(poses.length, 1);
 });
 
@@ -84,8 +81,8 @@ test('dragging turns the head by the same amount at every frame rate', () => {
   point(element, 'pointerup', 400, 250);
   point(element, 'pointermove', 700, 500);
   const { yaw, pitch } = controls.update(0.1);
-  close(yaw, 0.8);
-  close(pitch, 0.4);
+  assertNear(yaw, 0.8);
+  assertNear(pitch, 0.4);
 });
 
 test('a locked pointer turns in the opposite sense', () => {
@@ -94,8 +91,8 @@ test('a locked pointer turns in the opposite sense', () => {
   point(element, 'pointerup', 100, 100);
   controls.lookAround();
   point(element, 'pointermove', 100, 100, { movementX: 150, movementY: 75 });
-  close(controls.update(0.1).yaw, -0.4);
-  close(controls.update(0.1).pitch, -0.2);
+  assertNear(controls.update(0.1).yaw, -0.4);
+  assertNear(controls.update(0.1).pitch, -0.2);
 });
 
 test('two clicks, or two taps of a finger, request the place in the picture', () => {
@@ -118,9 +115,9 @@ test('the left thumb walks while the right one looks', () => {
   point(element, 'pointermove', 100, 400, left);
   point(element, 'pointerdown', 700, 500, right);
   point(element, 'pointermove', 550, 500, right);
-  close(controls.update(0.5).yaw, -0.4);
+  assertNear(controls.update(0.5).yaw, -0.4);
   const { position } = controls.update(0);
-  close(Math.hypot(position[0], position[2]), 0.8);
+  assertNear(Math.hypot(position[0], position[2]), 0.8);
   assert.deepEqual(thumbs.at(-1), { x: 100, y: 500, right: 0, down: -100 });
   point(element, 'pointercancel', 100, 400, left);
   assert.equal(thumbs.at(-1), null);
@@ -152,14 +149,14 @@ test('in an orbit the wheel and two fingers zoom, and two fingers pan', () => {
   controls.setMode('orbit');
   assert.ok(send(element, 'wheel', { deltaY: 100, deltaMode: 0, ctrlKey: false }).defaultPrevented);
   const wheeled = controls.update(0).position[2];
-  close(wheeled, 4 * Math.exp(0.15) - 4);
+  assertNear(wheeled, 4 * Math.exp(0.15) - 4);
   const [first, second] = [{ pointerId: 7, pointerType: 'touch' }, { pointerId: 9, pointerType: 'touch' }];
   point(element, 'pointerdown', 300, 300, first);
   point(element, 'pointerdown', 500, 300, second);
   point(element, 'pointermove', 200, 300, first);
   point(element, 'pointermove', 600, 300, second);
   const pinched = controls.update(0).position;
-  close(pinched[2] + 4, (wheeled + 4) / 2);
+  assertNear(pinched[2] + 4, (wheeled + 4) / 2);
   point(element, 'pointermove', 200, 360, first);
   point(element, 'pointermove', 600, 360, second);
   assert.ok(controls.update(0).position[1] > 1.8);
@@ -198,7 +195,7 @@ const PAD: Pad = { connected: true, mapping: 'standard', axes: [0, -1, 0.5, 0], 
 test('sticks walk and look; at rest or with an unknown layout they do nothing', () => {
   const { controls } = createSteering([null, PAD]);
   const { yaw } = controls.update(0.5);
-  close(yaw, (-0.7 * (0.5 - 0.18)) / (1 - 0.18));
+  assertNear(yaw, (-0.7 * (0.5 - 0.18)) / (1 - 0.18));
   assert.ok(controls.update(0).position[2] < -0.7);
   const idle = [{ mapping: '' }, { connected: false }, { axes: [0.1, -0.1, 0.05, Number.NaN] }, { axes: [] }];
   for (const part of idle) {
@@ -210,8 +207,8 @@ test('sticks walk and look; at rest or with an unknown layout they do nothing', 
 });
 
 test('keys move the divider within the picture, and remove it', () => {
-  close(nextShare('ArrowLeft', 0.5) ?? undefined, 0.49);
-  close(nextShare('PageUp', 0.95) ?? undefined, 1);
+  assertNear(nextShare('ArrowLeft', 0.5) ?? NaN, 0.49);
+  assertNear(nextShare('PageUp', 0.95) ?? NaN, 1);
   assert.equal(nextShare('Home', 0.5), 0);
   assert.equal(nextShare('Escape', 0.5), null);
   for (const key of ['w', 'constructor', 'Tab']) assert.equal(nextShare(key, 0.5), undefined);
@@ -238,6 +235,31 @@ test('a press during pointer lock neither captures the pointer nor stops looking
   controls.lookAround();
   point(element, 'pointerdown', 400, 300);
   point(element, 'pointermove', 400, 300, { movementX: 60 });
-  close(controls.update(0.1).yaw, -60 * 1.6 / 600);
+  assertNear(controls.update(0.1).yaw, -60 * 1.6 / 600);
   assert.equal(element.held.size, 0);
+});
+
+function countTaps(events: readonly (readonly ['down' | 'up', number, number, number, number?])[]): number {
+  let count = 0;
+  const taps = createTaps(() => (count += 1));
+  for (const [name, timeStamp, clientX, clientY, pointerId = 1] of events) {
+    taps[name]({ timeStamp, clientX, clientY, pointerId });
+  }
+  return count;
+}
+
+test('two taps at one place are reported, once', () => {
+  const two = [['down', 0, 50, 50], ['up', 90, 52, 50], ['down', 250, 55, 52], ['up', 330, 55, 52]] as const;
+  assert.equal(countTaps(two), 1);
+  assert.equal(countTaps([...two, ['down', 450, 55, 52], ['up', 500, 55, 52]]), 1);
+});
+
+test('drags, slow taps, taps elsewhere and two fingers are no taps', () => {
+  const [first, second] = [[['down', 0, 50, 50], ['up', 90, 50, 50]], [['down', 200, 50, 50], ['up', 280, 50, 50]]] as const;
+  assert.equal(countTaps([...first, ...second]), 1);
+  assert.equal(countTaps([['down', 0, 50, 50], ['up', 90, 90, 50], ...second]), 0);
+  assert.equal(countTaps([['down', 0, 50, 50], ['up', 400, 50, 50], ['down', 450, 50, 50], ['up', 500, 50, 50]]), 0);
+  assert.equal(countTaps([...first, ['down', 600, 50, 50], ['up', 650, 50, 50]]), 0);
+  assert.equal(countTaps([...first, ['down', 200, 90, 50], ['up', 250, 90, 50]]), 0);
+  assert.equal(countTaps([...first, ['down', 200, 50, 50], ['down', 210, 300, 50, 2], ['up', 280, 50, 50]]), 0);
 });

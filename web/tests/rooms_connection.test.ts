@@ -1,10 +1,11 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { inviteOf, readAddress, relayOf, shownName } from '../src/rooms/address';
-import { connect, type Connection, type State } from '../src/rooms/connection';
+import { connect, type State } from '../src/rooms/connection';
 import type { FromServer } from '../src/rooms/frames';
 import type { Listener, Socket } from '../src/rooms/server';
-import { encodeBody, REST, encodeFrame } from './support/room_frames';
+import { createSteppedClock } from './support/clock';
+import { encodeBody, encodeFrame, REST } from './support/rooms';
 
 /** A socket that a test opens and closes. */
 class Fake implements Socket {
@@ -48,20 +49,11 @@ class Fake implements Socket {
   }
 }
 
-interface Bench {
-  readonly connection: Connection;
-  readonly sockets: Fake[];
-  readonly states: State[];
-  readonly heard: FromServer[];
-  /** The socket that was opened last. */
-  socket(): Fake;
-  /** Let some seconds pass. */
-  pass(seconds: number): void;
-}
+type Bench = ReturnType<typeof bench>;
 
-function bench(): Bench {
-  let time = 100;
-  let timers: { at: number; action: () => void }[] = [];
+/** A connection to sockets of the test, on a clock that the test advances. */
+function bench() {
+  const { advance, ...clock } = createSteppedClock();
   const [sockets, states, heard]: [Fake[], State[], FromServer[]] = [[], [], []];
   const connection = connect({
     address: { room: 'a b', name: 'Ada', group: 3, token: '7.x.y' },
@@ -72,28 +64,11 @@ function bench(): Bench {
       sockets.push(new Fake(url, listener));
       return sockets.at(-1) as Fake;
     },
-    clock: {
-      now: () => time,
-      later(seconds, action) {
-        const timer = { at: time + seconds, action };
-        timers.push(timer);
-        return () => (timers = timers.filter((other) => other !== timer));
-      },
-    },
+    clock,
   });
-  return {
-    connection,
-    sockets,
-    states,
-    heard,
-    socket: () => sockets.at(-1) as Fake,
-    pass(seconds) {
-      time += seconds;
-      const due = timers.filter(({ at }) => at <= time + 1e-9);
-      timers = timers.filter((timer) => !due.includes(timer));
-      for (const { action } of due) action();
-    },
-  };
+  /** The socket that was opened last. */
+  const socket = (): Fake => sockets.at(-1) as Fake;
+  return { connection, sockets, states, heard, socket, pass: advance };
 }
 
 const WELCOME: FromServer = { kind: 'welcome', user: 5, others: 1, ticket: new Uint8Array([1, 2, 3]) };

@@ -1,6 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { readLink, writeLink } from '../src/control/pose';
+import { randomOf } from './support/random';
 
 test('a link restores its pose', () => {
   for (let number = 0; number < 200; number++) {
@@ -63,8 +64,7 @@ test('malformed fragments give no pose and raise nothing', () => {
 });
 
 test('random fragments give no pose or a finite one', () => {
-  let seed = 1;
-  const random = (): number => (seed = (seed * 48271) % 2147483647) / 2147483647;
+  const random = randomOf(1);
   const letters = '#p=&yawitch,.-+e0123456789%\u0000é;';
   for (let number = 0; number < 5000; number++) {
     const letter = (): string => letters[Math.floor(letters.length * random())] ?? '';

@@ -1,31 +1,20 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { addressOf, gatherer, openDatagrams, readAll, splitter } from '../src/rooms/datagrams';
 import { askDescription, type Datagrams, type Listener, readDescription, type Socket } from '../src/rooms/server';
-import { createOpen } from '../src/rooms/way';
+import { addressOf, createOpen, gatherer, openDatagrams, readAll, splitter } from '../src/rooms/transports';
 
 const TO: Datagrams = { port: 8443, hashes: [] };
 const RELAY = 'wss://host:8/rooms/a';
 
-/** A record of opened connections, in order, and of reports to the page. */
-interface Bench {
-  readonly opened: string[];
-  readonly told: string[];
-  readonly open: (isOff?: boolean) => Socket;
-  /** Time by the clock in seconds. */
-  now: number;
-  /** Let pending work continue. */
-  readonly settle: () => Promise<void>;
-}
-
-function bench(ask: () => Promise<Datagrams | null>, isTaken: () => boolean, hasSockets = true): Bench {
-  const [opened, told]: [string[], string[]] = [[], []];
+/** Records opened connections in order, and reports to the page. */
+function bench(ask: () => Promise<Datagrams | null>, isTaken: () => boolean, hasSockets = true) {
+  const [opened, reports]: [string[], string[]] = [[], []];
   const socket = (name: string): Socket => ({
     bufferedAmount: 7,
-    send: (data, mayBeLost) => told.push(`${name} ${data.length} ${mayBeLost}`),
-    close: (isImmediate) => told.push(`${name} closes${isImmediate ? ' at once' : ''}`),
+    send: (data, mayBeLost) => reports.push(`${name} ${data.length} ${mayBeLost}`),
+    close: (isImmediate) => reports.push(`${name} closes${isImmediate ? ' at once' : ''}`),
   });
-  const listener: Listener = { opened: () => told.push('opened'), received: () => {}, closed: (code) => told.push(`closed ${code}`) };
+  const listener: Listener = { opened: () => reports.push('opened'), received: () => {}, closed: (code) => reports.push(`closed ${code}`) };
   const ways = {
     datagrams: () => {
       opened.push('asks');
@@ -44,37 +33,39 @@ function bench(ask: () => Promise<Datagrams | null>, isTaken: () => boolean, has
   };
   const clock = { now: () => made.now, later: () => () => {} };
   const [on, off] = [false, true].map((isOff) => createOpen(() => Promise.resolve(null), isOff, ways, clock));
+  /** Lets pending work continue. */
   const settle = (): Promise<void> => new Promise((resolve) => setTimeout(resolve));
   const open = (isOff = false): Socket => (isOff ? off : on)?.(RELAY, listener) as Socket;
-  const made: Bench = { opened, told, open, now: 0, settle };
+  /** `now` is the clock's time in seconds. */
+  const made = { opened, reports, open, now: 0, settle };
   return made;
 }
 
 test('datagrams are used if the server offers them', async () => {
-  const { opened, told, open, settle } = bench(async () => TO, () => true);
+  const { opened, reports, open, settle } = bench(async () => TO, () => true);
   const socket = open();
   socket.send(new Uint8Array(2), true);
   assert.equal(socket.bufferedAmount, 0);
   await settle();
-  assert.deepEqual([opened, told], [['asks', 'datagrams'], ['opened']]);
+  assert.deepEqual([opened, reports], [['asks', 'datagrams'], ['opened']]);
   socket.send(new Uint8Array(3), true);
   assert.equal(socket.bufferedAmount, 7);
   open();
   await settle();
   assert.deepEqual(opened, ['asks', 'datagrams', 'asks', 'datagrams']);
-  assert.deepEqual(told, ['opened', 'datagrams 3 true', 'opened']);
+  assert.deepEqual(reports, ['opened', 'datagrams 3 true', 'opened']);
 });
 
 test('a failed way is tried again when the server has another certificate', async () => {
   let to = { port: 8443, hashes: [new Uint8Array([1])] };
-  const { opened, told, open, settle } = bench(async () => to, () => to.hashes[0]?.[0] === 2);
+  const { opened, reports, open, settle } = bench(async () => to, () => to.hashes[0]?.[0] === 2);
   for (let count = 0; count < 3; count++) {
     if (count === 2) to = { port: 8443, hashes: [new Uint8Array([2])] };
     open();
     await settle();
   }
   assert.deepEqual(opened, ['asks', 'datagrams', 'socket', 'asks', 'socket', 'asks', 'datagrams']);
-  assert.deepEqual(told, ['opened']);
+  assert.deepEqual(reports, ['opened']);
 });
 
 test('a failed way is tried again after a minute', async () => {
@@ -88,10 +79,10 @@ test('a failed way is tried again after a minute', async () => {
 });
 
 test('a WebSocket that cannot be created is reported as closed', async () => {
-  const { told, open, settle } = bench(async () => null, () => true, false);
+  const { reports, open, settle } = bench(async () => null, () => true, false);
   open();
   await settle();
-  assert.deepEqual(told, ['closed 1006']);
+  assert.deepEqual(reports, ['closed 1006']);
 });
 
 test('the page does not wait for a server that does not answer', async () => {
@@ -101,9 +92,9 @@ test('the page does not wait for a server that does not answer', async () => {
   globalThis.fetch = (_, init) =>
     new Promise((_, reject) => init?.signal?.addEventListener('abort', () => reject((isEnded = true))));
   try {
-    const told = askDescription('http://host:8/', ends.signal);
+    const reports = askDescription('http://host:8/', ends.signal);
     ends.abort();
-    assert.equal(await told, null);
+    assert.equal(await reports, null);
     assert.ok(isEnded);
   } finally {
     globalThis.fetch = fetch;
@@ -138,11 +129,11 @@ test('the end of an unused session is not reported', async () => {
     }
   }
   Object.assign(globalThis, { WebTransport: Useless });
-  const told: string[] = [];
-  const listener: Listener = { opened: () => {}, received: () => {}, closed: (code) => told.push(`closed ${code}`) };
+  const reports: string[] = [];
+  const listener: Listener = { opened: () => {}, received: () => {}, closed: (code) => reports.push(`closed ${code}`) };
   await assert.rejects(openDatagrams(RELAY, TO, listener));
   await new Promise((resolve) => setTimeout(resolve));
-  assert.deepEqual(told, []);
+  assert.deepEqual(reports, []);
 });
 
 test('a session ends with its stream, which the server closes, or after some seconds', async (context) => {
@@ -166,7 +157,7 @@ test('a session ends with its stream, which the server closes, or after some sec
       }
     }
     Object.assign(globalThis, { WebTransport: Fake });
-    const listener: Listener = { opened: () => {}, received: () => {}, closed: (code) => done.push(`told ${code}`) };
+    const listener: Listener = { opened: () => {}, received: () => {}, closed: (code) => done.push(`reports ${code}`) };
     const settle = (): Promise<void> => new Promise((resolve) => setImmediate(resolve));
     const socket = await openDatagrams(RELAY, TO, listener);
     await settle();
@@ -179,7 +170,7 @@ test('a session ends with its stream, which the server closes, or after some sec
     await settle();
     const [graceful, sent] = [['wrote 3', 'stream closed'], new Set(done)];
     if (isImmediate) assert.ok(sent.has('closed') && !sent.has('stream closed'));
-    else assert.deepEqual(done, [...graceful, isAnswered ? 'told 1000' : 'closed']);
+    else assert.deepEqual(done, [...graceful, isAnswered ? 'reports 1000' : 'closed']);
   }
 });
 
@@ -195,10 +186,10 @@ test('without datagrams the connection is a WebSocket', async () => {
 });
 
 test('a user who leaves before a way was found is not connected', async () => {
-  const { told, open, settle } = bench(async () => TO, () => true);
+  const { reports, open, settle } = bench(async () => TO, () => true);
   open().close(false);
   await settle();
-  assert.deepEqual(told, ['datagrams closes at once']);
+  assert.deepEqual(reports, ['datagrams closes at once']);
 });
 
 test('frames of a stream are complete, however it is cut', () => {
@@ -230,9 +221,9 @@ test('frames of one task are one datagram, up to its size', async () => {
 
 test('the description that a server gives of rooms is parsed, or ignored as a whole', () => {
   const hash = '0a'.repeat(32);
-  const told = readDescription({ peers: true, datagrams: { port: 8443, hashes: [hash] } });
-  assert.equal(told?.peers, true);
-  assert.deepEqual([told?.datagrams?.port, [...(told?.datagrams?.hashes[0] ?? [])]], [8443, Array(32).fill(10)]);
+  const reports = readDescription({ peers: true, datagrams: { port: 8443, hashes: [hash] } });
+  assert.equal(reports?.peers, true);
+  assert.deepEqual([reports?.datagrams?.port, [...(reports?.datagrams?.hashes[0] ?? [])]], [8443, Array(32).fill(10)]);
   assert.deepEqual(readDescription({ peers: false, datagrams: null }), { peers: false, datagrams: null });
   for (const datagrams of [{ port: 0, hashes: [] }, { port: 1.5, hashes: [] }, { port: 1, hashes: ['0A'] }, { port: 1 }, 3]) {
     assert.deepEqual(readDescription({ peers: true, datagrams }), { peers: true, datagrams: null });

@@ -1,21 +1,18 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { arc, ARC_POINTS, createJump, landing } from '../src/xr/teleport';
+import { assertNear } from './support/near';
 
 const LEVEL = { origin: [1, 1.2, 2], direction: [0, 0, -1] } as const;
 
 test('arcs come down on the floor, like thrown objects', () => {
-  const [x, y, z] = landing(LEVEL);
   // A fall of 1.2 m takes √(2 h / g).
-  assert.ok(Math.abs(z - (2 - 7.5 * Math.sqrt(2.4 / 9.81))) < 1e-12);
-  assert.deepEqual([x, y], [1, 0]);
+  assertNear(landing(LEVEL), [1, 0, 2 - 7.5 * Math.sqrt(2.4 / 9.81)], 1e-12);
   const diagonal = { ...LEVEL, origin: [0, 0, 0], direction: [0, Math.SQRT1_2, -Math.SQRT1_2] } as const;
   assert.ok(Math.abs(landing(diagonal)[2] + 7.5 ** 2 / 9.81) < 1e-12);
   // A throw straight up comes back; a throw down ends below the hand; a hand below the floor stays in place.
-  const up = landing({ ...LEVEL, direction: [0, 1, 0] });
-  assert.ok(Math.hypot(up[0] - 1, up[2] - 2) < 1e-12);
-  const low = landing({ origin: [1, -0.5, 2], direction: [0, -1, 0] });
-  assert.ok(Math.hypot(low[0] - 1, low[2] - 2) < 1e-12);
+  assertNear(landing({ ...LEVEL, direction: [0, 1, 0] }), [1, 0, 2], 1e-12);
+  assertNear(landing({ origin: [1, -0.5, 2], direction: [0, -1, 0] }), [1, 0, 2], 1e-12);
 });
 
 test('the drawn arc leads from the hand to the target', () => {
@@ -23,7 +20,7 @@ test('the drawn arc leads from the hand to the target', () => {
     const points = arc(LEVEL, target);
     assert.equal(points.length, ARC_POINTS);
     assert.deepEqual(points[0], LEVEL.origin);
-    points.at(-1)?.forEach((value, axis) => assert.ok(Math.abs(value - (target[axis] ?? 0)) < 1e-12));
+    assertNear(points.at(-1) ?? [], target, 1e-12);
   }
 });
 

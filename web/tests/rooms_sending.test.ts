@@ -4,7 +4,8 @@ import { texelOf } from '../src/rooms/pointing';
 import type { Body } from '../src/rooms/pose';
 import { createSender } from '../src/rooms/sending';
 import { type Morph, pointShownAt, shownAt } from '../src/rooms/unmorph';
-import { REST } from './support/room_frames';
+import { randomOf } from './support/random';
+import { REST } from './support/rooms';
 
 const at = (x: number): Body => ({ ...REST, head: { ...REST.head, position: [x, 0, 0] } });
 
@@ -86,8 +87,8 @@ test('hands and pointers that appear, disappear or change are changes', () => {
 });
 
 test('the point displayed at a position is found, near, far and between', () => {
-  let [worst, count, seed] = [0, 0, 5];
-  const random = (): number => (seed = (seed * 48271) % 2147483647) / 2147483647;
+  let [worst, count] = [0, 0];
+  const random = randomOf(5);
   for (const strength of [0, 0.3, 1]) {
     for (let number = 0; number < 3000; number++) {
       const angle = 2 * Math.PI * random();

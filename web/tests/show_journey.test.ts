@@ -5,6 +5,8 @@ import type { Pose, Vector } from '../src/control/pose';
 import { createJourney, type Leg, type Regions } from '../src/show/journey';
 import { createStage, type Shown, type Stage } from '../src/show/stage';
 import { knownPlaces } from '../src/show/world';
+import { assertNear } from './support/near';
+import { randomOf } from './support/random';
 
 const NEAR_SHARE = 0.7;
 const RADII = [10, 22];
@@ -12,7 +14,6 @@ const MARGIN = NEAR_SHARE * 22;
 const FADE = 0.5;
 const FRAME = 1 / 72;
 const MANNER = { isSmooth: true, isWhole: false };
-const close = (a: number, b: number, within = 1e-9): void => assert.ok(Math.abs(a - b) <= within, `${a} is not ${b}`);
 
 interface Loaded {
   readonly stage: Stage;
@@ -126,11 +127,11 @@ test('the region ahead is loaded before its border, and cross-fades behind it', 
   assert.ok(enteredAt > 6 && enteredAt < 7.3, `taken over at ${enteredAt} m`);
   const shares = legs.flatMap(({ leaving }) => (leaving ? [leaving.share] : []));
   assert.equal(shares[0], 0);
-  shares.forEach((share, n) => n > 0 && close(share - (shares[n - 1] ?? 0), FRAME / FADE));
-  close(shares.at(-1) ?? 0, 1, 1.5 * (FRAME / FADE));
+  shares.forEach((share, n) => n > 0 && assertNear(share - (shares[n - 1] ?? 0), FRAME / FADE));
+  assertNear(shares.at(-1) ?? 0, 1, 1.5 * (FRAME / FADE));
   // Radius and strength are those of the region shown before.
   assert.deepEqual(walk.opened.get(1)?.shown?.grown, { radius: 22, strength: 1 });
-  close(walk.place()[0], 1.4 * 8, 1e-9);
+  assertNear(walk.place()[0], 1.4 * 8, 1e-9);
 });
 
 test('at a border regions do not alternate, and the region behind is kept', () => {
@@ -212,11 +213,7 @@ test('running through many regions never shows a folding picture', () => {
 });
 
 test('any walk on any network: no picture folds, and steps keep their length', () => {
-  let seed = 1;
-  const random = (): number => {
-    seed = (seed * 48271) % 2147483647;
-    return seed / 2147483647;
-  };
+  const random = randomOf(1);
   for (let trial = 0; trial < 12; trial++) {
     const apart = 3 + 30 * random();
     const walk = world([0, apart, 2 * apart, 3 * apart], [random(), 1 + 3 * random(), 3 + 4 * random()]);
@@ -285,7 +282,7 @@ test('a place outside all regions is clamped into the nearest', () => {
   walk.journey.go({ position: [500, 1.7, 0], yaw: 0, pitch: 0 });
   frames(walk, 72 * 2, STILL);
   assert.equal(walk.journey.region, 1);
-  close(walk.place()[0], 30 + 0.9 * MARGIN, 1e-9);
+  assertNear(walk.place()[0], 30 + 0.9 * MARGIN, 1e-9);
 });
 
 test('the page does not wait for a region that failed to load', () => {

@@ -1,10 +1,11 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import vectors from '../../tests/vectors/rooms.json';
+import { bytesOf, hexOf } from '../src/base/bytes';
 import { FrameError } from '../src/rooms/bytes';
 import { type FromServer, type FromUser, readMessage, writeFrame } from '../src/rooms/frames';
 import type { Placed, Pose } from '../src/rooms/pose';
-import { encodeBody, encodeFrame, REST } from './support/room_frames';
+import { encodeBody, encodeFrame, REST } from './support/rooms';
 
 /** Numbers of 16 bits, as in rotations. */
 const parts = (...units: readonly number[]): Placed['rotation'] =>
@@ -39,10 +40,6 @@ const FRAMES: readonly FromServer[] = [
   ...POSES.map((pose): FromServer => ({ kind: 'pose', user: 77, pose })),
 ];
 
-function hex(bytes: Uint8Array): string {
-  return Buffer.from(bytes).toString('hex');
-}
-
 test('frames survive encoding and decoding, one after the other', () => {
   const message = Uint8Array.from(Buffer.concat(FRAMES.map(encodeFrame)));
   assert.deepEqual(readMessage(message), FRAMES);
@@ -51,7 +48,7 @@ test('frames survive encoding and decoding, one after the other', () => {
 
 test('every truncation is refused', () => {
   for (const bytes of FRAMES.map(encodeFrame)) {
-    const again = hex(bytes);
+    const again = hexOf(bytes);
     for (let length = 1; length < bytes.length; length++) {
       assert.throws(() => readMessage(bytes.subarray(0, length)), FrameError, `${length} bytes of ${again}`);
       if (length < 3) continue;
@@ -64,7 +61,7 @@ test('every truncation is refused', () => {
         assert.ok(error instanceof FrameError);
         continue;
       }
-      assert.deepEqual(found.map(encodeFrame).map(hex), [hex(short)]);
+      assert.deepEqual(found.map(encodeFrame).map(hexOf), [hexOf(short)]);
     }
   }
 });
@@ -85,7 +82,7 @@ test('frames with a changed bit that are accepted are written as the same bytes'
       const changed = bytes.slice();
       changed[bit >> 3] = (changed[bit >> 3] ?? 0) ^ (1 << (bit & 7));
       try {
-        assert.equal(hex(Buffer.concat(readMessage(changed).map(encodeFrame))), hex(changed));
+        assert.equal(hexOf(Buffer.concat(readMessage(changed).map(encodeFrame))), hexOf(changed));
       } catch (error) {
         assert.ok(error instanceof FrameError, String(error));
         refused += 1;
@@ -137,7 +134,7 @@ test('frames of users equal the bytes of the table', () => {
     [writeFrame({ kind: 'bye' }), '060000'],
     [writeFrame({ kind: 'pose', pose }), '022100' + '04030201' + '0500000000000000' + '01' + '00'.repeat(18) + 'ff7f'],
   ] as const;
-  for (const [bytes, expected] of cases) assert.equal(hex(bytes), expected);
+  for (const [bytes, expected] of cases) assert.equal(hexOf(bytes), expected);
 });
 
 test('a hello with an invalid name is not written', () => {
@@ -155,7 +152,7 @@ function withFieldNames(frame: FromServer | FromUser): Field {
   const whole = 'pose' in frame ? { ...frame, pose: namedPose(frame.pose) } : frame;
   const fields = Object.entries(whole).map(([name, value]) => [
     name === 'payload' ? 'data' : name,
-    value instanceof Uint8Array ? hex(value) : value,
+    value instanceof Uint8Array ? hexOf(value) : value,
   ]);
   return Object.fromEntries(fields) as Field;
 }
@@ -169,21 +166,21 @@ function namedPose({ sequence, clock, isAcknowledged: acknowledged, stops, point
 
 test('frames of the server equal the vectors of all languages', () => {
   for (const { frame, bytes, region } of vectors.servers) {
-    const read = readMessage(Uint8Array.from(Buffer.from(bytes, 'hex')));
+    const read = readMessage(bytesOf(bytes));
     assert.deepEqual(read.map(withFieldNames), [frame], region);
-    assert.deepEqual(read.map(encodeFrame).map(hex), [bytes], region);
+    assert.deepEqual(read.map(encodeFrame).map(hexOf), [bytes], region);
   }
   for (const { server, region } of vectors.refused) {
     if (server === null) continue;
-    assert.throws(() => readMessage(Uint8Array.from(Buffer.from(server, 'hex'))), FrameError, region);
+    assert.throws(() => readMessage(bytesOf(server)), FrameError, region);
   }
 });
 
 test('frames of users equal the vectors of all languages', () => {
   for (const { frame, bytes, region } of vectors.users.filter((vector) => vector.frame.kind === 'say')) {
     const to = frame.to === 'room' ? 'room' : 'group';
-    const payload = Uint8Array.from(Buffer.from(frame.data ?? '', 'hex'));
-    assert.equal(hex(writeFrame({ kind: 'say', to, payload })), bytes, region);
+    const payload = bytesOf(frame.data ?? '');
+    assert.equal(hexOf(writeFrame({ kind: 'say', to, payload })), bytes, region);
   }
   assert.throws(() => writeFrame({ kind: 'say', to: 'room', payload: new Uint8Array(4097) }), /too long/);
 });
@@ -191,9 +188,9 @@ test('frames of users equal the vectors of all languages', () => {
 test('poses of users equal the vectors of all languages', () => {
   const head = (bytes: string): string => bytes.slice(6);
   for (const { frame, bytes, region } of vectors.servers.filter((vector) => vector.frame.kind === 'pose')) {
-    const [read] = readMessage(Uint8Array.from(Buffer.from(bytes, 'hex')));
+    const [read] = readMessage(bytesOf(bytes));
     assert.ok(read?.kind === 'pose' && frame.kind === 'pose');
-    const written = hex(writeFrame({ kind: 'pose', pose: read.pose }));
+    const written = hexOf(writeFrame({ kind: 'pose', pose: read.pose }));
     const expected = vectors.users.find((vector) => vector.region === region)?.bytes;
     assert.deepEqual([head(written), written.slice(0, 2)], [head(expected ?? ''), '02'], region);
   }

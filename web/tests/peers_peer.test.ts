@@ -1,48 +1,43 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { type Message, PART, readMessage, writeMessage } from '../src/peers/messages';
-import { createPage, hold, join, makeContent, type Page, plug, settled, type Stepped, steppedClock, type Wire, createWires, type World } from './support/peers';
+import { createPage, createWires, hold, join, makeContent, plug, settled, steppedClock, type Wire, type World } from './support/peers';
 
 const WORLD: World = { a: makeContent(3 * PART + 5, 1), b: makeContent(PART, 2), c: makeContent(7, 3) };
 const KEYS = Object.values(WORLD).map(({ listed }) => listed.sha256);
 const [A = '', B = '', C = ''] = KEYS;
 const contentOf = (name: string): Uint8Array => new Uint8Array(WORLD[name]?.data ?? new ArrayBuffer(0));
-const same = (one: ArrayBuffer, name: string): void => assert.deepEqual(new Uint8Array(one), contentOf(name));
+const assertContent = (data: ArrayBuffer, name: string): void => assert.deepEqual(new Uint8Array(data), contentOf(name));
 
-interface Bench {
-  readonly clock: Stepped;
-  readonly page: Page;
-  /** User 2's end of the channel, driven by the test. */
-  readonly line: Wire;
-  /** All messages that arrived at it. */
-  readonly heard: Message[];
-  say(...messages: readonly Message[]): Promise<void>;
-}
-
-/** A page that is connected to a user whose messages the test writes. */
-function bench(world = WORLD): Bench {
+/** A page that is connected to user 2, whose messages the test writes. */
+function bench() {
   const clock = steppedClock();
-  const page = createPage(1, world, clock);
+  const page = createPage(1, WORLD, clock);
+  /** Ends of the channel: the page's, and that of user 2. */
   const [own, line] = createWires();
+  /** Messages that arrived at user 2. */
   const heard: Message[] = [];
   line.onmessage = ({ data }) => heard.push(readMessage(new Uint8Array(data as ArrayBuffer).slice()));
   plug(page, 2, own, clock);
-  return {
-    clock,
-    page,
-    line,
-    heard,
-    async say(...messages) {
-      for (const message of messages) line.send(writeMessage(message));
-      await settled();
-    },
+  const say = async (...messages: readonly Message[]): Promise<void> => {
+    for (const message of messages) line.send(writeMessage(message));
+    await settled();
   };
+  return { clock, page, line, heard, say };
 }
 
 const wants = (heard: readonly Message[]): number[] =>
   heard.flatMap((message) => (message.kind === 'want' ? [message.request] : []));
 const ends = (heard: readonly Message[], kind: Message['kind']): number =>
   heard.filter((each) => each.kind === kind).length;
+
+/** Announces files of user 2 to the page, which then requests the file `a`. */
+async function requestA({ page, say, heard }: ReturnType<typeof bench>, keys = [A], holding: 'here' | 'coming' = 'here') {
+  await say({ kind: 'tell', holding, keys });
+  const coming = page.get('a');
+  await settled();
+  return { coming, request: wants(heard)[0] ?? 0 };
+}
 
 /** The parts of a file. */
 function partsOf(name: string, request: number, begin = 0): Message[] {
@@ -57,24 +52,22 @@ test('a file comes from a user who has it, complete and checked, and is offered 
   await one.get('a');
   join(one, other, clock);
   await settled();
-  same(await other.get('a'), 'a');
-  assert.deepEqual([one.asked, other.asked], [['a'], []]);
+  assertContent(await other.get('a'), 'a');
+  assert.deepEqual([one.serverRequests, other.serverRequests], [['a'], []]);
   assert.deepEqual(other.store.keys, [A]);
   assert.deepEqual(other.share.counts, { others: { bytes: 3 * PART + 5, files: 1 }, server: { bytes: 0, files: 0 } });
 });
 
 test('a wrong file is not used: its sender is dropped, and the server sends the file', async () => {
-  const { page, heard, say, line } = bench();
-  await say({ kind: 'tell', holding: 'here', keys: [A] });
-  const coming = page.get('a');
-  await settled();
-  const [request = 0] = wants(heard);
+  const context = bench();
+  const { page, say, line } = context;
+  const { coming, request } = await requestA(context);
   const parts = partsOf('a', request);
   (parts.at(-1) as { data: Uint8Array }).data = new Uint8Array(5).fill(9);
   await say(...parts);
-  same(await coming, 'a');
+  assertContent(await coming, 'a');
   assert.match(page.dropped.get(2) ?? '', /wrong content/);
-  assert.deepEqual(page.asked, ['a']);
+  assert.deepEqual(page.serverRequests, ['a']);
   assert.ok(line.other?.isClosed);
   assert.equal(page.share.counts.others.bytes, 0);
 });
@@ -90,12 +83,11 @@ test('unrequested bytes and parts of a wrong length drop their sender', async ()
     [/more bytes are reported/, (request) => [{ kind: 'wait', request, bytes: 3 * PART + 6 }]],
   ];
   for (const [reason, messages] of wrong) {
-    const { page, heard, say } = bench();
-    await say({ kind: 'tell', holding: 'here', keys: [A] });
-    const coming = page.get('a');
-    await settled();
-    await say(...messages(wants(heard)[0] ?? 0));
-    same(await coming, 'a');
+    const context = bench();
+    const { page, say } = context;
+    const { coming, request } = await requestA(context);
+    await say(...messages(request));
+    assertContent(await coming, 'a');
     assert.match(page.dropped.get(2) ?? '', reason);
   }
 });
@@ -112,27 +104,25 @@ test('malformed messages, texts and floods drop their sender', async () => {
   assert.match(page.dropped.get(2) ?? '', /too many messages/);
 });
 
-test('a sender that stalls within a file loses the request, and is asked again once it has ended it', async () => {
-  const { page, heard, say, clock } = bench();
-  await say({ kind: 'tell', holding: 'here', keys: KEYS });
-  const coming = page.get('a');
-  await settled();
-  const [request = 0] = wants(heard);
+test('a sender that stalls within a file loses the request, and is asked again once it has ended the request', async () => {
+  const context = bench();
+  const { page, heard, say, clock } = context;
+  const { coming, request } = await requestA(context, KEYS);
   await say(...partsOf('a', request).slice(0, 2));
   await clock.pass(3.75);
   assert.equal(ends(heard, 'cancel'), 0);
   await clock.pass(0.75);
-  same(await coming, 'a');
-  assert.deepEqual([page.asked, ends(heard, 'cancel'), page.dropped.size], [['a'], 1, 0]);
+  assertContent(await coming, 'a');
+  assert.deepEqual([page.serverRequests, ends(heard, 'cancel'), page.dropped.size], [['a'], 1, 0]);
   await page.get('b');
-  assert.deepEqual(page.asked, ['a', 'b']);
+  assert.deepEqual(page.serverRequests, ['a', 'b']);
   // Parts that were on their way are no fault.
   await say(...partsOf('a', request).slice(2, 3), { kind: 'none', request });
   const later = page.get('c');
   await settled();
   await say(...partsOf('c', wants(heard)[1] ?? 0));
-  same(await later, 'c');
-  assert.deepEqual([page.asked, page.dropped.size], [['a', 'b'], 0]);
+  assertContent(await later, 'c');
+  assert.deepEqual([page.serverRequests, page.dropped.size], [['a', 'b'], 0]);
 });
 
 test('a user who repeatedly leaves requests unanswered is asked no more', async () => {
@@ -149,7 +139,7 @@ test('a user who repeatedly leaves requests unanswered is asked no more', async 
     await coming;
     if (turn < 3) await say({ kind: 'none', request });
   }
-  assert.deepEqual([wants(heard).length, page.asked, page.dropped.size], [3, names, 0]);
+  assert.deepEqual([wants(heard).length, page.serverRequests, page.dropped.size], [3, names, 0]);
 });
 
 test('requests that are unanswered at the same time count as one', async () => {
@@ -164,48 +154,43 @@ test('requests that are unanswered at the same time count as one', async () => {
 });
 
 test('a page waits for another that has to fetch the file first, while it makes progress', async () => {
-  const { page, heard, say, clock } = bench();
-  await say({ kind: 'tell', holding: 'coming', keys: [A] });
-  const coming = page.get('a');
-  await settled();
-  const [request = 0] = wants(heard);
+  const context = bench();
+  const { page, say, clock } = context;
+  const { coming, request } = await requestA(context, [A], 'coming');
   for (let bytes = 0; bytes < 3; bytes++) {
     await say({ kind: 'wait', request, bytes });
     await clock.pass(3);
   }
-  assert.deepEqual(page.asked, []);
+  assert.deepEqual(page.serverRequests, []);
   // The same number is no progress.
   await say({ kind: 'wait', request, bytes: 2 });
   await clock.pass(1.5);
-  same(await coming, 'a');
-  assert.deepEqual(page.asked, ['a']);
+  assertContent(await coming, 'a');
+  assert.deepEqual(page.serverRequests, ['a']);
 });
 
 test('a file that trickles is given up in the end', async () => {
-  const { page, heard, say, clock } = bench();
-  await say({ kind: 'tell', holding: 'here', keys: [A] });
-  const coming = page.get('a');
-  await settled();
-  const [request = 0] = wants(heard);
+  const context = bench();
+  const { page, say, clock } = context;
+  const { coming, request } = await requestA(context);
   const parts = partsOf('a', request);
   for (const part of parts.slice(0, 3)) {
     await say(part);
     await clock.pass(3.75);
   }
-  same(await coming, 'a');
-  assert.deepEqual(page.asked, ['a']);
+  assertContent(await coming, 'a');
+  assert.deepEqual(page.serverRequests, ['a']);
 });
 
 test('a user who leaves in the middle of a file is replaced by the server', async () => {
-  const { page, heard, say } = bench();
-  await say({ kind: 'tell', holding: 'here', keys: [A] });
-  const coming = page.get('a');
-  await settled();
-  await say(...partsOf('a', wants(heard)[0] ?? 0).slice(0, 1));
+  const context = bench();
+  const { page, say } = context;
+  const { coming, request } = await requestA(context);
+  await say(...partsOf('a', request).slice(0, 1));
   page.peers.get(2)?.end();
   page.peers.delete(2);
-  same(await coming, 'a');
-  assert.deepEqual(page.asked, ['a']);
+  assertContent(await coming, 'a');
+  assert.deepEqual(page.serverRequests, ['a']);
 });
 
 test('a cancelled request is cancelled at the sender, and nothing is kept', async () => {
@@ -219,7 +204,7 @@ test('a cancelled request is cancelled at the sender, and nothing is kept', asyn
   stop.abort(new Error('enough'));
   await assert.rejects(coming, /enough/);
   await say(...partsOf('a', request, 1));
-  assert.deepEqual([ends(heard, 'cancel'), page.store.keys, page.dropped.size, page.asked], [1, [], 0, []]);
+  assert.deepEqual([ends(heard, 'cancel'), page.store.keys, page.dropped.size, page.serverRequests], [1, [], 0, []]);
 });
 
 test('files are sent no faster than the browser accepts them, one after the other', async () => {
@@ -243,9 +228,9 @@ test('only listed files are sent, for a limited number of requests', async () =>
   const { page, heard, say } = bench();
   await say({ kind: 'want', request: 1, key: 'ab'.repeat(32) });
   assert.deepEqual(heard.at(-1), { kind: 'none', request: 1 });
-  page.wanted = [];
+  page.shownNames = [];
   await say({ kind: 'want', request: 2, key: A });
-  assert.deepEqual([heard.at(-1), page.asked], [{ kind: 'none', request: 2 }, []]);
+  assert.deepEqual([heard.at(-1), page.serverRequests], [{ kind: 'none', request: 2 }, []]);
   await say({ kind: 'want', request: 2, key: A });
   assert.match(page.dropped.get(2) ?? '', /reuses a number/);
 });
@@ -255,7 +240,7 @@ test('too many concurrent requests drop the sender, and too many a second are re
   crowd.page.serve = () => new Promise(() => undefined);
   await crowd.say(...[...Array(65).keys()].map((at) => ({ kind: 'want', request: at + 1, key: A }) as const));
   assert.match(crowd.page.dropped.get(2) ?? '', /too many requests/);
-  assert.deepEqual(crowd.page.asked, ['a']);
+  assert.deepEqual(crowd.page.serverRequests, ['a']);
   const hurry = bench();
   for (let request = 1; request <= 500; request++) {
     const { data, listed } = makeContent(request, 4);
@@ -270,7 +255,7 @@ test('too many concurrent requests drop the sender, and too many a second are re
 test('a page fetches for others only files that it shows itself, once', async () => {
   const { page, heard, say } = bench();
   await say({ kind: 'want', request: 1, key: B }, { kind: 'want', request: 2, key: B });
-  assert.deepEqual(page.asked, ['b']);
+  assert.deepEqual(page.serverRequests, ['b']);
   assert.equal(ends(heard, 'part'), 2);
   page.serve = () => Promise.reject(new Error('gone'));
   await say({ kind: 'want', request: 3, key: A });
@@ -283,7 +268,7 @@ test('a page loads a file at most twice, from the store and from the server', as
   for (let request = 1; request <= 4; request++) await say({ kind: 'want', request, key: C });
   assert.deepEqual([ends(heard, 'part'), ends(heard, 'none')], [2, 2]);
   await say(...[5, 6, 7].map((request) => ({ kind: 'want', request, key: B }) as const));
-  assert.deepEqual([ends(heard, 'part'), ends(heard, 'none'), page.asked], [4, 3, ['b']]);
+  assert.deepEqual([ends(heard, 'part'), ends(heard, 'none'), page.serverRequests], [4, 3, ['b']]);
 });
 
 test('all pages together get at most the limit of bytes that a page sends', async () => {
@@ -295,22 +280,22 @@ test('all pages together get at most the limit of bytes that a page sends', asyn
   for (const other of others) {
     join(page, other, clock);
     await settled();
-    same(await other.get('a'), 'a');
+    assertContent(await other.get('a'), 'a');
   }
-  assert.deepEqual(others.map(({ asked }) => asked), [[], ['a']]);
+  assert.deepEqual(others.map(({ serverRequests }) => serverRequests), [[], ['a']]);
   await clock.pass(1);
   const third = createPage(4, WORLD, clock);
   join(page, third, clock);
   await settled();
-  same(await third.get('a'), 'a');
-  assert.deepEqual(third.asked, []);
+  assertContent(await third.get('a'), 'a');
+  assert.deepEqual(third.serverRequests, []);
 });
 
 test('slow pages delay the first picture for little more than five seconds each, and two of them at most', async () => {
   const clock = steppedClock();
   const page = createPage(1, WORLD, clock);
   page.isFirst = true;
-  const [asked, drips]: [number[], (() => void)[]] = [[], []];
+  const [askedUsers, drips]: [number[], (() => void)[]] = [[], []];
   for (const user of [2, 3, 4]) {
     const [own, line] = createWires();
     plug(page, user, own, clock);
@@ -318,7 +303,7 @@ test('slow pages delay the first picture for little more than five seconds each,
     line.onmessage = ({ data }) => {
       const message = readMessage(new Uint8Array(data as ArrayBuffer).slice());
       if (message.kind !== 'want') return;
-      asked.push(user);
+      askedUsers.push(user);
       [request, bytes] = [message.request, 0];
     };
     drips.push(() => request && line.send(writeMessage({ kind: 'wait', request, bytes: bytes++ })));
@@ -336,6 +321,6 @@ test('slow pages delay the first picture for little more than five seconds each,
     assert.ok(isThere, name);
     await coming;
   }
-  assert.equal(new Set(asked).size, 2);
-  assert.deepEqual([asked.length, page.asked, page.dropped.size], [2, ['a', 'b', 'c'], 0]);
+  assert.equal(new Set(askedUsers).size, 2);
+  assert.deepEqual([askedUsers.length, page.serverRequests, page.dropped.size], [2, ['a', 'b', 'c'], 0]);
 });
