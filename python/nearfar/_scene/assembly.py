@@ -244,10 +244,7 @@ class Assembly:
         self._placed.append((meshes, transforms, numbers))
 
     def _assemble(
-        self,
-        dynamic: Iterable[str] = (),
-        budget: Budget | None = None,
-        origin: NDArray[np.float64] | None = None,
+        self, dynamic: Iterable[str] = (), budget: Budget | None = None, origin: NDArray[np.float64] | None = None
     ) -> Assembled:
         """Merge static meshes placed once, keep the others as instances, and choose the origin unless given.
 

@@ -133,10 +133,7 @@ class LevelTable:
 
 
 def _restored(
-    models: tuple[Any, ...],
-    parts: list[list[dict[str, Any]]],
-    model_of: NDArray[np.int32],
-    row_of: NDArray[np.int32],
+    models: tuple[Any, ...], parts: list[list[dict[str, Any]]], model_of: NDArray[np.int32], row_of: NDArray[np.int32]
 ) -> LevelTable:
     meshes = tuple(tuple(map(mesh_of, row)) for row in parts)
     return LevelTable(models, meshes, _core.Levels([list(row) for row in meshes]), model_of, row_of)

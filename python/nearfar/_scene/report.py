@@ -46,13 +46,7 @@ class Report:
 
     @classmethod
     def count(
-        cls,
-        core: _core.Scene,
-        objects: int,
-        dynamic: int,
-        dropped: int,
-        notes: tuple[str, ...],
-        used: tuple[str, ...],
+        cls, core: _core.Scene, objects: int, dynamic: int, dropped: int, notes: tuple[str, ...], used: tuple[str, ...]
     ) -> Report:
         """Count the parts of a scene."""
         return cls(

@@ -65,10 +65,7 @@ class Scene(InParts, InPictures):
 
     @classmethod
     def load(
-        cls,
-        path: str | os.PathLike[str],
-        options: LoadOptions | None = None,
-        **keywords: Unpack[LoadKeywords],
+        cls, path: str | os.PathLike[str], options: LoadOptions | None = None, **keywords: Unpack[LoadKeywords]
     ) -> Scene:
         """Load a file: GLB, glTF with its buffers and images, OBJ with MTL, PLY, STL, OFF or another format of trimesh.
 

@@ -13,12 +13,7 @@ from nearfar._scene.scene import Scene
 from nearfar._scene.serialize import empty_core
 
 
-def scene_of(
-    content: Content,
-    box: NDArray[np.float64],
-    bounds: NDArray[np.float64],
-    options: LoadOptions,
-) -> Scene:
+def scene_of(content: Content, box: NDArray[np.float64], bounds: NDArray[np.float64], options: LoadOptions) -> Scene:
     """Return the triangles of a content that touch a box, in the frame of reference of a world with these bounds."""
     origin = origin_for(bounds)
     if content.stored is None and not any(len(shape.faces) for shape in content.shapes.values()):

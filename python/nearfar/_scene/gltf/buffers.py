@@ -31,11 +31,7 @@ WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT2": 4, "MAT3": 9, "M
 IMAGE_EXTENSIONS = {"EXT_texture_webp": "webp", "EXT_texture_avif": "avif"}
 """Extensions that provide alternative images for a texture, by the Pillow feature that decodes them."""
 
-_SIGNATURES = {
-    b"\x89PNG\r\n\x1a\n": "image/png",
-    b"\xff\xd8\xff": "image/jpeg",
-    ktx2.SIGNATURE: ktx2.KIND,
-}
+_SIGNATURES = {b"\x89PNG\r\n\x1a\n": "image/png", b"\xff\xd8\xff": "image/jpeg", ktx2.SIGNATURE: ktx2.KIND}
 _CONTAINERS = {(b"RIFF", b"WEBP"): "image/webp", (b"\0\0\0", b"ftyp"): "image/avif"}
 
 _SAMPLER = ("magFilter", "minFilter", "wrapS", "wrapT")

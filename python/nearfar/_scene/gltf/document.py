@@ -20,21 +20,11 @@ from nearfar._scene.materials import Materials
 from nearfar._scene.names import distinct
 from nearfar._scene.report import count
 
-_PLURALS = {
-    "set of tangents": "sets of tangents",
-    "primitive of an unknown mode": "primitives of unknown modes",
-}
+_PLURALS = {"set of tangents": "sets of tangents", "primitive of an unknown mode": "primitives of unknown modes"}
 
 
 def read(
-    label: str,
-    data: bytes,
-    kind: str,
-    resolver: Any,
-    materials: Materials,
-    budget: Budget,
-    *,
-    stores: bool = True,
+    label: str, data: bytes, kind: str, resolver: Any, materials: Materials, budget: Budget, *, stores: bool = True
 ) -> Content:
     """Read a GLB or the JSON of a glTF; the resolver loads its buffers and images.
 

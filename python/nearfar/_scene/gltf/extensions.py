@@ -17,9 +17,7 @@ from nearfar._scene.undrawn import EXTENSIONS
 _READ = {draco.DRACO, "KHR_mesh_quantization", INSTANCING, *MESHOPT}
 """Supported extensions of shapes."""
 
-_REMEDIES = {
-    "MSFT_texture_dds": "which is not read: save its textures as PNG or JPEG",
-}
+_REMEDIES = {"MSFT_texture_dds": "which is not read: save its textures as PNG or JPEG"}
 
 _DISPENSABLE = {
     *(TRANSFORM, "KHR_lights_punctual", "EXT_lights_image_based", "KHR_materials_variants", "KHR_animation_pointer"),

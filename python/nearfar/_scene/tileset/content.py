@@ -147,9 +147,7 @@ class Reader:
         inner = [self.read(name, part, up, to_earth, depth + 1) for part in _tiles(tables.framed(data))]
         content = join_contents(name, [(str(n), f"{n}/", part.content) for n, part in enumerate(inner)])
         return TileContent(
-            content,
-            any(part.has_properties for part in inner),
-            any(part.depends_on_place for part in inner),
+            content, any(part.has_properties for part in inner), any(part.depends_on_place for part in inner)
         )
 
     def _gltf(self, name: str, data: bytes, up: str) -> Content:

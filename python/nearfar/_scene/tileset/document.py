@@ -23,12 +23,7 @@ from nearfar._scene.tileset.tile import IDENTITY, Source, StatedTile, Tile
 VERSIONS = ("0.0", "1.0", "1.1")
 """Supported versions of 3D Tiles."""
 
-_SUPPORTED_EXTENSIONS = {
-    implicit.EXTENSION,
-    "3DTILES_content_gltf",
-    "3DTILES_multiple_contents",
-    "3DTILES_metadata",
-}
+_SUPPORTED_EXTENSIONS = {implicit.EXTENSION, "3DTILES_content_gltf", "3DTILES_multiple_contents", "3DTILES_metadata"}
 """Supported extensions that tilesets may require."""
 
 _GZIP = b"\x1f\x8b"

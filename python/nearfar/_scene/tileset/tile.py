@@ -45,17 +45,7 @@ class Tile(ABC):
         Whether it only refers to tiles described elsewhere, so that its children are always shown.
     """
 
-    __slots__ = (
-        "_children",
-        "error",
-        "has_content",
-        "is_leaf",
-        "parent",
-        "refers",
-        "replaces",
-        "source",
-        "transform",
-    )
+    __slots__ = ("_children", "error", "has_content", "is_leaf", "parent", "refers", "replaces", "source", "transform")
 
     def __init__(
         self,
