@@ -52,22 +52,8 @@ def read(label: str, loaded: trimesh.Trimesh | trimesh.Scene, materials: Materia
 
 _PLY_PROPERTIES = {
     "vertex": {
-        "x",
-        "y",
-        "z",
-        "nx",
-        "ny",
-        "nz",
-        "red",
-        "green",
-        "blue",
-        "alpha",
-        "u",
-        "v",
-        "s",
-        "t",
-        "texture_u",
-        "texture_v",
+        *("x", "y", "z", "nx", "ny", "nz", "red", "green", "blue", "alpha"),
+        *("u", "v", "s", "t", "texture_u", "texture_v"),
     },
     "face": {"vertex_indices", "vertex_index", "red", "green", "blue", "alpha", "texcoord"},
 }

@@ -8,24 +8,8 @@ from typing import Any
 _EPSG = re.compile(r"EPSG(?::|/)+(?:[0-9.]*(?::|/))?([0-9]{4,6})", re.IGNORECASE)
 
 _GEOGRAPHIC = {
-    4167,
-    4171,
-    4230,
-    4258,
-    4269,
-    4283,
-    4326,
-    4490,
-    4612,
-    4619,
-    4674,
-    4937,
-    4979,
-    6318,
-    6319,
-    6668,
-    6697,
-    7844,
+    *(4167, 4171, 4230, 4258, 4269, 4283, 4326, 4490, 4612),
+    *(4619, 4674, 4937, 4979, 6318, 6319, 6668, 6697, 7844),
 }
 """EPSG codes of systems in degrees that city files name; all are within a few metres of WGS84, 4230 within 200 m."""
 

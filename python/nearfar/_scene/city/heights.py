@@ -21,27 +21,15 @@ TALLEST = 10_000.0
 """Height in metres beyond which a value is a marker for unknown."""
 
 HEIGHTS = (
-    ("height", 1.0),
-    ("building:height", 1.0),
-    ("measuredHeight", 1.0),
-    ("measured_height", 1.0),
-    ("render_height", 1.0),
+    *((name, 1.0) for name in ("height", "building:height", "measuredHeight", "measured_height", "render_height")),
     ("building_height", 1.0),
-    ("building:levels", STOREY),
-    ("building_levels", STOREY),
-    ("levels", STOREY),
-    ("num_floors", STOREY),
-    ("storeysAboveGround", STOREY),
+    *((name, STOREY) for name in ("building:levels", "building_levels", "levels", "num_floors", "storeysAboveGround")),
 )
 """Properties that state heights, in order of precedence, with metres per unit."""
 
 BASES = (
-    ("min_height", 1.0),
-    ("building:min_height", 1.0),
-    ("render_min_height", 1.0),
-    ("base_height", 1.0),
-    ("building:min_level", STOREY),
-    ("min_floor", STOREY),
+    *((name, 1.0) for name in ("min_height", "building:min_height", "render_min_height", "base_height")),
+    *((name, STOREY) for name in ("building:min_level", "min_floor")),
 )
 """Properties that state the height of the lower end, with metres per unit."""
 
