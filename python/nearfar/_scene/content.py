@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from nearfar._base import check
 from nearfar._base.errors import SceneError
@@ -19,12 +19,13 @@ from nearfar._scene.materials import PLAIN, UNCOLORED, BaseColor
 from nearfar._scene.options import LoadOptions
 from nearfar._scene.report import count
 from nearfar._scene.stored import Stored
+from nearfar._scene.tileset.frames import Z_UP_TO_SCENE
 from nearfar._scene.units import metres_in
 
 _TURNS = {
     "x": np.array([[0.0, -1, 0, 0], [1, 0, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]),
     "y": np.eye(4),
-    "z": np.array([[1.0, 0, 0, 0], [0, 0, 1, 0], [0, -1, 0, 0], [0, 0, 0, 1]]),
+    "z": Z_UP_TO_SCENE,
 }
 """Rotations that turn the named axis to y."""
 
@@ -71,6 +72,19 @@ class Nodes:
     objects: list[str]
     transforms: NDArray[np.float64]
     shapes: list[str]
+
+    @classmethod
+    def from_rows(cls, rows: Sequence[tuple[str, NDArray[np.float64], str]]) -> Nodes:
+        """Make nodes of rows, each with an object's name, a transform (4, 4) and a shape's name."""
+        transforms = np.array([transform for _, transform, _ in rows], np.float64).reshape(-1, 4, 4)
+        return cls([name for name, _, _ in rows], transforms, [shape for _, _, shape in rows])
+
+
+def translation(offset: ArrayLike) -> NDArray[np.float64]:
+    """Transform (4, 4) that moves points by an offset (3,)."""
+    matrix = np.eye(4)
+    matrix[:3, 3] = offset
+    return matrix
 
 
 @dataclass

@@ -84,9 +84,9 @@ def _nodes(scene: trimesh.Scene, shapes: dict[str, Shape]) -> Nodes:
                 world[child] = world[parent] if matrix is None else world[parent] @ matrix
                 pending.append(child)
     data = ((name, data.get("geometry")) for name, data in forest.node_data.items())
-    placed = [(name, shape) for name, shape in data if shape in shapes and name in world]
-    transforms = np.array([world[name] for name, _ in placed], np.float64).reshape(-1, 4, 4)
-    return Nodes([str(name) for name, _ in placed], transforms, [shape for _, shape in placed])
+    return Nodes.from_rows(
+        [(str(name), world[name], shape) for name, shape in data if shape in shapes and name in world]
+    )
 
 
 def source_normals(mesh: trimesh.Trimesh, *, fresh: bool = False) -> NDArray[np.float64] | None:
@@ -113,8 +113,7 @@ def source_normals(mesh: trimesh.Trimesh, *, fresh: bool = False) -> NDArray[np.
 def _kind_of_fresh(visual: Any) -> str | None:
     """Like `visual.kind`, for an unmodified mesh, without hashing its arrays."""
     if not hasattr(visual, "_data"):
-        kind: str | None = visual.kind
-        return kind
+        return visual.kind  # type: ignore[no-any-return]
     stored = visual._data.data
     return next((kind for kind in ("vertex", "face") if np.size(stored.get(f"{kind}_colors", ()))), None)
 
@@ -130,8 +129,7 @@ def _shape(mesh: trimesh.Trimesh, materials: Materials, *, fresh: bool) -> Shape
             shape.uvs = visual.uv
         if visual.face_materials is not None and len(shape.materials) > 1:
             shape.face_material = np.asarray(visual.face_materials, np.int64)
-        colors = visual.vertex_attributes.get("color", None)
-        if colors is not None:
+        if (colors := visual.vertex_attributes.get("color")) is not None:
             shape.colors = colors_of(np.asarray(colors), len(shape.vertices), linear=linear)
     elif kind == "vertex":
         shape.colors = colors_of(np.asarray(visual.vertex_colors), len(shape.vertices), linear=linear)

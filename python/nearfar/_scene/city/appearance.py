@@ -13,16 +13,10 @@ from nearfar._scene.materials import BaseColor
 
 
 class Appearance:
-    """Materials of a document, and notes on parts that are not drawn.
+    """Materials of a document or a feature, whose entry ``appearance`` lists them, and notes on undrawn parts."""
 
-    Parameters
-    ----------
-    holder
-        The document or the feature with the entry ``appearance``.
-    """
-
-    def __init__(self, holder: dict[str, Any]) -> None:
-        appearance = entry(holder, "appearance", dict, "", {})
+    def __init__(self, feature: dict[str, Any]) -> None:
+        appearance = entry(feature, "appearance", dict, "", {})
         self._theme = appearance.get("default-theme-material")
         self._materials = [
             self._color(item, f"appearance.materials[{number}]")
@@ -52,23 +46,22 @@ class Appearance:
         semantics = entry(geometry, "semantics", dict, place, {})
         surfaces = entry(semantics, "surfaces", list, f"{place}semantics.", [])
         types = [item.get("type") if isinstance(item, dict) else None for item in surfaces]
-        classed = [classes.color_of_surface(name if isinstance(name, str) else None, kind) for name in types]
+        class_colors = [classes.color_of_surface(name if isinstance(name, str) else None, kind) for name in types]
         plain = classes.color_of_surface(None, kind)
         labels = _labels(semantics.get("values"), boundaries, depth)
-        chosen = [_index_or_default(classed, label, plain) for label in labels]
+        colors = [_index_or_default(class_colors, label, plain) for label in labels]
         if not self._materials:
-            return chosen
-        given = self._theme_of(entry(geometry, "material", dict, place, {}))
-        if isinstance(given.get("value"), int):
-            return [_index_or_default(self._materials, given["value"], color) for color in chosen]
-        labels = _labels(given.get("values"), boundaries, depth)
-        return [_index_or_default(self._materials, label, color) for label, color in zip(labels, chosen, strict=True)]
+            return colors
+        theme = self._theme_of(entry(geometry, "material", dict, place, {}))
+        one = theme.get("value")
+        labels = [one] * len(colors) if isinstance(one, int) else _labels(theme.get("values"), boundaries, depth)
+        return [_index_or_default(self._materials, label, color) for label, color in zip(labels, colors, strict=True)]
 
     def _theme_of(self, themes: dict[str, Any]) -> dict[str, Any]:
         """Return the default theme's materials, else those of the first theme."""
-        chosen = themes.get(self._theme) if isinstance(self._theme, str) else None
-        chosen = next(iter(themes.values()), None) if chosen is None else chosen
-        return chosen if isinstance(chosen, dict) else {}
+        theme = themes.get(self._theme) if isinstance(self._theme, str) else None
+        theme = next(iter(themes.values()), None) if theme is None else theme
+        return theme if isinstance(theme, dict) else {}
 
 
 def _index_or_default(items: list[BaseColor], number: int | None, default: BaseColor) -> BaseColor:

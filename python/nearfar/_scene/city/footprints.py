@@ -8,12 +8,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nearfar import _core
-from nearfar._scene.arrays import ORIGIN_LIMIT
+from nearfar._scene.arrays import origin_for
 from nearfar._scene.city import heights
 from nearfar._scene.city.ground import Geodetic, Ground, Projected
 from nearfar._scene.city.index import BoxIndex
-from nearfar._scene.city.table import Table
-from nearfar._scene.content import Content, Nodes, Shape
+from nearfar._scene.city.outlines import Table
+from nearfar._scene.content import Content, Nodes, Shape, translation
 from nearfar._scene.names import distinct
 from nearfar._scene.options import LoadOptions
 from nearfar._scene.report import count
@@ -28,14 +28,7 @@ _KEY = "footprints"
 class Footprints:
     """Features of a file with their heights, stored as outlines; triangles are made on request.
 
-    Parameters
-    ----------
-    label
-        Name of the file.
-    table
-        Features of the file.
-    options
-        Their origin and height, and whether unusable polygons are left out.
+    `label` is the name of the file; `options` state origin and height, and whether unusable polygons are left out.
     """
 
     def __init__(self, label: str, table: Table, options: LoadOptions) -> None:
@@ -51,15 +44,13 @@ class Footprints:
         self.boxes = self._boxes()
         """World boxes (F, 2, 3) of the features; inverted and infinite for features without polygons."""
         # The same for all features, so that a triangle's float32 corners do not depend on the selection.
-        self._base = _base(self.boxes)
+        self._base = origin_for(self.bounds)
+        """Point that vertices are relative to."""
         self._index = BoxIndex(self.boxes)
         self.format = table.format
         self._system = [self.ground.note] if self.ground.is_kept else []
-        self.notes = [
-            *([] if self._system else [self.ground.note]),
-            *table.notes,
-            *_notes(table.skipped, lost, unknown),
-        ]
+        own_frame = [] if self._system else [self.ground.note]
+        self.notes = [*own_frame, *table.notes, *_notes(table.skipped, lost, unknown)]
 
     @property
     def bounds(self) -> NDArray[np.float64]:
@@ -90,10 +81,8 @@ class Footprints:
         floors = (low > 0)[polygon_owner]
         faces, offsets = _core.polygon_prisms(plan, outlines.rings, outlines.polygons, floors)
         face_object = polygon_owner.astype(np.int32).repeat(np.diff(offsets))
-        transform = np.eye(4)
-        transform[:3, 3] = self._base
         shape = Shape(vertices.reshape(-1, 3), faces, face_object=face_object)
-        nodes = Nodes([""], transform[None], [_KEY])
+        nodes = Nodes([""], translation(self._base)[None], [_KEY])
         used = [f"{self.format}: {count(len(chosen), 'feature')} extruded", *self._system]
         return Content(self.label, {_KEY: shape}, nodes, list(self.notes), used, names=self._names_of(rows))
 
@@ -135,21 +124,10 @@ def _extents(table: Table, height: str | None, number: int) -> tuple[NDArray[np.
     return low, np.where(unknown, low + heights.DEFAULT_HEIGHT, high), int(unknown.sum())
 
 
-def _base(boxes: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Point that vertices are relative to: the one that a scene would choose as its origin."""
-    least, greatest = boxes[:, 0].min(axis=0, initial=np.inf), boxes[:, 1].max(axis=0, initial=-np.inf)
-    if not (least <= greatest).all() or max(-least.min(), greatest.max()) < ORIGIN_LIMIT:
-        return np.zeros(3)
-    base: NDArray[np.float64] = np.rint((least + greatest) / 2)
-    return base
-
-
 def _notes(skipped: int, lost: int, unknown: int) -> list[str]:
-    notes = []
-    if skipped:
-        notes.append(f"{count(skipped, 'geometry', 'geometries')} of points or lines ignored")
-    if lost:
-        notes.append(f"{count(lost, 'polygon')} left out")
-    if unknown:
-        notes.append(f"{count(unknown, 'feature')} of unknown height drawn {heights.DEFAULT_HEIGHT:g} m high")
-    return notes
+    notes = {
+        f"{count(skipped, 'geometry', 'geometries')} of points or lines ignored": skipped,
+        f"{count(lost, 'polygon')} left out": lost,
+        f"{count(unknown, 'feature')} of unknown height drawn {heights.DEFAULT_HEIGHT:g} m high": unknown,
+    }
+    return [note for note, number in notes.items() if number]

@@ -40,11 +40,7 @@ class Projected:
 
     @property
     def note(self) -> str:
-        return (
-            f"coordinates of {self.system} as they are"
-            if self.metres == 1
-            else f"coordinates of {self.system} in metres"
-        )
+        return f"coordinates of {self.system} {'as they are' if self.is_kept else 'in metres'}"
 
     @property
     def is_kept(self) -> bool:

@@ -42,27 +42,18 @@ Column = Callable[[str], NDArray[np.float64] | None]
 
 
 def stated(column: Column, known: Iterable[tuple[str, float]], count: int, name: str | None) -> NDArray[np.float64]:
-    """Heights in metres that properties state for each feature (N,), NaN where none does.
+    """Heights in metres that properties state for each of `count` features (N,), NaN where none does.
 
-    Parameters
-    ----------
-    column
-        Returns a property.
-    known
-        Properties in order of precedence, with metres per unit.
-    count
-        Number of features.
-    name
-        The only property to use, in metres; None for the known ones.
+    The properties are the `known` ones in order of precedence, with metres per unit; with a `name`, only that one, in m.
     """
     values = np.full(count, np.nan)
     for key, metres in known if name is None else [(name, 1.0)]:
         missing = np.isnan(values)
         if not missing.any():
             break
-        found = column(key)
-        if found is not None:
-            values[missing] = found[missing] * metres
+        numbers = column(key)
+        if numbers is not None:
+            values[missing] = numbers[missing] * metres
     values[~(np.abs(values) <= TALLEST)] = np.nan
     return values
 
@@ -79,5 +70,5 @@ def number(value: Any) -> float:
 
 def numbers(values: Iterable[Any]) -> NDArray[np.float64] | None:
     """Parse properties of any type as numbers; None if all fail."""
-    found = np.array([number(value) for value in values], np.float64)
-    return found if len(found) and not np.isnan(found).all() else None
+    parsed = np.array([number(value) for value in values], np.float64)
+    return None if np.isnan(parsed).all() else parsed

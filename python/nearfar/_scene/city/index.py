@@ -13,13 +13,7 @@ _BITS = 10
 
 
 class BoxIndex:
-    """Index of world boxes (N, 2, 3); inverted boxes touch nothing.
-
-    Parameters
-    ----------
-    boxes
-        Least and greatest corner of each.
-    """
+    """Index of world boxes (N, 2, 3), least and greatest corners; inverted boxes touch nothing."""
 
     def __init__(self, boxes: NDArray[np.float64]) -> None:
         rows = np.flatnonzero((boxes[:, 0] <= boxes[:, 1]).all(axis=1))
@@ -29,14 +23,8 @@ class BoxIndex:
         cells = ((middle - low) / width * ((1 << _BITS) - 1)).astype(np.int64)
         self._rows = rows[np.argsort(_interleaved(cells), kind="stable")]
         self._boxes = boxes[self._rows]
-        starts = np.arange(0, len(self._rows), _BLOCK)
-        self._blocks = np.stack(
-            [
-                np.minimum.reduceat(self._boxes[:, 0], starts) if len(starts) else np.zeros((0, 3)),
-                np.maximum.reduceat(self._boxes[:, 1], starts) if len(starts) else np.zeros((0, 3)),
-            ],
-            axis=1,
-        )
+        blocks = [self._boxes[start : start + _BLOCK] for start in range(0, len(rows), _BLOCK)]
+        self._blocks = np.array([(block[:, 0].min(0), block[:, 1].max(0)) for block in blocks]).reshape(-1, 2, 3)
 
     def touching(self, box: NDArray[np.float64]) -> NDArray[np.int64]:
         """Numbers of the boxes that touch a box (2, 3), borders included, ascending."""

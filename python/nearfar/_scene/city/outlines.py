@@ -1,9 +1,10 @@
-"""Polygons of many features in flat arrays."""
+"""Features of a file: their polygons in flat arrays, coordinate system and properties."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -31,10 +32,10 @@ class Outlines:
         """Offsets (F + 1,) of the features into the points."""
         return self.rings[self.polygons[self.features]]
 
-    def select(self, rows: NDArray[np.int64]) -> Outlines:
-        """Select some features."""
+    def select(self, rows: NDArray[np.int64 | np.bool_]) -> Outlines:
+        """Select some features, by number or by a mask."""
         polygon_counts = np.diff(self.features)[rows]
-        polygons = rows_of(self.features[rows], polygon_counts)
+        polygons = rows_of(self.features[:-1][rows], polygon_counts)
         ring_counts = np.diff(self.polygons)[polygons]
         rings = rows_of(self.polygons[polygons], ring_counts)
         sizes = np.diff(self.rings)[rings]
@@ -50,7 +51,7 @@ class Outlines:
         keep = np.ones(len(self.points), bool)
         keep[last] = False
         before = np.concatenate([[0], np.cumsum(keep)])
-        return Outlines(self.points[keep], before[self.rings], self.polygons, self.features)
+        return replace(self, points=self.points[keep], rings=before[self.rings])
 
     def validate(self, *, drop: bool, degrees: bool) -> tuple[Outlines, int]:
         """Reject rings of fewer than three points, and points out of range.
@@ -71,10 +72,9 @@ class Outlines:
         polygon_of = np.arange(len(self.polygons) - 1).repeat(np.diff(self.polygons))
         lost = np.zeros(len(self.polygons) - 1, bool)
         lost[polygon_of[bad]] = True
-        kept = np.flatnonzero(~lost)
-        whole = Outlines(self.points, self.rings, self.polygons, np.arange(len(self.polygons))).select(kept)
+        usable = Outlines(self.points, self.rings, self.polygons, np.arange(len(self.polygons))).select(~lost)
         before = np.concatenate([[0], np.cumsum(~lost)])
-        return Outlines(whole.points, whole.rings, whole.polygons, before[self.features]), int(lost.sum())
+        return replace(usable, features=before[self.features]), int(lost.sum())
 
     def _raise_for(self, good: NDArray[np.bool_], short: NDArray[np.bool_], degrees: bool) -> None:
         if not good.all():
@@ -98,3 +98,31 @@ def concatenate(parts: Sequence[Outlines]) -> Outlines:
         for name in ("rings", "polygons", "features")
     ]
     return Outlines(np.concatenate([np.zeros((0, 2)), *(part.points for part in parts)]), *levels)
+
+
+class Columns(Protocol):
+    """Properties of all features."""
+
+    def __call__(self, name: str) -> NDArray[np.float64] | None:
+        """Numbers of a property (F,), NaN where missing; None if no feature has it."""
+
+    def texts(self, name: str | None) -> list[str] | None:
+        """Names by a property, or by the features' identifiers; None if any feature lacks one."""
+
+
+@dataclass(frozen=True)
+class Table:
+    """Features of a file."""
+
+    outlines: Outlines
+    system: str
+    """Name of the coordinate system."""
+    degrees: bool
+    """Whether its coordinates are longitudes and latitudes."""
+    columns: Columns
+    metres: float = 1.0
+    """Metres per unit of projected coordinates."""
+    skipped: int = 0
+    """Number of geometries that are not polygons."""
+    notes: tuple[str, ...] = ()
+    format: str = "GeoJSON"
