@@ -31,10 +31,7 @@ class TooLargeError(UnusableError):
 class Budget:
     """Limit of the bytes that a file may unpack to: packed text, archive members, pixels, copies of its arrays.
 
-    Parameters
-    ----------
-    max_bytes
-        The limit; by default `RATIO` times the bytes read, at least `FREE` and at most `MAX`.
+    By default it is `RATIO` times the bytes read, at least `FREE` and at most `MAX`.
     """
 
     def __init__(self, max_bytes: int | None = None) -> None:

@@ -158,17 +158,8 @@ def _place(entries: list[dict[str, Any]], entry: dict[str, Any]) -> int:
 def read(reader: glb.Reader, *, upright: bool) -> tuple[dict[str, Any], dict[int, GltfMaterial]]:
     """Read the materials and textures that `SurfaceWriter` wrote.
 
-    Parameters
-    ----------
-    reader
-        The file.
-    upright
-        Whether images are stored with row 0 on top, as in all files except those of early versions.
-
-    Returns
-    -------
-    surfaces, undrawn
-        Materials and textures as arguments of `_core.Scene`; the materials' undrawn properties, by tag.
+    Images are `upright`, with row 0 on top, in all files except those of early versions. Return the materials and
+    textures as arguments of `_core.Scene`, and the materials' undrawn properties by tag.
     """
     document = reader.document
     materials = document.get("materials", [])

@@ -232,21 +232,10 @@ def levels_of(argument: str, levels: ArrayLike | Mapping[str, int], leveled: Lev
 def with_levels(
     core: _core.Scene, rest: NDArray[np.float64], before: LevelTable | None, objects: int, new: NewLevels
 ) -> tuple[_core.Scene, NDArray[np.float64], LevelTable]:
-    """Replace the meshes of objects by levels.
+    """Replace the meshes of objects by levels; return the new scene, in which these objects show level 0.
 
-    Parameters
-    ----------
-    core, rest, before
-        The scene, the load placements of its moving instances, and its present levels.
-    objects
-        Number of objects of the scene.
-    new
-        The new levels and their objects.
-
-    Returns
-    -------
-    core, rest, table
-        The same for the new scene, in which the objects show level 0.
+    A scene is given and returned as its core, the load placements of its moving instances, and its levels. It has
+    `objects` objects.
     """
     chosen = np.zeros(objects, bool)
     chosen[new.numbers] = True

@@ -171,10 +171,7 @@ def _encoded(image: Any) -> TextureSource | None:
 class Materials:
     """Converts trimesh's materials to base colours; each image is decoded once, however many materials use it.
 
-    Parameters
-    ----------
-    budget
-        Limit for images of files; None for images that the caller made.
+    The budget limits images of files; it is None for images that the caller made.
     """
 
     def __init__(self, budget: Budget | None = None) -> None:
@@ -185,14 +182,9 @@ class Materials:
         self._images: dict[int, tuple[Any, NDArray[np.uint8] | None]] = {}
 
     def base_colors(self, material: Any, *, described: Described | None = None) -> list[BaseColor]:
-        """Return the base colours of a material, several for a MultiMaterial.
+        """Return the base colours of a material of trimesh or None, several for a MultiMaterial.
 
-        Parameters
-        ----------
-        material
-            A material of trimesh, or None.
-        described
-            Its entry in the source file; None uses only `material`.
+        `described` is its entry in the source file; None uses only `material`.
         """
         if material is None:
             return []

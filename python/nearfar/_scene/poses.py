@@ -22,16 +22,10 @@ def checked_pose(argument: str, pose: ArrayLike) -> Floats:
 
 
 def placements_in(pose: Floats, frame: Floats, rest: Floats, origin: Floats) -> Floats:
-    """Compute the placements (K, 3, 4) of an object's meshes in a pose, relative to `origin`.
+    """Compute the placements (K, 3, 4) of an object's meshes in a pose, relative to the world position `origin` in metres.
 
-    Parameters
-    ----------
-    pose, frame
-        Matrices object→world (4, 4): the new pose, and the load transform.
-    rest
-        Load placements of the object's meshes (K, 3, 4), relative to `origin`.
-    origin
-        World position (3,) that placements are relative to, metres.
+    `pose` and `frame` are matrices object→world (4, 4): the new pose, and the load transform. `rest` are the load
+    placements of the meshes (K, 3, 4), relative to `origin`.
     """
     if np.array_equal(pose, frame):
         return rest

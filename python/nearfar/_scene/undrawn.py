@@ -96,19 +96,10 @@ class GltfMaterial:
 def of_gltf(
     material: Any, texture_of: Callable[[int], TextureSource | None]
 ) -> tuple[GltfMaterial | None, tuple[str, ...]]:
-    """Collect the properties of a glTF material.
+    """Collect the properties of a glTF material, an entry of a document; parts of wrong types count as absent.
 
-    Parameters
-    ----------
-    material
-        The material's entry in the document; entries of wrong types count as absent.
-    texture_of
-        Returns a texture by index, with its image; None if it cannot be read.
-
-    Returns
-    -------
-    undrawn, notes
-        None for a material that is drawn completely; differences in drawing, phrased to follow "2 materials".
+    `texture_of` returns a texture by index, with its image; None if it cannot be read. Return the properties, None for
+    a material that is drawn completely, and notes on differences in drawing, phrased to follow "2 materials".
     """
     if not isinstance(material, dict):
         return None, ()

@@ -32,10 +32,7 @@ def opacity(entries: Mapping[str, Any]) -> float:
 def as_gltf(entries: Mapping[str, Any]) -> dict[str, Any]:
     """Convert a material's emission, metalness, roughness and blending to glTF.
 
-    Parameters
-    ----------
-    entries
-        Keywords of the material in lower case with their values: numbers, or words of the file.
+    Entries are the material's keywords in lower case with their values: numbers, or words of the file.
     """
     surface = {"metallicFactor": float(np.clip(_numbers(entries.get("pm"))[0], 0.0, 1.0))}
     if "pr" in entries:

@@ -44,7 +44,8 @@ Column = Callable[[str], NDArray[np.float64] | None]
 def stated(column: Column, known: Iterable[tuple[str, float]], count: int, name: str | None) -> NDArray[np.float64]:
     """Heights in metres that properties state for each of `count` features (N,), NaN where none does.
 
-    The properties are the `known` ones in order of precedence, with metres per unit; with a `name`, only that one, in m.
+    The properties are the `known` ones in order of precedence, with metres per unit; with a `name`, only that one, in
+    m.
     """
     values = np.full(count, np.nan)
     for key, metres in known if name is None else [(name, 1.0)]:

@@ -53,18 +53,10 @@ def _kind(data: bytes) -> str:
 
 
 class Buffers:
-    """Reads the data that a glTF document refers to.
+    """Reads the data that a glTF document, the `header`, refers to.
 
-    Parameters
-    ----------
-    header
-        The document.
-    binary
-        Content of a GLB's binary chunk; empty for none.
-    resolver
-        Trimesh's resolver, which reads files beside the document.
-    budget
-        Counts copied bytes: many parts may refer to the same data.
+    `binary` is the content of a GLB's binary chunk, empty for none. Trimesh's `resolver` reads files beside the
+    document. The `budget` counts copied bytes, because many parts may refer to the same data.
     """
 
     def __init__(self, header: dict[str, Any], binary: bytes | memoryview, resolver: Any, budget: Budget) -> None:

@@ -51,12 +51,7 @@ def start() -> None:
 def decode(data: bytes, size: int, face_count: int) -> Mesh:
     """Decode a stream; UnusableError if it is damaged or exceeds a limit.
 
-    Parameters
-    ----------
-    data
-        The stream.
-    size, face_count
-        Expected bytes and triangles; they set the limits of memory and time.
+    The expected bytes (`size`) and triangles (`face_count`) set the limits of memory and time.
     """
     seconds = _SECONDS + _SECONDS_PER_FACE * face_count
     request = {"bytes": len(data), "seconds": seconds, "memory": _MEMORY + _MEMORY_PER_BYTE * size}

@@ -39,18 +39,9 @@ class _Drawn:
 
 
 class MaterialReader:
-    """Reads the materials of one document; each image is decoded once and only if it is drawn.
+    """Reads the materials of one document, the `header`; each image is decoded once and only if it is drawn.
 
-    Parameters
-    ----------
-    header
-        The document.
-    buffers
-        Reads the document's images.
-    materials
-        Converts materials to base colours.
-    budget
-        Counts decoded bytes of images.
+    `buffers` reads the images, `materials` converts materials to base colours, and `budget` counts decoded bytes.
     """
 
     def __init__(self, header: dict[str, Any], buffers: Buffers, materials: Materials, budget: Budget) -> None:

@@ -30,18 +30,9 @@ def is_placeholder(buffer: dict[str, Any], number: int, *, has_binary: bool) -> 
 def decoded(
     number: int, view: dict[str, Any], described: dict[str, Any], data: memoryview, budget: Budget
 ) -> memoryview:
-    """Decode a view.
+    """Decode a view's compressed bytes, whose layout its extension's entry `described` states.
 
-    Parameters
-    ----------
-    number, view
-        The view and its index, for error messages.
-    described
-        The extension's entry, from `stream`.
-    data
-        The compressed bytes.
-    budget
-        Counts the decoded bytes before they are allocated.
+    The view and its number are for error messages; `budget` counts the decoded bytes before they are allocated.
     """
     count, stride = int(described["count"]), int(described["byteStride"])
     if count < 0 or stride < 0:

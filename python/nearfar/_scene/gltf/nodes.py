@@ -42,15 +42,8 @@ def check_trees(header: dict[str, Any]) -> None:
 def place_nodes(header: dict[str, Any], shapes: Mapping[int, Sequence[str]], instances: Mapping[int, Floats]) -> Nodes:
     """Return the placed shapes in the file's order, children before their parents.
 
-    Parameters
-    ----------
-    header
-        The document.
-    shapes
-        Names of each mesh's shapes, by mesh index.
-    instances
-        Transforms instance→node (N, 4, 4) of nodes that place their mesh many times, by node index. Each instance is an
-        object.
+    `shapes` are the names of each mesh's shapes, by mesh index. `instances` are the transforms instance→node (N, 4, 4)
+    of nodes that place their mesh many times, by node index; each instance is an object.
     """
     nodes = header.get("nodes", [])
     order, above = _traversed(header)

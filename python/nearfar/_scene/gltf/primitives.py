@@ -24,19 +24,7 @@ _UV_WIDTH = 2
 
 
 class Primitives:
-    """Reads the primitives of one document.
-
-    Parameters
-    ----------
-    header
-        The document.
-    buffers
-        Reads the document's arrays.
-    materials
-        Reads the document's materials.
-    budget
-        Counts the bytes of new arrays.
-    """
+    """Reads the primitives of one document, the `header`; `budget` counts the bytes of new arrays."""
 
     def __init__(self, header: dict[str, Any], buffers: Buffers, materials: MaterialReader, budget: Budget) -> None:
         self._header, self._buffers, self._materials, self._budget = header, buffers, materials, budget

@@ -60,37 +60,17 @@ class TileContent:
 
 @dataclass(frozen=True)
 class Reader:
-    """Reads files of tiles.
-
-    Parameters
-    ----------
-    files
-        Reads files that tiles refer to.
-    budget
-        Counts unpacked bytes.
-    materials
-        Converts materials.
-    """
+    """Reads files of tiles; `budget` counts unpacked bytes."""
 
     files: Files
     budget: Budget
     materials: Materials
 
     def read(self, name: str, data: bytes, up: str, to_earth: Floats, depth: int = 0) -> TileContent:
-        """Read a file; raises any exception if it is unusable.
+        """Read the data of the file with that path or URL; raises any exception if it is unusable.
 
-        Parameters
-        ----------
-        name
-            Path or URL of the file.
-        data
-            Content of the file.
-        up
-            Up axis of its glTF: X, Y or Z.
-        to_earth
-            Transform (4, 4) from the tile to the tileset.
-        depth
-            Number of composite tiles around it.
+        `up` is the up axis of its glTF: X, Y or Z. `to_earth` (4, 4) is the transform from the tile to the tileset,
+        `depth` the number of composite tiles around it.
         """
         if data.startswith(_GZIP):
             data = self.budget.unpacked(data)

@@ -34,13 +34,7 @@ class NamedError(UnusableError):
 
 
 class Documents:
-    """Reads the documents of a tileset, each once.
-
-    Parameters
-    ----------
-    files
-        Reads the tileset's files.
-    """
+    """Reads the documents of a tileset, each once."""
 
     def __init__(self, files: Files) -> None:
         self._files = files

@@ -28,24 +28,11 @@ Cell = tuple[int, ...]
 
 @dataclass(frozen=True)
 class Implicit:
-    """One implicit tiling.
+    """One implicit tiling; `volume`, `error`, `replaces` and `transform` are those of the tile that declares it.
 
-    Parameters
-    ----------
-    json_path, source
-        JSON path of the tile that declares the tiling, and its document.
-    volume, error, replaces, transform
-        Values of the tile that declares the tiling.
-    axes
-        2 for a quadtree, 3 for an octree.
-    subtree_levels, levels
-        Number of levels of a subtree, and of the whole tree.
-    subtrees, contents
-        URI templates with {level}, {x}, {y} and {z}.
-    open_subtree
-        Reads a subtree; None if its file is missing.
-    boxes
-        Metadata properties with tiles' boxes, which override the subdivided volume, by class name.
+    The JSON path and the source name that tile and its document. There are 2 axes for a quadtree, 3 for an octree. URI
+    templates of subtrees and contents have {level}, {x}, {y} and {z}. `boxes` are metadata properties, by class name,
+    with tiles' boxes, which override the subdivided volume.
     """
 
     json_path: str
@@ -57,9 +44,11 @@ class Implicit:
     axes: int
     subtree_levels: int
     levels: int
+    """Number of levels of the whole tree."""
     subtrees: str
     contents: tuple[str, ...]
     open_subtree: Callable[[Implicit, str], Subtree | None]
+    """Reads a subtree; None if its file is missing."""
     boxes: dict[str, BoxProperty]
 
     def root(self) -> list[Tile]:

@@ -47,18 +47,10 @@ def box_properties(document: dict[str, Any]) -> dict[str, BoxProperty]:
 def boxes(
     document: dict[str, Any], known: dict[str, BoxProperty], count: int, view: Callable[[str, Any], bytes]
 ) -> Floats | None:
-    """Boxes (count, 4, 3) of a subtree's tiles: the centre, then half of each edge; None if it states none.
+    """Boxes (count, 4, 3) of a subtree's available tiles: the centre, then half of each edge; None if it states none.
 
-    Parameters
-    ----------
-    document
-        Document of the subtree.
-    known
-        Result of `box_properties`.
-    count
-        Number of the subtree's available tiles.
-    view
-        Returns the bytes of a buffer view by index.
+    `document` is the subtree's, `known` the result of `box_properties`; `view` returns the bytes of a buffer view by
+    index.
     """
     if not known or document.get("tileMetadata") is None:
         return None

@@ -68,17 +68,7 @@ class ContentCache:
 
 
 class Reading:
-    """Reads tiles for one result.
-
-    Parameters
-    ----------
-    files
-        Reads files.
-    kept
-        Contents read before.
-    budget
-        Counts unpacked bytes of the files.
-    """
+    """Reads tiles for one result; `cache` has contents read before, and `budget` counts unpacked bytes of the files."""
 
     def __init__(self, files: Files, kept: ContentCache, budget: Budget) -> None:
         self._files, self._kept, self._budget = files, kept, budget
@@ -152,14 +142,7 @@ class Reading:
     def place_contents(self, tiles: Sequence[Tile], to_scene: Floats, label: str) -> tuple[Content, int]:
         """Content of tiles whose `sizes` were requested, and the number of files with feature properties.
 
-        Parameters
-        ----------
-        tiles
-            The tiles.
-        to_scene
-            (4, 4) tileset→scene.
-        label
-            Name of the tileset for messages.
+        `to_scene` (4, 4) is the transform tileset→scene, `label` the tileset's name for messages.
         """
         parts: list[tuple[str, str, Content]] = []
         properties = 0

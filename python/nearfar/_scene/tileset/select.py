@@ -62,20 +62,11 @@ def box_test(box: Floats | None, to_scene: Floats) -> Touches:
 def by_error(
     root: Tile, error: float, touches: Touches, unrefined: AbstractSet[Tile] = frozenset(), *, through: bool = False
 ) -> Selection:
-    """Select tiles with content that show a tileset within a geometric error, in document order.
+    """Select tiles with content that show a tileset within a geometric error in metres, in document order.
 
-    Parameters
-    ----------
-    root
-        Root tile.
-    error
-        Greatest error, metres; 0 refines every tile with children.
-    touches
-        Whether a tile lies in the requested part of the world.
-    unrefined
-        Tiles whose children cannot be shown.
-    through
-        Whether to refine tiles without content always. Otherwise this is done only if nothing would be shown.
+    An error of 0 refines every tile with children. Tiles that do not touch the requested part of the world are left
+    out; children of `unrefined` tiles cannot be shown. With `through`, tiles without content are always refined,
+    otherwise only if nothing would be shown.
     """
     visits = Visits()
     shown: list[Tile] = []
@@ -110,25 +101,12 @@ def keeper(tile: Tile) -> Tile | None:
 
 
 def by_triangles(
-    root: Tile, most: int, touches: Touches, count: Callable[[Sequence[Tile]], Sequence[int | None]]
+    root: Tile, max_count: int, touches: Touches, count: Callable[[Sequence[Tile]], Sequence[int | None]]
 ) -> Selection:
-    """Select tiles of at most `most` triangles: tiles with the greatest error are refined first, while that fits.
+    """Select tiles of at most `max_count` triangles: tiles with the greatest error are refined first, while that fits.
 
-    Parameters
-    ----------
-    root
-        Root tile.
-    most
-        Greatest number of triangles.
-    touches
-        Whether a tile lies in the requested part of the world.
-    count
-        Numbers of triangles of tiles; None for one whose content cannot be read.
-
-    Returns
-    -------
-    Selection
-        It has more than `most` triangles if the coarsest tiles do.
+    Tiles that do not touch the requested part of the world are left out. `count` returns the numbers of triangles of
+    tiles, None for one whose content cannot be read. The selection has more triangles if the coarsest tiles do.
     """
     visits = Visits()
     shown: dict[Tile, int] = {}
@@ -158,11 +136,11 @@ def by_triangles(
         return found
 
     show(readable([root], through=True) or {})
-    while heap and total <= most:
+    while heap and total <= max_count:
         tile = heapq.heappop(heap)[2]
         below = readable(visits.children(tile), through=not tile.replaces)
         removed = shown[tile] if tile.replaces else 0
-        if below and total - removed + sum(below.values()) <= most:
+        if below and total - removed + sum(below.values()) <= max_count:
             if tile.replaces:
                 total -= shown.pop(tile)
             show(below)

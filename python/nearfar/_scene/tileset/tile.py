@@ -27,22 +27,10 @@ class Source:
 class Tile(ABC):
     """A tile of a tileset; its children are made on demand.
 
-    Parameters
-    ----------
-    source
-        Document that states it.
-    error
-        Geometric error, metres: how far its content deviates from the world if its children are not shown.
-    replaces
-        Whether its children replace its content; otherwise they are added to it.
-    transform
-        Tile→tileset (4, 4), float64.
-    has_content
-        Whether it has content.
-    is_leaf
-        Whether the document states no tiles below it.
-    refers
-        Whether it only refers to tiles described elsewhere, so that its children are always shown.
+    `source` is the document that states it, `transform` the transform tile→tileset (4, 4), float64. `error` is the
+    geometric error in metres: how far its content deviates from the world if its children are not shown. The children
+    replace its content if `replaces`, otherwise they are added to it. The document states no tiles below a leaf. A tile
+    that `refers` only refers to tiles described elsewhere, so that its children are always shown.
     """
 
     __slots__ = ("_children", "error", "has_content", "is_leaf", "parent", "refers", "replaces", "source", "transform")
@@ -104,18 +92,9 @@ class Tile(ABC):
 
 
 class StatedTile(Tile):
-    """A tile stated explicitly in a document.
+    """A tile stated explicitly in a document, at a JSON path for messages; other arguments are as in `Tile`.
 
-    Parameters
-    ----------
-    json_path
-        Its JSON path in the document, for messages.
-    volume, contents
-        Values of the properties of these names.
-    expand
-        Makes its children; None for a leaf.
-    source, error, replaces, transform, refers
-        As in `Tile`.
+    `expand` makes its children; it is None for a leaf.
     """
 
     __slots__ = ("_contents", "_expand", "_volume", "json_path")

@@ -55,19 +55,11 @@ class Tileset:
         cache_bytes: float = np.inf,
         budget: Budget | None = None,
     ) -> Tileset:
-        """Open a tileset's document, or a single b3dm, i3dm or cmpt.
+        """Open a tileset's document, or a single b3dm, i3dm or cmpt, at a path or a URL that fsspec knows.
 
-        Parameters
-        ----------
-        path
-            A path, or a URL that fsspec knows.
-        origin
-            Longitude and latitude in degrees and height in metres of the scene's (0, 0, 0), for a tileset on the Earth;
-            by default the centre of its volume.
-        cache_bytes
-            Size of the cache of contents, bytes.
-        budget
-            Limit of the bytes that a single tile may unpack to.
+        `origin` is the longitude and latitude in degrees and the height in metres of the scene's (0, 0, 0), for a
+        tileset on the Earth; by default the centre of its volume. `cache_bytes` is the size of the cache of contents,
+        `budget` the limit of the bytes that a single tile may unpack to.
 
         Raises
         ------
@@ -107,19 +99,10 @@ class Tileset:
     ) -> Content:
         """Read the content of the tiles that show the tileset, placed in the scene's frame.
 
-        A tile that cannot be read is left out, and a note names it. If it would replace a coarser tile, that
-        one is shown.
-
-        Parameters
-        ----------
-        error
-            Greatest geometric error in metres; 0 shows all detail.
-        triangles
-            Greatest number of triangles instead of an error: tiles with the greatest errors are refined first.
-        box
-            Box (2, 3) in the scene's frame: tiles that touch it are read, each as a whole. None for all tiles.
-        budget
-            Limit of the bytes that the files may unpack to.
+        A tile that cannot be read is left out, and a note names it. If it would replace a coarser tile, the coarser one
+        is shown. `error` is the greatest geometric error in metres; 0 shows all detail. With `triangles`, a greatest
+        number of triangles, tiles with the greatest errors are refined first instead. Only tiles that touch the `box`
+        (2, 3) in the scene's frame are read, each as a whole. `budget` limits the bytes that the files may unpack to.
 
         Raises
         ------
