@@ -64,17 +64,6 @@ def numbers_of(name: str, value: ArrayLike, count: int, limit: int, *, copy: boo
     return _copied(array, value, copy)
 
 
-def object_count_of(name: str, value: ArrayLike) -> int:
-    """Number of objects that the faces' object numbers imply: the greatest number plus one."""
-    array = check.array(name, value, columns=None, dtype=np.int32)
-    return max(0, int(array.max()) + 1) if array.size else 0
-
-
-def uvs_of(name: str, value: ArrayLike) -> NDArray[np.float32]:
-    """Convert texture coordinates (V, 2) to C-contiguous float32."""
-    return check.array(name, value, columns=2, dtype=np.float32)
-
-
 def normals_of(name: str, value: ArrayLike, vertex_count: int, *, copy: bool = False) -> NDArray[np.float32]:
     """Convert vertex normals to C-contiguous float32 of unit length; rows of zeros stand for no normal.
 

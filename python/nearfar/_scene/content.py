@@ -268,8 +268,8 @@ def _store(builder: Assembly, stored: Stored, placed: NDArray[np.bool_]) -> dict
     """Add stored meshes and the materials of the `placed` ones (M,); return handles by name, of meshes with faces."""
     numbers = np.zeros(len(stored.surfaces), np.int32)
     for number in np.unique(stored.surface[placed[stored.mesh]]).tolist():
-        numbers[number] = builder._material(stored.surfaces[number].drawn_material)
-    builder._store(stored.core.with_materials(numbers))
+        numbers[number] = builder._materials.add(stored.surfaces[number].drawn_material)
+    builder._meshes.store(stored.core.with_materials(numbers))
     counts = stored.core.face_counts().tolist()
     return {name: number for number, (name, faces) in enumerate(zip(stored.names, counts, strict=True)) if faces}
 

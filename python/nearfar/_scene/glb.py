@@ -194,13 +194,11 @@ class _Streams:
         return accessors
 
 
-def decode(data: bytes, names: Names | None) -> _core.Scene:
-    """Decode a file that `encode` made; other bytes raise any error that their content causes."""
-    return Decoder(data, names).decode()
-
-
 class Decoder:
-    """Reads files written by `Encoder`; objects are numbered as in `names`, or in the order of the nodes."""
+    """Reads files written by `Encoder`; objects are numbered as in `names`, or in the order of the nodes.
+
+    Bytes that `Encoder` did not write raise any error that their content causes.
+    """
 
     def __init__(self, data: bytes, names: Names | None) -> None:
         self._reader = glb.Reader(data)
@@ -215,7 +213,7 @@ class Decoder:
         """Decode the whole scene."""
         root = self._root
         children = self._nodes(root)
-        placements = np.array([_placement(node) for node in children]).reshape(-1, 3, 4)
+        placements = np.array([placement_of(node) for node in children]).reshape(-1, 3, 4)
         if not np.isfinite(placements).all():
             raise ValueError("expected finite matrices")
         objects = [self._object(node) if "mesh" in node else _NO_OBJECT for node in children]
@@ -306,7 +304,8 @@ class Decoder:
         )
 
 
-def _placement(node: dict[str, Any]) -> NDArray[np.float64]:
+def placement_of(node: dict[str, Any]) -> NDArray[np.float64]:
+    """Exact placement (3, 4) of a node."""
     matrix: NDArray[np.float64] = np.array(node.get("matrix", np.eye(4).ravel()), np.float64).reshape(4, 4)
     return matrix.T[:3]
 

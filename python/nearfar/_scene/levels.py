@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from nearfar import _core
 from nearfar._base import check
 from nearfar._scene.names import Names
+from nearfar._scene.poses import square
 from nearfar._scene.serialize import mesh_of
 
 
@@ -266,16 +267,12 @@ def _placements(
     owner, first = np.unique(core.moving_objects(), return_index=True)
     moves = np.isin(new.numbers, owner)
     instance = first[np.searchsorted(owner, new.numbers[moves])]
-    now, then = (_square(rows[instance]) for rows in (core.moving_placements(), rest))
+    now, then = (square(rows[instance]) for rows in (core.moving_placements(), rest))
     moved = (now != then).any(axis=(1, 2))
     at = np.flatnonzero(moves)[moved]
     # An object's mesh moved from `then` to `now`, so its levels' placement is now · then⁻¹ · (load placement).
-    placed[at] = (now[moved] @ np.linalg.solve(then[moved], _square(placed[at])))[:, :3]
+    placed[at] = (now[moved] @ np.linalg.solve(then[moved], square(placed[at])))[:, :3]
     return placed, moves
-
-
-def _square(rows: NDArray[np.float64]) -> NDArray[np.float64]:
-    return np.concatenate([rows, np.tile([[[0.0, 0, 0, 1]]], (len(rows), 1, 1))], axis=1)
 
 
 def _rows(pieces: list[_core.Mesh], lengths: list[int]) -> list[tuple[_core.Mesh, ...]]:

@@ -13,6 +13,8 @@ from nearfar._base import check
 _MAX_VERTICES = 2**32 - 2**16
 """Greatest number of vertices of a merged mesh, whose indices have 32 bits."""
 
+_NO_STORED_MESHES = _core.StoredMeshes([], np.zeros((0, 7), np.int64), np.zeros((0, 7), np.int64))
+
 
 @dataclass(frozen=True)
 class _ArrayMesh:
@@ -26,10 +28,9 @@ class MeshList:
     """Numbers meshes and creates the kernels' meshes, one by one or merged."""
 
     def __init__(self) -> None:
-        self._stored_meshes: _core.StoredMeshes | None = None
-        self._stored_count = 0
-        """Number of stored meshes; the first array mesh has this handle."""
+        self._stored_meshes, self._stored_count = _NO_STORED_MESHES, 0
         self._array_meshes: list[_ArrayMesh] = []
+        """The first one has the handle `_stored_count`."""
 
     def __len__(self) -> int:
         return self._stored_count + len(self._array_meshes)
@@ -58,29 +59,21 @@ class MeshList:
 
     def vertex_counts(self) -> NDArray[np.int64]:
         """Numbers of vertices (M,)."""
-        stored_counts = np.zeros(0, np.int64) if self._stored_meshes is None else self._stored_meshes.vertex_counts()
-        return np.concatenate(
-            [stored_counts, np.array([mesh.core.vertex_count for mesh in self._array_meshes], np.int64)]
-        )
+        array_counts = np.array([mesh.core.vertex_count for mesh in self._array_meshes], np.int64)
+        return np.concatenate([self._stored_meshes.vertex_counts(), array_counts])
 
     def face_counts(self) -> NDArray[np.int64]:
         """Numbers of faces (M,)."""
-        stored_counts = np.zeros(0, np.int64) if self._stored_meshes is None else self._stored_meshes.face_counts()
-        return np.concatenate(
-            [stored_counts, np.array([mesh.core.face_count for mesh in self._array_meshes], np.int64)]
-        )
+        array_counts = np.array([mesh.core.face_count for mesh in self._array_meshes], np.int64)
+        return np.concatenate([self._stored_meshes.face_counts(), array_counts])
 
     def boxes(self) -> NDArray[np.float64]:
         """Boxes (M, 2, 3) relative to the bases, which may include unused vertices; inverted without faces."""
-        return self._append_array_boxes(
-            np.zeros((0, 2, 3)) if self._stored_meshes is None else self._stored_meshes.bounds()
-        )
+        return self._append_array_boxes(self._stored_meshes.bounds())
 
     def face_boxes(self) -> NDArray[np.float64]:
         """Exact boxes of the faces (M, 2, 3) relative to the bases, slower than `boxes`; inverted without faces."""
-        return self._append_array_boxes(
-            np.zeros((0, 2, 3)) if self._stored_meshes is None else self._stored_meshes.face_bounds()
-        )
+        return self._append_array_boxes(self._stored_meshes.face_bounds())
 
     def _append_array_boxes(self, stored_boxes: NDArray[np.float64]) -> NDArray[np.float64]:
         array_boxes = np.array([mesh.core.bounds() for mesh in self._array_meshes], np.float64).reshape(-1, 2, 3)
@@ -89,17 +82,9 @@ class MeshList:
     def meshes_by_handle(self, handles: NDArray[np.int64]) -> dict[int, _core.Mesh]:
         """Kernels' meshes by handle; handles may repeat."""
         unique_handles = np.unique(handles)
-        stored_handles = unique_handles[unique_handles < self._stored_count]
-        meshes = (
-            {}
-            if self._stored_meshes is None
-            else dict(zip(stored_handles.tolist(), self._stored_meshes.meshes(stored_handles), strict=True))
-        )
-        meshes |= {
-            handle: self._array_meshes[handle - self._stored_count].core
-            for handle in unique_handles[len(stored_handles) :].tolist()
-        }
-        return meshes
+        stored, others = np.split(unique_handles, [np.searchsorted(unique_handles, self._stored_count)])
+        meshes = dict(zip(stored.tolist(), self._stored_meshes.meshes(stored), strict=True))
+        return meshes | {handle: self._array_meshes[handle - self._stored_count].core for handle in others.tolist()}
 
     def merge(
         self, handles: NDArray[np.int64], placements: NDArray[np.float64], objects: NDArray[np.int32]
@@ -112,7 +97,7 @@ class MeshList:
         merged = []
         for all_rows in (np.flatnonzero(is_stored), np.flatnonzero(~is_stored)):
             for rows in self._groups(all_rows, handles):
-                if self._stored_meshes is not None and is_stored[rows[0]]:
+                if is_stored[rows[0]]:
                     merged.append(self._stored_meshes.merge(handles[rows], placements[rows], objects[rows]))
                 else:
                     meshes = [self._array_meshes[handle - self._stored_count].core for handle in handles[rows].tolist()]

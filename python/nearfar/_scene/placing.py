@@ -13,6 +13,7 @@ from nearfar import _core
 from nearfar._base import check
 from nearfar._scene.arrays import ORIGIN_LIMIT, origin_for
 from nearfar._scene.mesh_list import MeshList
+from nearfar._scene.names import Names
 
 OWN_OBJECTS = -1
 """Object number of an instance whose mesh has an object number for each face."""
@@ -43,14 +44,14 @@ class Placements:
             transform[:, :3, 3] += np.einsum("kij,kj->ki", transform[:, :3, :3], bases[mesh])
         return cls(mesh, transform, numbers)
 
-    def merges(self, moves: NDArray[np.bool_], names: Sequence[str]) -> NDArray[np.bool_]:
+    def merges(self, moves: NDArray[np.bool_], names: Names) -> NDArray[np.bool_]:
         """Mask of the instances to merge: static meshes placed once, and flat ones (singular transforms)."""
         once = np.bincount(self.mesh, minlength=1)[self.mesh] == 1
         scale = np.abs(self.transform[:, :3, :3]).sum(axis=(1, 2)) ** 3
         # A determinant below 1e-30 of the size cubed is rounding error: float64 has 16 digits on each of three axes.
         flat = np.abs(np.linalg.det(self.transform[:, :3, :3])) <= 1e-30 * scale
         if (flat & moves).any():
-            name = names[self.object[np.argmax(flat & moves)]]
+            name = names.as_tuple[self.object[np.argmax(flat & moves)]]
             raise ValueError(f"dynamic: expected objects with invertible transforms, got a flat one for {name!r}")
         merged: NDArray[np.bool_] = (once & ~moves) | flat
         return merged

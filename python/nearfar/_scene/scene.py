@@ -14,10 +14,9 @@ from nearfar import _core
 from nearfar._base import card, check
 from nearfar._base.settings import gather
 from nearfar._scene import preview
-from nearfar._scene.assembly import Assembled
+from nearfar._scene.assembly import Assembled, one_mesh
 from nearfar._scene.levels import Leveled, LevelTable, check_levels, kept_of, levels_of, with_levels
 from nearfar._scene.names import Names, names_of
-from nearfar._scene.one_mesh import one_mesh
 from nearfar._scene.options import Blend, LoadKeywords, LoadOptions, OnInvalid, Up
 from nearfar._scene.parts import InParts
 from nearfar._scene.pictures import InPictures
@@ -61,7 +60,7 @@ class Scene(InParts, InPictures):
     @classmethod
     def _from_assembled(cls, parts: Assembled) -> Scene:
         kept = {name: getattr(parts, name) for name in ("frames", "dropped", "notes", "used", "undrawn")}
-        return cls(parts.core, Names(parts.names), **kept)
+        return cls(parts.core, parts.names, **kept)
 
     @classmethod
     def load(

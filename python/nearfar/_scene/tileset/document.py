@@ -13,7 +13,7 @@ import numpy as np
 from nearfar._base import check, glb
 from nearfar._base.errors import UnusableError
 from nearfar._scene.budget import Budget
-from nearfar._scene.reasons import MAX_SENTENCE_LENGTH, sentence
+from nearfar._scene.reasons import sentence
 from nearfar._scene.tileset import implicit, metadata, subtree, values, volumes
 from nearfar._scene.tileset.files import Files
 from nearfar._scene.tileset.frames import Floats
@@ -158,9 +158,8 @@ class Documents:
         except (NamedError, OSError):
             raise
         except Exception as error:
-            reason = check.one_line(sentence(error), MAX_SENTENCE_LENGTH)
             prefix = "" if name == self._files.top else f"{self._files.display_name(name)}: "
-            raise NamedError(f"{prefix}{reason}") from error
+            raise NamedError(f"{prefix}{sentence(error)}") from error
 
 
 def _contents(json_path: str, tile: dict[str, Any]) -> Iterator[str]:

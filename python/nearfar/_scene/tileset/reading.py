@@ -10,11 +10,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from nearfar._base import check
 from nearfar._scene.budget import Budget, TooLargeError
 from nearfar._scene.content import Content, Nodes
 from nearfar._scene.materials import Materials
-from nearfar._scene.reasons import MAX_SENTENCE_LENGTH, sentence
+from nearfar._scene.reasons import sentence
 from nearfar._scene.tileset.content import Reader, TileContent, join_contents
 from nearfar._scene.tileset.files import Files, OutsideError, read_all
 from nearfar._scene.tileset.frames import Floats
@@ -127,7 +126,7 @@ class Reading:
             except (TooLargeError, OutsideError) as error:
                 raise type(error)(f"{self._files.display_name(key.name)}: {error}") from error
             except Exception as error:  # damage may raise anything
-                reason = f"cannot be used: {check.one_line(sentence(error), MAX_SENTENCE_LENGTH)}"
+                reason = f"cannot be used: {sentence(error)}"
         if content is None:
             self._failed[key] = self._kept.failed[key] = reason
         else:
