@@ -14,10 +14,9 @@ from nearfar._base.errors import SceneError
 from nearfar._scene.arrays import transforms_of
 from nearfar._scene.assembly import Assembled, Assembly
 from nearfar._scene.budget import Budget
-from nearfar._scene.looks import Look, inventory, notes as notes_on
-from nearfar._scene.materials import PLAIN, UNCOLORED, BaseColor
+from nearfar._scene.materials import BaseColor
 from nearfar._scene.options import LoadOptions
-from nearfar._scene.report import count
+from nearfar._scene.report import Look, Surface, count, inventory, notes as notes_on
 from nearfar._scene.stored import Stored
 from nearfar._scene.tileset.frames import Z_UP_TO_SCENE
 from nearfar._scene.units import metres_in
@@ -55,11 +54,15 @@ class Shape:
     """Index into the content's `names` for each face (F,) of a shape with many objects; None for one object."""
 
     @property
+    def surface(self) -> Surface:
+        """Materials, and whether there are attributes."""
+        return Surface(self.materials, *(rows is not None for rows in (self.normals, self.uvs, self.colors)))
+
+    @property
     def look(self) -> Look:
-        """Summary of attributes and materials, for reports."""
+        """Summary for reports."""
         see_through = self.colors is not None and self.colors.shape[1] == 4 and bool((self.colors[:, 3] != 255).any())
-        has_normals, has_uvs, has_colors = (rows is not None for rows in (self.normals, self.uvs, self.colors))
-        return Look(1, self.materials, has_normals, has_uvs, has_colors, int(see_through))
+        return Look(self.surface, 1, int(see_through))
 
 
 @dataclass(frozen=True)
@@ -242,16 +245,13 @@ def _repair(shape: Shape) -> tuple[str, int]:
 
 
 def _add(builder: Assembly, shape: Shape) -> int:
-    materials = shape.materials or [PLAIN if shape.colors is None else UNCOLORED]
-    textured = shape.uvs is not None and any(material.is_textured for material in materials)
-    chosen = materials if textured else [material.without_textures() for material in materials]
-    numbers = [builder._material(material) for material in chosen]
+    numbers = [builder._materials.add(material) for material in shape.surface.drawn_materials]
     per_face = len(numbers) > 1 and shape.face_material is not None
     return builder.mesh(
         shape.vertices,
         shape.faces,
         material=np.array(numbers, np.int32)[shape.face_material] if per_face else numbers[0],
-        uvs=shape.uvs if textured else None,
+        uvs=shape.uvs if shape.surface.is_textured else None,
         colors=shape.colors,
         normals=None if shape.normals is None else _finite(shape.normals),
         face_object=shape.face_object,
@@ -268,7 +268,8 @@ def _store(builder: Assembly, stored: Stored, placed: NDArray[np.bool_]) -> dict
     """Add stored meshes and the materials of the `placed` ones (M,); return handles by name, of meshes with faces."""
     numbers = np.zeros(len(stored.surfaces), np.int32)
     for number in np.unique(stored.surface[placed[stored.mesh]]).tolist():
-        numbers[number] = builder._materials.add(stored.surfaces[number].drawn_material)
+        (material,) = stored.surfaces[number].drawn_materials
+        numbers[number] = builder._materials.add(material)
     builder._meshes.store(stored.core.with_materials(numbers))
     counts = stored.core.face_counts().tolist()
     return {name: number for number, (name, faces) in enumerate(zip(stored.names, counts, strict=True)) if faces}

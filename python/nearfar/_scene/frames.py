@@ -51,13 +51,19 @@ def local_to_earth(longitude: float, latitude: float, height: float = 0.0) -> ND
 
     The frame is nearfar's: x east, y up along the ellipsoid's normal, z south; its origin is the given place, radians.
     """
+    place = np.array([longitude, latitude, height], np.float64)
+    east, north, up = east_north_up(place).T
+    return np.vstack([np.column_stack([east, up, -north, earth_centred(place)]), [0.0, 0, 0, 1]])
+
+
+def east_north_up(places: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Rotations (…, 3, 3) with columns east, north and up at longitudes and latitudes (…, 2+), radians."""
+    longitude, latitude = places[..., 0], places[..., 1]
     (sin_lon, cos_lon), (sin_lat, cos_lat) = ((np.sin(angle), np.cos(angle)) for angle in (longitude, latitude))
-    matrix = np.eye(4)
-    matrix[:3, 0] = -sin_lon, cos_lon, 0
-    matrix[:3, 1] = cos_lat * cos_lon, cos_lat * sin_lon, sin_lat
-    matrix[:3, 2] = sin_lat * cos_lon, sin_lat * sin_lon, -cos_lat
-    matrix[:3, 3] = earth_centred(np.array([longitude, latitude, height], np.float64))
-    return matrix
+    east = [-sin_lon, cos_lon, np.zeros_like(longitude)]
+    north = [-sin_lat * cos_lon, -sin_lat * sin_lon, cos_lat]
+    up = [cos_lat * cos_lon, cos_lat * sin_lon, sin_lat]
+    return np.stack([np.stack(column, axis=-1) for column in (east, north, up)], axis=-1)
 
 
 def earth_to_local(longitude: float, latitude: float, height: float = 0.0) -> NDArray[np.float64]:

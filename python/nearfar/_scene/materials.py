@@ -15,6 +15,7 @@ from nearfar import _core
 from nearfar._scene import undrawn as undrawn_parts, wavefront_materials
 from nearfar._scene.arrays import MAX_CUTOFF
 from nearfar._scene.budget import Budget
+from nearfar._scene.coordinates import SPECULAR_GLOSSINESS
 from nearfar._scene.emission import DARK, MAP, Light, emission_of, is_unlit
 from nearfar._scene.srgb import to_linear
 from nearfar._scene.undrawn import EncodedImage, GltfMaterial, TextureSource
@@ -108,7 +109,7 @@ class Described:
     def factor(self) -> tuple[float, float, float, float] | None:
         """Base colour factor in full precision; None means trimesh's value, which may come from an extension."""
         factor = self.material.get("pbrMetallicRoughness", {}).get("baseColorFactor")
-        if factor is None or _OTHER_SURFACE in (self.material.get("extensions") or ()):
+        if factor is None or SPECULAR_GLOSSINESS in (self.material.get("extensions") or ()):
             return None
         red, green, blue, alpha = np.clip(np.nan_to_num(np.array(factor, np.float64)), 0, 1).tolist()
         return red, green, blue, alpha
@@ -150,9 +151,6 @@ def _gltf_entry(material: Any) -> Described:
     surface = {key: entry.pop(key) for key in _SURFACE_KEYS if key in entry}
     return Described(entry | {"pbrMetallicRoughness": surface}, lambda number: _encoded(images[number]))
 
-
-_OTHER_SURFACE = "KHR_materials_pbrSpecularGlossiness"
-"""Extension from which trimesh takes base colours."""
 
 _SURFACE_KEYS = ("metallicFactor", "roughnessFactor", "baseColorTexture", "metallicRoughnessTexture")
 

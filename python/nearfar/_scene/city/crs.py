@@ -5,6 +5,8 @@ from __future__ import annotations
 import re
 from typing import Any
 
+from nearfar._scene.coordinates import is_number
+
 _EPSG = re.compile(r"EPSG(?::|/)+(?:[0-9.]*(?::|/))?([0-9]{4,6})", re.IGNORECASE)
 
 _GEOGRAPHIC = {
@@ -44,6 +46,4 @@ def _metres(system: Any) -> float:
     axes = system.get("axis") if isinstance(system, dict) else None
     unit = axes[0].get("unit") if isinstance(axes, list) and axes and isinstance(axes[0], dict) else None
     factor = unit.get("conversion_factor") if isinstance(unit, dict) else None
-    if isinstance(factor, int | float) and not isinstance(factor, bool) and 0 < factor < 1e6:
-        return float(factor)
-    return 1.0
+    return float(factor) if is_number(factor) and 0 < factor < 1e6 else 1.0

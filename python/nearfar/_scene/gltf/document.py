@@ -7,11 +7,11 @@ from collections.abc import Iterable
 from dataclasses import replace
 from typing import Any
 
-from nearfar._base import glb
+from nearfar._base import check, glb
 from nearfar._base.errors import UnusableError
 from nearfar._scene.budget import Budget
 from nearfar._scene.content import Content, Shape
-from nearfar._scene.gltf import extensions, instances, inventory, nodes, stored
+from nearfar._scene.gltf import extensions, nodes, stored
 from nearfar._scene.gltf.buffers import Buffers, name_files
 from nearfar._scene.gltf.corners import MODES, OTHERS, mode
 from nearfar._scene.gltf.material_reader import MaterialReader
@@ -49,8 +49,8 @@ def read(
     shapes = _shapes(header, primitives, {number: own for number, own in names.items() if number in others})
     if kept is not None:
         kept = replace(kept, names=[names[number][0] for number in whole])
-    placed = nodes.place_nodes(header, names, instances.transforms(header, buffers, budget))
-    return Content(label, shapes, placed, notes, used=inventory.used(header), stored=kept)
+    placed = nodes.place_nodes(header, names, nodes.instance_transforms(header, buffers, budget))
+    return Content(label, shapes, placed, notes, used=_features(header), stored=kept)
 
 
 def _names(header: dict[str, Any], stored: Iterable[int]) -> dict[int, list[str]]:
@@ -107,3 +107,17 @@ def _notes(header: dict[str, Any]) -> list[str]:
         f"{count(number, feature, _PLURALS.get(feature, ''))} ignored" for feature, number in ignored.items() if number
     ]
     return notes + extensions.ignored(header)
+
+
+def _features(header: dict[str, Any]) -> list[str]:
+    """The format, counts of supported parts, and the extensions, one phrase each."""
+    made_by = header.get("asset", {}).get("generator")
+    placing = sum("mesh" in node for node in header.get("nodes", []))
+    primitives = sum(mode(primitive) in MODES for mesh in header.get("meshes", []) for primitive in mesh["primitives"])
+    return [
+        "glTF 2.0" + (f", made by {check.shortened(str(made_by))}" if made_by else ""),
+        f"{count(placing, 'node')} with meshes",
+        f"{count(primitives, 'primitive')} of triangles",
+        *(count(len(header[f"{part}s"]), part) for part in ("material", "texture", "image") if header.get(f"{part}s")),
+        *extensions.used(header),
+    ]

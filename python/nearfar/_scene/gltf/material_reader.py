@@ -11,7 +11,7 @@ from nearfar._base.errors import UnusableError
 from nearfar._base.glb import entry
 from nearfar._scene import coordinates
 from nearfar._scene.budget import Budget, TooLargeError
-from nearfar._scene.coordinates import Coordinates
+from nearfar._scene.coordinates import SPECULAR_GLOSSINESS, Coordinates
 from nearfar._scene.emission import DARK, emission_of
 from nearfar._scene.gltf import ktx2
 from nearfar._scene.gltf.buffers import Buffers
@@ -20,9 +20,8 @@ from nearfar._scene.materials import BaseColor, Described, Materials
 NONE = -1
 """Index that means no material."""
 
-_GLOSS = "KHR_materials_pbrSpecularGlossiness"
 _GLOSS_BYTES = 128
-"""Bytes per texel of an image while trimesh converts a material of that extension: four images, float64 RGBA."""
+"""Bytes per texel of an image while trimesh converts specular–glossiness: four images, float64 RGBA."""
 
 _GLOSS_TEXTURES = ("diffuseTexture", "specularGlossinessTexture")
 
@@ -63,7 +62,7 @@ class MaterialReader:
 
     def _images(self, number: int) -> list[Any]:
         described = entry(self._header, "materials", number)
-        if _GLOSS in (described.get("extensions") or ()):
+        if SPECULAR_GLOSSINESS in (described.get("extensions") or ()):
             return []
         opened = self._material_with_images(number, described)
         images = [opened.baseColorTexture] + ([] if emission_of(described) == DARK else [opened.emissiveTexture])
@@ -83,7 +82,7 @@ class MaterialReader:
 
     def _surface(self, described: dict[str, Any]) -> Any:
         surface = described.get("pbrMetallicRoughness", {})
-        if _GLOSS in (described.get("extensions") or ()):
+        if SPECULAR_GLOSSINESS in (described.get("extensions") or ()):
             read = self._converted(described)
         else:
             read = _Drawn(alphaMode=described.get("alphaMode"), alphaCutoff=described.get("alphaCutoff"))
@@ -121,7 +120,7 @@ class MaterialReader:
         from trimesh.visual.gloss import specular_to_pbr
         from trimesh.visual.material import PBRMaterial
 
-        gloss = dict(described["extensions"][_GLOSS])
+        gloss = dict(described["extensions"][SPECULAR_GLOSSINESS])
         for key in _GLOSS_TEXTURES:
             if key in gloss:
                 gloss[key] = self._picture(gloss[key]["index"])

@@ -1,4 +1,4 @@
-"""Nodes of glTF files: check of their trees, their transforms, and the placements of their meshes."""
+"""Nodes of glTF files: check of their trees, their transforms, the placements of their meshes, and their instances."""
 
 from __future__ import annotations
 
@@ -11,8 +11,18 @@ from numpy.typing import NDArray
 
 from nearfar._base.errors import UnusableError
 from nearfar._base.glb import entry
+from nearfar._scene.budget import Budget
 from nearfar._scene.content import Nodes
+from nearfar._scene.gltf.buffers import Buffers
 from nearfar._scene.names import distinct
+
+INSTANCING = "EXT_mesh_gpu_instancing"
+
+_INSTANCE_DEFAULTS = {"TRANSLATION": (0.0, 0.0, 0.0), "ROTATION": (0.0, 0.0, 0.0, 1.0), "SCALE": (1.0, 1.0, 1.0)}
+"""Defaults of the transform's parts that a file omits."""
+
+INSTANCE_BYTES = 512
+"""Bytes of memory per instance: some copies of its transform, its name and its place in the scene."""
 
 Floats = NDArray[np.float64]
 
@@ -174,3 +184,37 @@ def _world(local: Floats, above: list[int]) -> Floats:
     for rows in np.split(order, np.flatnonzero(np.diff(depth[order])) + 1)[1:]:
         world[rows] = world[parents[rows]] @ local[rows]
     return world
+
+
+def instance_transforms(header: dict[str, Any], buffers: Buffers, budget: Budget) -> dict[int, Floats]:
+    """Transforms instance→node (N, 4, 4), by the index of each node with instances."""
+    return {
+        number: _of_node(header, number, node["extensions"][INSTANCING]["attributes"], buffers, budget)
+        for number, node in enumerate(header.get("nodes", []))
+        if "mesh" in node and INSTANCING in node.get("extensions", {})
+    }
+
+
+def _of_node(
+    header: dict[str, Any], number: int, attributes: dict[str, Any], buffers: Buffers, budget: Budget
+) -> Floats:
+    counts = {name: int(entry(header, "accessors", accessor)["count"]) for name, accessor in attributes.items()}
+    if len(set(counts.values())) != 1:
+        stated = ", ".join(f"{count} of {name}" for name, count in counts.items()) or "none"
+        raise UnusableError(f"expected as many rows of each attribute of the instances of node {number}, got {stated}")
+    (count,) = set(counts.values())
+    # Many nodes may use the same arrays. A mesh of several primitives is placed once for each of them.
+    primitives = entry(header, "meshes", header["nodes"][number]["mesh"])["primitives"]
+    budget.hold(max(0, count) * len(primitives) * INSTANCE_BYTES)
+    return composed(*(_instance_rows(name, count, attributes, buffers) for name in _INSTANCE_DEFAULTS))
+
+
+def _instance_rows(name: str, count: int, attributes: dict[str, Any], buffers: Buffers) -> Floats:
+    """Rows (N, K) of one part of the transforms."""
+    default = np.array(_INSTANCE_DEFAULTS[name])
+    if name not in attributes:
+        return np.tile(default, (count, 1))
+    rows = buffers.fractions(attributes[name], buffers.raw(attributes[name])).astype(np.float64)
+    if rows.shape[1] != len(default):
+        raise UnusableError(f"expected {len(default)} numbers in each row of {name}, got {rows.shape[1]}")
+    return rows

@@ -13,7 +13,8 @@ from nearfar._scene.gltf.buffers import Buffers
 from nearfar._scene.gltf.corners import MODES, TRIANGLES, mode
 from nearfar._scene.gltf.material_reader import NONE, MaterialReader
 from nearfar._scene.gltf.tables import Table, table
-from nearfar._scene.stored import Stored, Surface
+from nearfar._scene.report import Surface
+from nearfar._scene.stored import Stored
 
 _NONE = -1
 """Index that means no accessor."""

@@ -34,17 +34,6 @@ Z_UP_TO_SCENE = np.array([[1.0, 0, 0, 0], [0, 0, 1, 0], [0, -1, 0, 0], [0, 0, 0,
 """Rotation from the axes of tiles to those of scenes: (x, y, z) becomes (x, z, −y)."""
 
 
-def east_north_up(places: Any) -> Floats:
-    """Rotations (…, 3, 3) with columns east, north and up at longitudes and latitudes (…, 2+), radians."""
-    places = np.asarray(places, np.float64)
-    longitude, latitude = places[..., 0], places[..., 1]
-    s, c, zero = np.sin(longitude), np.cos(longitude), np.zeros_like(longitude)
-    up, north = np.sin(latitude), np.cos(latitude)
-    east = [-s, c, zero]
-    columns = [east, [-up * c, -up * s, north], [north * c, north * s, up]]
-    return np.stack([np.stack(column, axis=-1) for column in columns], axis=-1)
-
-
 @dataclass(frozen=True)
 class Frame:
     """Transform from the tiles' frame to the scene's."""
