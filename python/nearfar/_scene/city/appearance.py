@@ -8,7 +8,7 @@ from typing import Any
 
 from nearfar._base.errors import UnusableError
 from nearfar._scene.city import classes
-from nearfar._scene.city.entries import entry, numbers, typed
+from nearfar._scene.entries import entry, numbers, typed
 from nearfar._scene.materials import BaseColor
 
 

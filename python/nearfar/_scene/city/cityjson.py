@@ -14,9 +14,9 @@ from nearfar._base.errors import UnusableError
 from nearfar._scene.city import crs
 from nearfar._scene.city.appearance import Appearance
 from nearfar._scene.city.collector import Collector, Part
-from nearfar._scene.city.entries import check_range, document, entry, flattened, numbers, typed
 from nearfar._scene.city.levels import Levels
 from nearfar._scene.content import Content, Nodes, translation
+from nearfar._scene.entries import check_range, document, entry, flattened, numbers, typed
 from nearfar._scene.report import count
 from nearfar._scene.tileset.frames import Z_UP_TO_SCENE
 

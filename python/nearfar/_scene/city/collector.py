@@ -9,9 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nearfar._base.errors import UnusableError
-from nearfar._scene.city.entries import flattened
 from nearfar._scene.city.surfaces import Surfaces, offsets, rows_of
 from nearfar._scene.content import Shape
+from nearfar._scene.entries import flattened
 from nearfar._scene.materials import BaseColor
 
 

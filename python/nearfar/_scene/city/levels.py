@@ -9,7 +9,7 @@ from typing import Any
 
 from nearfar._base import check
 from nearfar._base.errors import UnusableError
-from nearfar._scene.city.entries import entry, typed
+from nearfar._scene.entries import entry, typed
 from nearfar._scene.report import count
 
 _LARGEST = 9.0

@@ -9,10 +9,10 @@ from typing import Any
 from nearfar._base.errors import UnusableError
 from nearfar._scene.budget import Budget, read_file
 from nearfar._scene.city import cityjson, geojson, geoparquet
-from nearfar._scene.city.entries import document
 from nearfar._scene.city.footprints import Footprints
 from nearfar._scene.city.outlines import Table
 from nearfar._scene.content import Content
+from nearfar._scene.entries import document
 from nearfar._scene.options import LoadOptions
 from nearfar._scene.reasons import explained
 

@@ -31,8 +31,14 @@ WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT2": 4, "MAT3": 9, "M
 IMAGE_EXTENSIONS = {"EXT_texture_webp": "webp", "EXT_texture_avif": "avif"}
 """Extensions that provide alternative images for a texture, by the Pillow feature that decodes them."""
 
-_SIGNATURES = {b"\x89PNG\r\n\x1a\n": "image/png", b"\xff\xd8\xff": "image/jpeg", ktx2.SIGNATURE: ktx2.KIND}
-_CONTAINERS = {(b"RIFF", b"WEBP"): "image/webp", (b"\0\0\0", b"ftyp"): "image/avif"}
+_SIGNATURES = {
+    (b"\x89PNG\r\n\x1a\n", b""): "image/png",
+    (b"\xff\xd8\xff", b""): "image/jpeg",
+    (ktx2.SIGNATURE, b""): ktx2.KIND,
+    (b"RIFF", b"WEBP"): "image/webp",
+    (b"\0\0\0", b"ftyp"): "image/avif",
+}
+"""Media types of images by their first bytes, and bytes within bytes 4 to 12."""
 
 _SAMPLER = ("magFilter", "minFilter", "wrapS", "wrapT")
 
@@ -47,9 +53,8 @@ def name_files(header: dict[str, Any], resolver: Any) -> None:
 
 def _kind(data: bytes) -> str:
     """Media type of an image file; empty if unknown."""
-    kinds = [kind for start, kind in _SIGNATURES.items() if data.startswith(start)]
-    kinds += [kind for (start, name), kind in _CONTAINERS.items() if data.startswith(start) and name in data[4:12]]
-    return kinds[0] if kinds else ""
+    kinds = (kind for (start, name), kind in _SIGNATURES.items() if data.startswith(start) and name in data[4:12])
+    return next(kinds, "")
 
 
 class Buffers:
@@ -108,8 +113,8 @@ class Buffers:
     def _image(self, number: int) -> bytes:
         if number not in self._images:
             image = entry(self._header, "images", number)
-            data = self.blob(image["bufferView"]) if "bufferView" in image else self._file(image["uri"])
-            self._images[number] = data
+            is_inside = "bufferView" in image
+            self._images[number] = self.blob(image["bufferView"]) if is_inside else self._file(image["uri"])
         return self._images[number]
 
     def _file(self, uri: str) -> bytes:
@@ -182,8 +187,7 @@ class Buffers:
 
     def _read(self, number: int) -> NDArray[Any]:
         described = entry(self._header, "accessors", number)
-        kind, width = component(described), WIDTHS[described["type"]]
-        count = int(described["count"])
+        kind, width, count = component(described), WIDTHS[described["type"]], int(described["count"])
         if "bufferView" in described:
             rows = self._rows(described["bufferView"], described.get("byteOffset", 0), kind, count, width)
         else:

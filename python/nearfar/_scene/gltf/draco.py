@@ -23,10 +23,10 @@ DRACO = "KHR_draco_mesh_compression"
 _READ = re.compile("POSITION|NORMAL|TEXCOORD_[0-9]+|COLOR_0")
 """Names of supported attributes."""
 
-_CORNERS, _ROW = 3, 12
+_CORNERS, _FACE_BYTES = 3, 12
 """Corners and bytes of a face."""
 
-_SPARE = 2
+_DECODER_FACTOR = 2
 """Bytes to count per decoded byte: Draco uses up to six while it decodes."""
 
 _VERSION, _MESH, _SEQUENTIAL, _EDGEBREAKER = (2, 2), 1, 0, 1
@@ -58,30 +58,27 @@ def decoded(header: dict[str, Any], primitive: dict[str, Any], data: bytes, budg
     COLLADA2GLTF states fewer vertices than its streams have, so the vertex count comes from the stream.
     """
     identities = primitive["extensions"][DRACO]["attributes"]
-    numbers = {
-        name: number
-        for name, number in primitive.get("attributes", {}).items()
-        if name in identities and _READ.fullmatch(name)
-    }
+    attributes = primitive.get("attributes", {}).items()
+    numbers = {name: number for name, number in attributes if name in identities and _READ.fullmatch(name)}
     if "POSITION" not in numbers:
         raise _flaw("has no POSITION")
     accessors = {name: entry(header, "accessors", number) for name, number in numbers.items()}
     face_count = _face_count(header, primitive, data)
     count = min(max(0, int(accessors["POSITION"]["count"])), _CORNERS * face_count)
     width = sum(component(item).itemsize * WIDTHS[item["type"]] for item in accessors.values())
-    size = _ROW * face_count + width * count
-    budget.take(_SPARE * size)
+    size = _FACE_BYTES * face_count + width * count
+    budget.take(_DECODER_FACTOR * size)
     mesh = draco_client.decode(data, size, face_count)
     if len(mesh.faces) != face_count:
         raise _flaw(f"has {len(mesh.faces)} triangles, and {face_count} are stated")
     rows = {}
     for name, number in numbers.items():
-        found = mesh.attributes.get(identities[name])
-        if found is None:
+        column = mesh.attributes.get(identities[name])
+        if column is None:
             raise _flaw(f"lacks the attribute {identities[name]}, its {name}")
-        if found.ndim not in (1, 2) or len(found) != len(mesh.attributes[identities["POSITION"]]):
-            raise _flaw(f"has {len(found)} rows of {name}, and others of POSITION")
-        rows[number] = _typed(name, found.reshape(len(found), -1), accessors[name])
+        if column.ndim not in (1, 2) or len(column) != len(mesh.attributes[identities["POSITION"]]):
+            raise _flaw(f"has {len(column)} rows of {name}, and others of POSITION")
+        rows[number] = _typed(name, column.reshape(len(column), -1), accessors[name])
     budget.hold(max(0, sum(item.nbytes for item in rows.values()) - width * count))
     return Decoded(mesh.faces, rows)
 

@@ -94,10 +94,9 @@ def _header(data: bytes) -> _Header:
     described = _part(data, places[0], places[1])
     if start + length > len(data) or len(described) < 16:
         raise UnusableError("is cut off")
-    notes = _part(data, places[2], places[3])
     if scheme in (_NO_SCHEME, _BASIS_LZ):
         unpacked = 0 if scheme else length
-    is_flipped = b"KTXorientation\0ru" in notes
+    is_flipped = b"KTXorientation\0ru" in _part(data, places[2], places[3])
     return _Header(kind, width, height, scheme, described[12], start, length, unpacked, is_flipped)
 
 
@@ -136,12 +135,17 @@ def _basis(data: bytes, header: _Header) -> NDArray[np.uint8]:
 def _plain(data: bytes, header: _Header) -> NDArray[np.uint8]:
     """Decode pixels that are not block-compressed."""
     if header.format not in _PIXELS:
-        raise UnusableError(_unread(header.format, header.model))
+        families = (name for first, last, name in _BLOCKS if first <= header.format <= last)
+        stated = f"{next(families, f'colour model {header.model}')} (Vulkan's format {header.format})"
+        raise UnusableError(f"has {stated}, which is not read: save it as PNG, JPEG or by Basis Universal")
     kind, channels = _PIXELS[header.format]
     size = header.width * header.height * len(channels) * kind.itemsize
     level = data[header.start : header.start + header.length]
     if header.scheme == _ZLIB:
-        level = _inflated(level, size)
+        try:
+            level = zlib.decompressobj().decompress(level, size + 1)
+        except zlib.error as error:
+            raise UnusableError(f"cannot be unpacked: {error}") from None
     elif header.scheme != _NO_SCHEME:
         raise UnusableError("is packed by Zstandard, which is read for Basis Universal only: save it unpacked")
     if len(level) != size:
@@ -154,13 +158,6 @@ def _plain(data: bytes, header: _Header) -> NDArray[np.uint8]:
     return texels
 
 
-def _inflated(level: bytes, size: int) -> bytes:
-    try:
-        return zlib.decompressobj().decompress(level, size + 1)
-    except zlib.error as error:
-        raise UnusableError(f"cannot be unpacked: {error}") from None
-
-
 def _bytes(values: NDArray[Any], *, is_alpha: bool) -> NDArray[np.uint8]:
     if values.dtype == _SHORT:
         return (values >> 8).astype(np.uint8)
@@ -169,8 +166,3 @@ def _bytes(values: NDArray[Any], *, is_alpha: bool) -> NDArray[np.uint8]:
     light = np.clip(np.nan_to_num(values.astype(np.float32)), 0, 1)
     levels: NDArray[np.uint8] = np.rint((light if is_alpha else to_srgb(light)) * 255).astype(np.uint8)
     return levels
-
-
-def _unread(number: int, model: int) -> str:
-    kind = next((name for first, last, name in _BLOCKS if first <= number <= last), f"colour model {model}")
-    return f"has {kind} (Vulkan's format {number}), which is not read: save it as PNG, JPEG or by Basis Universal"

@@ -52,9 +52,8 @@ class MaterialReader:
     def material(self, number: int) -> list[BaseColor]:
         """Return the material of an index, in a list."""
         described = entry(self._header, "materials", number)
-        return self._materials.base_colors(
-            self._material_with_images(number, described), described=Described(described, self._buffers.texture)
-        )
+        material = self._material_with_images(number, described)
+        return self._materials.base_colors(material, described=Described(described, self._buffers.texture))
 
     def decode(self, numbers: Iterable[int]) -> None:
         """Decode in parallel the images that materials draw, before `material` requests them one by one."""
@@ -83,15 +82,15 @@ class MaterialReader:
     def _surface(self, described: dict[str, Any]) -> Any:
         surface = described.get("pbrMetallicRoughness", {})
         if SPECULAR_GLOSSINESS in (described.get("extensions") or ()):
-            read = self._converted(described)
+            material = self._converted(described)
         else:
-            read = _Drawn(alphaMode=described.get("alphaMode"), alphaCutoff=described.get("alphaCutoff"))
+            material = _Drawn(alphaMode=described.get("alphaMode"), alphaCutoff=described.get("alphaCutoff"))
         for owner, key in ((surface, "baseColorTexture"), (described, "emissiveTexture")):
             if coordinates.is_texture(key, owner.get(key)):
                 picture = self._picture(owner[key]["index"])
                 if picture is not None:
-                    setattr(read, key, picture)
-        return read
+                    setattr(material, key, picture)
+        return material
 
     def _picture(self, number: Any) -> Any:
         """Image of a texture; None if it cannot be read."""
@@ -102,10 +101,8 @@ class MaterialReader:
             return None
         if data not in self._pictures:
             try:
-                is_packed = data.startswith(ktx2.SIGNATURE)
-                picture = (
-                    Image.fromarray(ktx2.decode(data, self._budget)) if is_packed else Image.open(io.BytesIO(data))
-                )
+                is_ktx2 = data.startswith(ktx2.SIGNATURE)
+                picture = Image.fromarray(ktx2.decode(data, self._budget)) if is_ktx2 else Image.open(io.BytesIO(data))
             except TooLargeError:
                 raise
             except UnusableError as error:

@@ -44,9 +44,9 @@ def check_trees(header: dict[str, Any]) -> None:
                 raise UnusableError(f"its node {child} is a child of node {parents[child]} and again of node {number}")
             parents[child] = number
     for number, scene in enumerate(header.get("scenes", [])):
-        below = next((root for root in scene.get("nodes", []) if root in parents), None)
-        if below is not None:
-            raise UnusableError(f"its scene {number} lists node {below}, which is a child of node {parents[below]}")
+        child = next((root for root in scene.get("nodes", []) if root in parents), None)
+        if child is not None:
+            raise UnusableError(f"its scene {number} lists node {child}, which is a child of node {parents[child]}")
 
 
 def place_nodes(header: dict[str, Any], shapes: Mapping[int, Sequence[str]], instances: Mapping[int, Floats]) -> Nodes:
@@ -56,30 +56,29 @@ def place_nodes(header: dict[str, Any], shapes: Mapping[int, Sequence[str]], ins
     of nodes that place their mesh many times, by node index; each instance is an object.
     """
     nodes = header.get("nodes", [])
-    order, above = _traversed(header)
-    world = _world(_local([nodes[number] for number in order]), above)
+    order, parents = _traversed(header)
+    world = _world(_local([nodes[number] for number in order]), parents)
     names = _object_names(nodes, instances)
     objects: list[str] = []
-    chosen: list[str] = []
+    shape_names: list[str] = []
     rows: list[int] = []
     # For each node with instances: its first row, its index, and the number of its mesh's shapes.
     spans: list[tuple[int, int, int]] = []
-    for row in range(len(order) - 1, -1, -1):
-        number = order[row]
+    for row, number in reversed([*enumerate(order)]):
         if "mesh" not in nodes[number]:
             continue
         entry(header, "meshes", nodes[number]["mesh"])
-        of_mesh = shapes.get(nodes[number]["mesh"], ())[::-1]
+        mesh_shapes = shapes.get(nodes[number]["mesh"], ())[::-1]
         if number in instances:
-            spans.append((len(rows), number, len(of_mesh)))
-        objects += [name for name in names[number] for _ in of_mesh]
-        chosen += [*of_mesh] * len(names[number])
-        rows += [row] * len(of_mesh) * len(names[number])
+            spans.append((len(rows), number, len(mesh_shapes)))
+        objects += [name for name in names[number] for _ in mesh_shapes]
+        shape_names += [*mesh_shapes] * len(names[number])
+        rows += [row] * len(mesh_shapes) * len(names[number])
     transforms = world[rows]
     for start, number, width in spans:
         local = np.repeat(instances[number], width, axis=0)
         transforms[start : start + len(local)] = transforms[start : start + len(local)] @ local
-    return Nodes(objects, transforms, chosen)
+    return Nodes(objects, transforms, shape_names)
 
 
 def _object_names(nodes: list[dict[str, Any]], instances: Mapping[int, Floats]) -> list[list[str]]:
@@ -97,7 +96,7 @@ def _traversed(header: dict[str, Any]) -> tuple[list[int], list[int]]:
     """
     listed = entry(header, "scenes", header.get("scene", 0)).get("nodes", []) if "scenes" in header else []
     order: list[int] = []
-    above: list[int] = []
+    parents: list[int] = []
     for root in listed:
         entry(header, "nodes", root)
     nodes = header.get("nodes", [])
@@ -105,11 +104,10 @@ def _traversed(header: dict[str, Any]) -> tuple[list[int], list[int]]:
     pending = [(root, -1) for root in dict.fromkeys(listed)]
     while pending:
         number, parent = pending.pop()
-        row = len(order)
+        pending += [(child, len(order)) for child in nodes[number].get("children", ())]
         order.append(number)
-        above.append(parent)
-        pending += [(child, row) for child in nodes[number].get("children", ())]
-    return order, above
+        parents.append(parent)
+    return order, parents
 
 
 def _local(nodes: list[dict[str, Any]]) -> Floats:
@@ -123,9 +121,9 @@ def _local(nodes: list[dict[str, Any]]) -> Floats:
     )
     has_parts = np.array([not _PARTS.isdisjoint(node) for node in nodes], bool)
     has_matrix = np.array(["matrix" in node for node in nodes], bool)
-    both = has_parts & has_matrix
+    both, only_parts = has_parts & has_matrix, has_parts & ~has_matrix
     matrix[both] = matrix[both] @ parts[both]
-    matrix[has_parts & ~has_matrix] = parts[has_parts & ~has_matrix]
+    matrix[only_parts] = parts[only_parts]
     return matrix
 
 
@@ -171,18 +169,15 @@ def _rotations(quaternions: Floats) -> Floats:
     return matrices
 
 
-def _world(local: Floats, above: list[int]) -> Floats:
+def _world(local: Floats, parents: list[int]) -> Floats:
     """Multiply transforms along trees, one generation at a time; parents come before their children."""
-    parents = np.array(above, np.int64)
-    generation = [0] * len(above)
-    for row, parent in enumerate(above):
-        if parent >= 0:
-            generation[row] = generation[parent] + 1
-    depth = np.array(generation, np.int64)
-    order = np.argsort(depth, kind="stable")
-    world = local.copy()
-    for rows in np.split(order, np.flatnonzero(np.diff(depth[order])) + 1)[1:]:
-        world[rows] = world[parents[rows]] @ local[rows]
+    depths: list[int] = []
+    for parent in parents:
+        depths.append(depths[parent] + 1 if parent >= 0 else 0)
+    order = np.argsort(depths, kind="stable")
+    world, parent_rows = local.copy(), np.array(parents, np.int64)
+    for rows in np.split(order, np.flatnonzero(np.diff(np.array(depths, np.int64)[order])) + 1)[1:]:
+        world[rows] = world[parent_rows[rows]] @ local[rows]
     return world
 
 

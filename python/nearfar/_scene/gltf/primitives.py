@@ -19,7 +19,6 @@ from nearfar._scene.gltf.extensions import needs_draco
 from nearfar._scene.gltf.material_reader import MaterialReader
 from nearfar._scene.materials import colors_of
 
-_WIDTHS = {"POSITION": 3, "NORMAL": 3}
 _UV_WIDTH = 2
 
 
@@ -48,22 +47,18 @@ class Primitives:
             rows = self._buffers.raw(number)
             return rows[used] if len(rows) == count else rows
 
-        rows = {
-            name: self._attribute(name, width, numbers[name], used_rows(numbers[name]))
-            for name, width in _WIDTHS.items()
-            if name in numbers
-        }
-        vertices = rows["POSITION"]
+        def attribute(name: str, width: int) -> NDArray[Any]:
+            return self._attribute(name, width, numbers[name], used_rows(numbers[name]))
+
+        vertices = attribute("POSITION", 3)
         shape = Shape(vertices, triangles)
-        normals = rows.get("NORMAL")
-        if normals is not None and normals.shape == vertices.shape:
+        if "NORMAL" in numbers and (normals := attribute("NORMAL", 3)).shape == vertices.shape:
             shape.normals = normals
         if "material" in primitive:
             shape.materials = self._materials.material(primitive["material"])
             shown = self._materials.coordinates(primitive["material"])
-            name = "" if shown is None else f"TEXCOORD_{shown.number}"
-            if shown is not None and name in numbers:
-                uvs = self._attribute(name, _UV_WIDTH, numbers[name], used_rows(numbers[name]))
+            if shown is not None and (name := f"TEXCOORD_{shown.number}") in numbers:
+                uvs = attribute(name, _UV_WIDTH)
                 # v points down in files.
                 shape.uvs = np.column_stack([uvs[:, 0], 1 - uvs[:, 1]]) if shown.is_plain else shown.upwards(uvs)
         if "COLOR_0" in numbers:

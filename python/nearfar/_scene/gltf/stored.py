@@ -90,25 +90,16 @@ class _Faces:
         self._counts = rows.counts.tolist()
         corners = rows.allows((1,), _UNSIGNED) & rows.is_tight & (rows.counts % 3 == 0)
         self._corners: list[bool] = corners.tolist()
-        self._allowed: list[list[bool]] = [
-            rows.allows((3,), _COORDINATES).tolist(),
-            rows.allows((3,), _COORDINATES).tolist(),
-            rows.allows((3, 4), _COLORS).tolist(),
-        ]
+        coordinates: list[bool] = rows.allows((3,), _COORDINATES).tolist()
+        self._allowed: list[list[bool]] = [coordinates, coordinates, rows.allows((3, 4), _COLORS).tolist()]
         self._uvs: list[bool] = rows.allows((2,)).tolist()
         self._surfaces: dict[tuple[int, bool, bool, bool], int] = {}
         self.surfaces: list[Surface] = []
 
     def of_mesh(self, number: int, mesh: dict[str, Any]) -> list[tuple[int, ...]]:
         """Rows of a mesh; empty if one of its primitives cannot be read directly."""
-        found = []
-        for primitive in mesh["primitives"]:
-            if mode(primitive) in MODES:
-                row = self._row(primitive)
-                if row is None:
-                    return []
-                found.append((number, *row))
-        return found
+        rows = [self._row(primitive) for primitive in mesh["primitives"] if mode(primitive) in MODES]
+        return [] if None in rows else [(number, *row) for row in rows if row is not None]
 
     def _row(self, primitive: dict[str, Any]) -> tuple[int, ...] | None:
         """Row of a primitive without the mesh; None if it cannot be read directly."""

@@ -140,17 +140,15 @@ def _blocks(
             is_packed = buffers.is_packed(number)
             if is_packed or buffer not in block_by_buffer:
                 content = buffers.view(number) if is_packed else buffers.whole(buffer)
+                blocks.append(np.frombuffer(content, np.uint8) if len(content) else np.zeros(0, np.uint8))
         except TooLargeError:
             raise
         except Exception:  # resolvers may raise any type; later reads of this view report the reason
             continue
         if is_packed:
-            block[number], length[number] = len(blocks), len(content)
-            blocks.append(np.frombuffer(content, np.uint8) if len(content) else np.zeros(0, np.uint8))
+            block[number], length[number] = len(blocks) - 1, len(blocks[-1])
             continue
-        if buffer not in block_by_buffer:
-            block_by_buffer[buffer] = len(blocks)
-            blocks.append(np.frombuffer(content, np.uint8) if len(content) else np.zeros(0, np.uint8))
-        if 0 <= first_byte <= first_byte + size <= len(blocks[block_by_buffer[buffer]]):
-            block[number], start[number], length[number] = block_by_buffer[buffer], first_byte, size
+        content_block = block_by_buffer.setdefault(buffer, len(blocks) - 1)
+        if 0 <= first_byte <= first_byte + size <= len(blocks[content_block]):
+            block[number], start[number], length[number] = content_block, first_byte, size
     return blocks, block, start, length

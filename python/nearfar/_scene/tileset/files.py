@@ -73,7 +73,6 @@ class Local:
         self.top = os.path.join(self._folder, path.name)
 
     def resolve(self, base: str, uri: str) -> str:
-        """Resolve a reference in the file `base` to a path."""
         parts = urlsplit(uri)
         if parts.scheme or parts.netloc or uri.startswith(("/", "\\")):
             raise OutsideError(f"it refers to {check.shortened(uri)}, which lies outside its folder")
@@ -89,11 +88,9 @@ class Local:
         return real
 
     def display_name(self, name: str) -> str:
-        """Path relative to the top file's folder."""
         return os.path.relpath(name, self._folder)
 
     def read(self, name: str, budget: Budget) -> bytes:
-        """Read a regular file."""
         return read_file(Path(name), budget)
 
 
@@ -112,7 +109,6 @@ class Remote:
         return Remote, (self.top,)
 
     def resolve(self, base: str, uri: str) -> str:
-        """Resolve a reference in the file `base` to a URL."""
         try:
             name = _resolve_uri(base, uri)
             origin = _origin(name)
@@ -123,33 +119,33 @@ class Remote:
         return name
 
     def display_name(self, name: str) -> str:
-        """Path relative to the top file's folder, without the query, which may contain a key."""
+        # Without the query, which may contain a key.
         return unquote(posixpath.relpath(urlsplit(name).path or "/", self._folder or "/"))
 
     def read(self, name: str, budget: Budget) -> bytes:
         """Read a file, from the cache if the server states the same version."""
         with remote.as_os_errors(name, "read"):
             path = self._system._strip_protocol(name)
-            stated = self._stated(path)
-            key = cache.key("tile", 1, name, stated)
-            data = _cached_content(key) if stated else None
+            version = self._version(path)
+            key = cache.key("tile", 1, name, version)
+            data = _cached_content(key) if version else None
             if data is None:
                 data = bytes(self._system.cat_file(path))
-                if stated:
-                    _keep(key, data)
+                if version:
+                    _write_to_cache(key, data)
         with self._lock:
             budget.add_read(len(data))
         return data
 
-    def _stated(self, path: str) -> list[str]:
+    def _version(self, path: str) -> list[str]:
         """Values that identify a file's version; empty if the server states none."""
         try:
             described = self._system.info(path)
         except FileNotFoundError:  # also raised for servers that only support requests for whole files
             return []
-        stated = [f"{key} {described[key]}" for key in _VALIDATORS if described.get(key)]
+        version = [f"{key} {described[key]}" for key in _VALIDATORS if described.get(key)]
         # Dates have a resolution of one second, within which a file may change again.
-        return [*stated, f"size {described.get('size')}"] if stated else []
+        return [*version, f"size {described.get('size')}"] if version else []
 
 
 def _cached_content(key: str) -> bytes | None:
@@ -161,17 +157,13 @@ def _cached_content(key: str) -> bytes | None:
         return None
 
 
-def _keep(key: str, data: bytes) -> None:
+def _write_to_cache(key: str, data: bytes) -> None:
     """Cache a file's bytes; failure to write the cache folder is ignored."""
     try:
-        cache.keep(key, ".tile", partial(_write, data=data))
+        cache.keep(key, ".tile", partial(Path.write_bytes, data=data))
     except OSError as error:
         if error.errno not in (errno.EACCES, errno.EROFS, errno.ENOSPC, errno.EPERM):
             raise
-
-
-def _write(path: Path, data: bytes) -> None:
-    path.write_bytes(data)
 
 
 def _origin(url: str) -> tuple[str, str, int | None]:

@@ -68,13 +68,8 @@ def local_frame_at(middle: Floats) -> Frame | None:
     longitude, latitude, height = geodetic(middle).tolist()
     if not LOWEST <= height <= HIGHEST:
         return None
-    return local(
-        (
-            round(float(np.degrees(longitude)), _PLACES),
-            round(float(np.degrees(latitude)), _PLACES),
-            round(height, _HEIGHT_PLACES),
-        )
-    )
+    longitude, latitude = np.degrees([longitude, latitude]).tolist()
+    return local((round(longitude, _PLACES), round(latitude, _PLACES), round(height, _HEIGHT_PLACES)))
 
 
 def checked_origin(origin: Any) -> tuple[float, float, float] | None:
@@ -83,8 +78,8 @@ def checked_origin(origin: Any) -> tuple[float, float, float] | None:
         return None
     longitude, latitude, height = check.vector("origin", origin)
     if not (-360 <= longitude <= 360 and -90 <= latitude <= 90 and -1e7 <= height <= 1e9):
+        got = f"{longitude:g}, {latitude:g}, {height:g}"
         raise ValueError(
-            "origin: expected longitude within ±360°, latitude within ±90° and a height in metres, got "
-            f"{longitude:g}, {latitude:g}, {height:g}"
+            f"origin: expected longitude within ±360°, latitude within ±90° and a height in metres, got {got}"
         )
     return longitude, latitude, height

@@ -11,11 +11,11 @@ from typing import Any
 import numpy as np
 
 from nearfar._base.errors import UnusableError
+from nearfar._scene.entries import typed
 from nearfar._scene.tileset import values
-from nearfar._scene.tileset.frames import Floats
 from nearfar._scene.tileset.metadata import BoxProperty
 from nearfar._scene.tileset.subtree import MAX_LEVELS, Subtree, tiles_above
-from nearfar._scene.tileset.tile import Source, StatedTile, Tile
+from nearfar._scene.tileset.tile import StatedTile, Tile
 from nearfar._scene.tileset.volumes import Box, Region, Sphere, Volume
 
 _MAX_TREE_LEVELS = 64
@@ -28,25 +28,19 @@ Cell = tuple[int, ...]
 
 @dataclass(frozen=True)
 class Implicit:
-    """One implicit tiling; `volume`, `error`, `replaces` and `transform` are those of the tile that declares it.
+    """One implicit tiling, which a tile with that volume declares: 2 axes for a quadtree, 3 for an octree.
 
-    The JSON path and the source name that tile and its document. There are 2 axes for a quadtree, 3 for an octree. URI
-    templates of subtrees and contents have {level}, {x}, {y} and {z}. `boxes` are metadata properties, by class name,
-    with tiles' boxes, which override the subdivided volume.
+    `subtrees` and the tile's contents are URI templates with {level}, {x}, {y} and {z}. `boxes` are metadata
+    properties, by class name, with tiles' boxes, which override the subdivided volume.
     """
 
-    json_path: str
-    source: Source
+    tile: StatedTile
     volume: Box | Region
-    error: float
-    replaces: bool
-    transform: Floats
     axes: int
     subtree_levels: int
     levels: int
     """Number of levels of the whole tree."""
     subtrees: str
-    contents: tuple[str, ...]
     open_subtree: Callable[[Implicit, str], Subtree | None]
     """Reads a subtree; None if its file is missing."""
     boxes: dict[str, BoxProperty]
@@ -71,12 +65,13 @@ class ImplicitTile(Tile):
         self._tiling, self._subtree = tiling, subtree
         self._level, self._cell, self._depth, self._number = level, cell, depth, number
         self._bit = bit = tiles_above(depth, tiling.axes) + number
+        top = tiling.tile
         super().__init__(
-            tiling.source,
-            tiling.error * 0.5**level,
-            tiling.replaces,
-            tiling.transform,
-            has_content=any(bits.bit(bit) for bits in subtree.contents[: len(tiling.contents)]),
+            top.source,
+            top.error * 0.5**level,
+            top.replaces,
+            top.transform,
+            has_content=any(bits.bit(bit) for bits in subtree.contents[: len(top.contents)]),
             is_leaf=level + 1 >= tiling.levels,
         )
 
@@ -92,7 +87,7 @@ class ImplicitTile(Tile):
     @property
     def contents(self) -> tuple[str, ...]:
         """URIs of the available contents."""
-        templates = zip(self._tiling.contents, self._subtree.contents, strict=False)
+        templates = zip(self._tiling.tile.contents, self._subtree.contents, strict=False)
         return tuple(
             fill_template(template, self._level, self._cell) for template, bits in templates if bits.bit(self._bit)
         )
@@ -126,7 +121,7 @@ def tiling_entry_of(tile: dict[str, Any]) -> dict[str, Any] | None:
     entry = tile.get("implicitTiling")
     if entry is None and isinstance(extensions, dict):
         entry = extensions.get(EXTENSION)
-    return None if entry is None else values.entries("implicitTiling", entry)
+    return None if entry is None else typed(entry, dict, "implicitTiling")
 
 
 def read(
@@ -146,21 +141,15 @@ def read(
     else:
         levels = values.whole(f"{json_path}.availableLevels", entry.get("availableLevels"), 1, _MAX_TREE_LEVELS)
     axes = 2 if scheme == "QUADTREE" else 3
-    max_subtree_levels = MAX_LEVELS[axes]
-    subtree_levels = values.whole(f"{json_path}.subtreeLevels", entry.get("subtreeLevels"), 1, max_subtree_levels)
-    template = values.entries(f"{json_path}.subtrees", entry.get("subtrees")).get("uri")
+    subtree_levels = values.whole(f"{json_path}.subtreeLevels", entry.get("subtreeLevels"), 1, MAX_LEVELS[axes])
+    template = typed(entry.get("subtrees"), dict, f"{json_path}.subtrees").get("uri")
     return Implicit(
-        json_path=tile.json_path,
-        source=tile.source,
+        tile=tile,
         volume=volume,
-        error=tile.error,
-        replaces=tile.replaces,
-        transform=tile.transform,
         axes=axes,
         subtree_levels=subtree_levels,
         levels=levels,
-        subtrees=values.text(f"{json_path}.subtrees.uri", template),
-        contents=tile.contents,
+        subtrees=typed(template, str, f"{json_path}.subtrees.uri"),
         open_subtree=open_subtree,
         boxes=boxes,
     )

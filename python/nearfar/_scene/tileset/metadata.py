@@ -10,6 +10,7 @@ import numpy as np
 
 from nearfar._base import check
 from nearfar._base.errors import UnusableError
+from nearfar._scene.entries import typed
 from nearfar._scene.tileset import values
 from nearfar._scene.tileset.frames import Floats
 
@@ -29,19 +30,19 @@ class BoxProperty:
 
 def box_properties(document: dict[str, Any]) -> dict[str, BoxProperty]:
     """Properties with tiles' boxes in a tileset's schema, by class name."""
-    found: dict[str, BoxProperty] = {}
-    schema = values.entries("schema", document.get("schema") or {})
-    for class_name, described in values.entries("schema.classes", schema.get("classes", {})).items():
+    by_class: dict[str, BoxProperty] = {}
+    schema = typed(document.get("schema") or {}, dict, "schema")
+    for class_name, described in typed(schema.get("classes", {}), dict, "schema.classes").items():
         place = f"schema.classes.{check.shortened(class_name)}"
-        properties = values.entries(place, described).get("properties", {})
-        for name, stated in values.entries(f"{place}.properties", properties).items():
+        properties = typed(described, dict, place).get("properties", {})
+        for name, stated in typed(properties, dict, f"{place}.properties").items():
             here = f"{place}.properties.{check.shortened(name)}"
-            if values.entries(here, stated).get("semantic") != _SEMANTIC:
+            if typed(stated, dict, here).get("semantic") != _SEMANTIC:
                 continue
             component = values.choice(f"{here}.componentType", stated.get("componentType"), tuple(_TYPES))
             values.whole(f"{here}.count", stated.get("count"), _NUMBERS, _NUMBERS)
-            found[class_name] = BoxProperty(name, _TYPES[component])
-    return found
+            by_class[class_name] = BoxProperty(name, _TYPES[component])
+    return by_class
 
 
 def boxes(
@@ -54,9 +55,9 @@ def boxes(
     """
     if not known or document.get("tileMetadata") is None:
         return None
-    tables = values.items("propertyTables", document.get("propertyTables"))
+    tables = typed(document.get("propertyTables"), list, "propertyTables")
     place = f"propertyTables[{values.whole('tileMetadata', document['tileMetadata'], 0, len(tables) - 1)}]"
-    table = values.entries(place, tables[document["tileMetadata"]])
+    table = typed(tables[document["tileMetadata"]], dict, place)
     property_ = known.get(str(table.get("class")))
     if property_ is None:
         return None
@@ -64,9 +65,9 @@ def boxes(
         raise UnusableError(
             f"{place}.count: expected {count}, the tiles that are there, got {check.shortened(table.get('count'))}"
         )
-    columns = values.entries(f"{place}.properties", table.get("properties"))
+    columns = typed(table.get("properties"), dict, f"{place}.properties")
     column = f"{place}.properties.{check.shortened(property_.name)}"
-    data = view(column, values.entries(column, columns.get(property_.name)).get("values"))
+    data = view(column, typed(columns.get(property_.name), dict, column).get("values"))
     if len(data) != count * _NUMBERS * property_.dtype.itemsize:
         raise UnusableError(f"{column}: expected {_NUMBERS} numbers for each of {count} tiles, got {len(data)} bytes")
     rows = np.frombuffer(data, property_.dtype).astype(np.float64).reshape(count, 4, 3)

@@ -16,7 +16,7 @@ from nearfar._scene.tileset.tile import Tile
 MAX_TILES = 100_000
 """Maximum number of visited tiles; a whole planet has more."""
 
-_REFERENCE = 10
+_REFERENCE_COST = 10
 """Number of tiles that the root of an external tileset counts as, since it takes that much longer."""
 
 Touches = Callable[[Tile], bool]
@@ -36,14 +36,14 @@ class Selection:
 class Visits:
     """Counts tiles before they are visited."""
 
-    def __init__(self, most: int = MAX_TILES) -> None:
-        self._most, self._count = most, 0
+    def __init__(self) -> None:
+        self._count = 0
 
     def children(self, tile: Tile) -> list[Tile]:
         """Children of a tile, counted; UnusableError beyond the limit."""
-        self._count += len(tile.children) * (_REFERENCE if tile.refers else 1)
-        if self._count > self._most:
-            raise UnusableError(f"more than {self._most:,} tiles show it: state a larger error")
+        self._count += len(tile.children) * (_REFERENCE_COST if tile.refers else 1)
+        if self._count > MAX_TILES:
+            raise UnusableError(f"more than {MAX_TILES:,} tiles show it: state a larger error")
         return tile.children
 
 
@@ -89,15 +89,15 @@ def by_error(
     return Selection(shown, worst)
 
 
-def keeper(tile: Tile) -> Tile | None:
+def substitute(tile: Tile) -> Tile | None:
     """Tile to show instead of one whose content cannot be read: its nearest ancestor with content.
 
     None if that one is shown beside its children anyway, or if there is none.
     """
-    above = tile.parent
-    while above is not None and not above.has_content:
-        above = above.parent
-    return above if above is not None and above.replaces else None
+    ancestor = tile.parent
+    while ancestor is not None and not ancestor.has_content:
+        ancestor = ancestor.parent
+    return ancestor if ancestor is not None and ancestor.replaces else None
 
 
 def by_triangles(
@@ -124,41 +124,41 @@ def by_triangles(
 
     def readable(tiles: Sequence[Tile], *, through: bool) -> dict[Tile, int] | None:
         """Tiles with content and their triangles; unreadable ones are replaced by their children, or fail (None)."""
-        found: dict[Tile, int] = {}
+        readable_sizes: dict[Tile, int] = {}
         pending = _with_content(tiles, touches, visits)
         while pending:
             sizes = count(pending)
             failed = [tile for tile, size in zip(pending, sizes, strict=True) if size is None]
             if failed and not through:
                 return None
-            found |= {tile: size for tile, size in zip(pending, sizes, strict=True) if size is not None}
+            readable_sizes |= {tile: size for tile, size in zip(pending, sizes, strict=True) if size is not None}
             pending = _with_content([child for tile in failed for child in visits.children(tile)], touches, visits)
-        return found
+        return readable_sizes
 
     show(readable([root], through=True) or {})
     while heap and total <= max_count:
         tile = heapq.heappop(heap)[2]
-        below = readable(visits.children(tile), through=not tile.replaces)
+        children = readable(visits.children(tile), through=not tile.replaces)
         removed = shown[tile] if tile.replaces else 0
-        if below and total - removed + sum(below.values()) <= max_count:
+        if children and total - removed + sum(children.values()) <= max_count:
             if tile.replaces:
                 total -= shown.pop(tile)
-            show(below)
-        elif below != {}:
+            show(children)
+        elif children != {}:
             worst = max(worst, tile.error)
     return Selection(list(shown), worst, total)
 
 
 def _with_content(tiles: Sequence[Tile], touches: Touches, visits: Visits) -> list[Tile]:
     """Tiles with content; the others are replaced by their descendants with content."""
-    found: list[Tile] = []
-    pending = list(reversed(tiles))
+    with_content: list[Tile] = []
+    pending = [*reversed(tiles)]
     while pending:
         tile = pending.pop()
         if not touches(tile):
             continue
         if tile.has_content:
-            found.append(tile)
+            with_content.append(tile)
         else:
             pending += reversed(visits.children(tile))
-    return found
+    return with_content

@@ -102,8 +102,6 @@ class Features:
         start = values.whole(f"{place}.byteOffset", value.get("byteOffset"), 0, len(self._binary))
         needed = count * width * np.dtype(kind).itemsize
         if start + needed > len(self._binary):
-            raise UnusableError(
-                f"{place}: {count:,} rows take {needed:,} bytes from byte {start:,}, and the table has "
-                f"{len(self._binary):,}"
-            )
+            room = f"from byte {start:,}, and the table has {len(self._binary):,}"
+            raise UnusableError(f"{place}: {count:,} rows take {needed:,} bytes {room}")
         return np.frombuffer(self._binary, np.dtype(kind).newbyteorder("<"), count * width, start).reshape(count, width)

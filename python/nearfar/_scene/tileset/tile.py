@@ -69,10 +69,9 @@ class Tile(ABC):
     def children(self) -> list[Tile]:
         """Child tiles: they replace the content in more detail, or add to it."""
         if self._children is None:
-            children = [] if self.is_leaf else self.expand()
-            for child in children:
+            self._children = [] if self.is_leaf else self.expand()
+            for child in self._children:
                 child.parent = self
-            self._children = children
         return self._children
 
     def bounds(self, to_scene: Floats) -> Floats:
@@ -118,16 +117,13 @@ class StatedTile(Tile):
 
     @property
     def volume(self) -> Volume:
-        """The stated volume."""
         return self._volume
 
     @property
     def contents(self) -> tuple[str, ...]:
-        """The stated references."""
         return self._contents
 
     def expand(self) -> list[Tile]:
-        """Make the stated children."""
         return [] if self._expand is None else self._expand(self)
 
 

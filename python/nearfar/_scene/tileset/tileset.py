@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import errno
 import os
+from dataclasses import replace
 from typing import Any
 from urllib.parse import urlsplit
 
@@ -11,7 +12,7 @@ import numpy as np
 
 from nearfar._base.errors import SceneError, UnusableError
 from nearfar._scene.budget import Budget
-from nearfar._scene.content import Content, Nodes
+from nearfar._scene.content import Content
 from nearfar._scene.names import distinct
 from nearfar._scene.report import count
 from nearfar._scene.tileset import frames, select
@@ -71,15 +72,15 @@ class Tileset:
         OSError
             A file that cannot be opened.
         """
-        checked_origin = frames.checked_origin(origin)
+        origin = frames.checked_origin(origin)
         files, cache = open_files(path), ContentCache(cache_bytes)
         label = os.fspath(path) if isinstance(files, Local) else str(path).partition("?")[0]
         try:
             if suffix(path) in KINDS:
-                return _open_tile(label, files, checked_origin, cache, Budget() if budget is None else budget)
+                return _open_tile(label, files, origin, cache, Budget() if budget is None else budget)
             documents = Documents(files)
             root = documents.root()
-            frame = _frame(root, checked_origin)
+            frame = _frame(root, origin)
         except UnusableError as error:
             raise SceneError(f"{label}: {error}") from error
         return cls(label, files, root, documents, frame, cache)
@@ -127,7 +128,7 @@ class Tileset:
             )
         content, properties = reading.place_contents(selection.tiles, self.frame.to_scene, self.label)
         tile_count = sum(size is not None for size in reading.sizes(selection.tiles))
-        content.nodes = Nodes(distinct(content.nodes.objects), content.nodes.transforms, content.nodes.shapes)
+        content.nodes = replace(content.nodes, objects=distinct(content.nodes.objects))
         content.notes[:0] = self._notes(tile_count, selection.error, reading.failures, properties)
         return content
 
@@ -137,13 +138,11 @@ class Tileset:
         while True:
             selection = select.by_error(self.root, error, touches, unrefined)
             sizes = reading.sizes(selection.tiles)
-            failed_tiles = [tile for tile, size in zip(selection.tiles, sizes, strict=True) if size is None]
-            replaced_tiles = {
-                replaced for tile in failed_tiles if (replaced := select.keeper(tile)) is not None
-            } - unrefined
-            if not replaced_tiles:
+            failed = [tile for tile, size in zip(selection.tiles, sizes, strict=True) if size is None]
+            coarser = {tile for tile in map(select.substitute, failed) if tile is not None} - unrefined
+            if not coarser:
                 return selection
-            unrefined |= replaced_tiles
+            unrefined |= coarser
 
     def _notes(self, tile_count: int, error: float, failures: dict[str, str], properties: int) -> list[str]:
         notes = [self.frame.note] if self.frame.note else []
@@ -194,7 +193,7 @@ def _open_tile(
         raise UnusableError(reason.removeprefix("cannot be used: "))
     box = _bounds(reading.place_contents([tile], IDENTITY, label)[0])
     if np.isfinite(box).all():
-        tile = _top_tile(files, Box(box.mean(axis=0), np.diag(np.ptp(box, axis=0) / 2)))
+        tile = _top_tile(files, Box.of_extremes(box))
     return Tileset(label, files, tile, None, _frame(tile, origin), cache)
 
 
@@ -207,13 +206,10 @@ def _bounds(content: Content) -> Floats:
     """Bounding box (2, 3) of placed shapes; not finite if there are none."""
     nodes = content.nodes
     boxes = {
-        name: np.array([shape.vertices.min(axis=0), shape.vertices.max(axis=0)], np.float64)
+        name: Box.of_extremes(np.array([shape.vertices.min(axis=0), shape.vertices.max(axis=0)], np.float64))
         for name, shape in content.shapes.items()
         if len(shape.vertices)
     }
-    low, high = np.full(3, np.inf), np.full(3, -np.inf)
-    for name, matrix in zip(nodes.shapes, nodes.transforms, strict=True):
-        if name in boxes:
-            placed_box = Box(boxes[name].mean(axis=0), np.diag(np.ptp(boxes[name], axis=0) / 2)).bounds(matrix)
-            low, high = np.minimum(low, placed_box[0]), np.maximum(high, placed_box[1])
-    return np.array([low, high])
+    pairs = zip(nodes.shapes, nodes.transforms, strict=True)
+    placed = np.array([boxes[name].bounds(matrix) for name, matrix in pairs if name in boxes]).reshape(-1, 2, 3)
+    return np.array([placed[:, 0].min(axis=0, initial=np.inf), placed[:, 1].max(axis=0, initial=-np.inf)])

@@ -39,11 +39,12 @@ def entry(parent: dict[str, Any], key: str, kind: type[Kind], place: str, defaul
 def typed(value: object, kind: type[Kind], place: str) -> Kind:
     """Return the value if it has the type; else UnusableError with its place."""
     if not isinstance(value, kind) or isinstance(value, bool):
-        raise UnusableError(f"{place}: expected {_KINDS[kind]}, got {_describe(value)}")
+        raise UnusableError(f"{place}: expected {_KINDS[kind]}, got {describe(value)}")
     return value
 
 
-def _describe(value: object) -> str:
+def describe(value: object) -> str:
+    """Describe an unexpected value for a message."""
     return "nothing" if value is None else f"{type(value).__name__} {check.shortened(value)}"
 
 
@@ -92,6 +93,6 @@ def flattened(levels: list[Any], depth: int, place: str) -> list[Any]:
     for _ in range(depth):
         for item in levels:
             if not isinstance(item, list):
-                raise UnusableError(f"{place}: expected nested lists, got {_describe(item)} among them")
+                raise UnusableError(f"{place}: expected nested lists, got {describe(item)} among them")
         levels = [part for item in levels for part in item]
     return levels
