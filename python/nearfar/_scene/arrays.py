@@ -25,6 +25,11 @@ def origin_for(bounds: NDArray[np.float64]) -> NDArray[np.float64]:
     return np.rint(bounds.mean(axis=0)) if is_far else np.zeros(3)
 
 
+def touching(boxes: NDArray[np.float64], box: NDArray[np.float64]) -> NDArray[np.bool_]:
+    """Whether each of the boxes (N, 2, 3) touches a box (2, 3), borders included (N,)."""
+    return np.asarray(((boxes[:, 0] <= box[1]) & (boxes[:, 1] >= box[0])).all(axis=1))
+
+
 def positions_of(name: str, value: ArrayLike, *, copy: bool = False) -> tuple[NDArray[np.float32], NDArray[np.float64]]:
     """Convert vertices to C-contiguous float32 relative to a base in whole metres; return both.
 

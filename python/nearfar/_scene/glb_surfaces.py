@@ -18,7 +18,9 @@ from nearfar._scene.budget import MAX, Budget
 from nearfar._scene.coordinates import TRANSFORM, is_texture
 from nearfar._scene.emission import DARK, MAP, Light, emission_of, entries, is_unlit
 from nearfar._scene.gltf import ktx2
+from nearfar._scene.material_list import Material, surface_arguments
 from nearfar._scene.materials import MAX_TEXELS, texels_of
+from nearfar._scene.srgb import encode_image
 from nearfar._scene.undrawn import EncodedImage, GltfMaterial, TextureSource
 
 _SURFACE, _BASE = "pbrMetallicRoughness", "baseColorTexture"
@@ -37,8 +39,7 @@ class SurfaceWriter:
     def __init__(self, writer: glb.Writer, parts: dict[str, Any], undrawn: Mapping[int, GltfMaterial]) -> None:
         self._writer, self._parts, self._undrawn = writer, parts, undrawn
         self._numbers: dict[int, int] = {}
-        self._base_images: dict[int, int] = {}
-        self._other_images: dict[EncodedImage, int] = {}
+        self._base_images: dict[int, EncodedImage] = {}
         self._samplers: list[dict[str, Any]] = []
         self._images: list[dict[str, Any]] = []
         self._written: dict[bytes, int] = {}
@@ -52,9 +53,8 @@ class SurfaceWriter:
 
     def fields(self) -> dict[str, Any]:
         """Return the document's entries; lists may be empty."""
-        materials = [self._material(number) for number in self._numbers]
         return {
-            "materials": materials,
+            "materials": [self._material(number) for number in self._numbers],
             "textures": self._textures,
             "samplers": self._samplers,
             "images": self._images,
@@ -73,8 +73,8 @@ class SurfaceWriter:
         color = parts["material_colors"][number]
         # Keep the file's own digits if they round to the same float32; they may exceed its range.
         with np.errstate(over="ignore"):
-            own = np.array(surface.get("baseColorFactor", ()), np.float32)
-        if not np.array_equal(own, color):
+            stated_color = np.array(surface.get("baseColorFactor", ()), np.float32)
+        if not np.array_equal(stated_color, color):
             surface["baseColorFactor"] = color.astype(np.float64).tolist()
         texture, base = int(parts["material_textures"][number]), surface.pop(_BASE, None)
         if texture >= 0:
@@ -111,29 +111,23 @@ class SurfaceWriter:
             if key != _BASE:
                 source = textures[item["index"]]
                 assert source.image is not None
-                item["index"] = self._texture(self._other_image(source.image), source.sampler, source.image.media_type)
+                item["index"] = self._texture(source.image, source.sampler)
 
     def _base_texture(self, texture: int, sampler: str) -> int:
         if texture not in self._base_images:
-            self._base_images[texture] = self._image(_png(self._parts["textures"][texture]), "image/png")
-        return self._texture(self._base_images[texture], sampler, "image/png")
+            self._base_images[texture] = EncodedImage(
+                encode_image(self._parts["textures"][texture], "png", compress_level=3), "image/png"
+            )
+        return self._texture(self._base_images[texture], sampler)
 
-    def _other_image(self, image: EncodedImage) -> int:
-        if image not in self._other_images:
-            self._other_images[image] = self._image(image.data, image.media_type)
-        return self._other_images[image]
-
-    def _image(self, data: bytes, kind: str) -> int:
+    def _texture(self, image: EncodedImage, sampler: str) -> int:
         # Base colour and emission may share an image.
-        if data not in self._written:
-            self._written[data] = len(self._images)
-            self._images.append({"bufferView": self._writer.view(data), "mimeType": kind})
-        return self._written[data]
-
-    def _texture(self, image: int, sampler: str, kind: str) -> int:
-        texture: dict[str, Any] = {"source": image}
-        if kind not in _PLAIN_KINDS:
-            name = _KIND_EXTENSIONS[kind]
+        if image.data not in self._written:
+            self._written[image.data] = len(self._images)
+            self._images.append({"bufferView": self._writer.view(image.data), "mimeType": image.media_type})
+        texture: dict[str, Any] = {"source": self._written[image.data]}
+        if image.media_type not in _PLAIN_KINDS:
+            name = _KIND_EXTENSIONS[image.media_type]
             texture = {"extensions": {name: texture}}
             self._used.add(name)
             self._required.add(name)
@@ -144,8 +138,7 @@ class SurfaceWriter:
 
 def _sorted(material: dict[str, Any]) -> dict[str, Any]:
     """Copy with sorted keys, so that equal content gives equal bytes."""
-    copied: dict[str, Any] = json.loads(json.dumps(material, sort_keys=True))
-    return copied
+    return json.loads(json.dumps(material, sort_keys=True))  # type: ignore[no-any-return]
 
 
 def _place(entries: list[dict[str, Any]], entry: dict[str, Any]) -> int:
@@ -166,31 +159,25 @@ def read(reader: glb.Reader, *, upright: bool) -> tuple[dict[str, Any], dict[int
     surfaces = [material[_SURFACE] for material in materials]
     sources = [_source(document, surface[_BASE]["index"]) if _BASE in surface else None for surface in surfaces]
     images = list(dict.fromkeys(source for source in sources if source is not None))
-    kept = [undrawn_parts.of_gltf(material, lambda number: _texture(reader, number))[0] for material in materials]
+    undrawn = [undrawn_parts.of_gltf(material, lambda number: _texture(reader, number))[0] for material in materials]
     files = [_image(reader, number) for number in images]
     # Images of early versions have row 0 at the bottom.
-    lit = _Emissions(kept, files if upright else [], len(images))
-    is_cut = [material.get("alphaMode") == "MASK" for material in materials]
-    cutoffs = [
-        material.get("alphaCutoff", 0.5) if cut else np.nan for material, cut in zip(materials, is_cut, strict=True)
-    ]
-    colors = [surface.get("baseColorFactor", (1, 1, 1, 1)) for surface in surfaces]
-    rgba = np.array(colors, np.float64).reshape(-1, 4)
-    if not ((rgba >= 0) & (rgba <= 1)).all():
-        raise ValueError("expected base colours within 0..1")
-    if not np.abs(np.array(cutoffs)[is_cut]).max(initial=0) <= MAX_CUTOFF:
-        raise ValueError(f"expected alpha cutoffs up to {MAX_CUTOFF:g}")
-    arguments = {
-        "material_colors": rgba.astype(np.float32),
-        "material_textures": np.array([-1 if s is None else images.index(s) for s in sources], np.int32),
-        "material_cutoffs": np.array(cutoffs, np.float32),
-        "material_emissions": np.array(lit.lights, np.float32).reshape(-1, 3),
-        "material_emission_textures": np.array(lit.links, np.int32),
-        "material_unlit": np.array([undrawn is not None and is_unlit(undrawn.material) for undrawn in kept], bool),
-        "material_tags": np.array([0 if undrawn is None else undrawn.tag for undrawn in kept], np.uint64),
-        "textures": [_texels(file.data, upright=upright) for file in files] + lit.textures,
-    }
-    return arguments, {undrawn.tag: undrawn for undrawn in kept if undrawn is not None}
+    emissions = _Emissions(undrawn, files if upright else [], len(images))
+    rows = []
+    for surface, source, material, one, light, link in zip(
+        surfaces, sources, materials, undrawn, emissions.lights, emissions.links, strict=True
+    ):
+        color = surface.get("baseColorFactor", (1.0, 1.0, 1.0, 1.0))
+        cutoff = material.get("alphaCutoff", 0.5) if material.get("alphaMode") == "MASK" else None
+        if not (np.array(color).shape == (4,) and all(0 <= part <= 1 for part in color)):
+            raise ValueError("expected base colours within 0..1")
+        if cutoff is not None and not abs(cutoff) <= MAX_CUTOFF:
+            raise ValueError(f"expected alpha cutoffs up to {MAX_CUTOFF:g}")
+        texture = -1 if source is None else images.index(source)
+        unlit, tag = (False, 0) if one is None else (is_unlit(one.material), one.tag)
+        rows.append(Material(color, texture, cutoff, light, link, unlit, tag))
+    textures = [_texels(file.data, upright=upright) for file in files] + emissions.textures
+    return surface_arguments(rows, textures), {one.tag: one for one in undrawn if one is not None}
 
 
 class _Emissions:
@@ -229,8 +216,7 @@ def _source(document: dict[str, Any], texture: int) -> int:
     """Index of a texture's image."""
     described = glb.entry(document, "textures", texture)
     entry = described if "source" in described else next(iter(described["extensions"].values()))
-    number: int = entry["source"]
-    return number
+    return entry["source"]  # type: ignore[no-any-return]
 
 
 def _image(reader: glb.Reader, number: int) -> EncodedImage:
@@ -245,14 +231,6 @@ def _texture(reader: glb.Reader, number: int) -> TextureSource:
     if image.media_type not in (*_PLAIN_KINDS, *_KIND_EXTENSIONS):
         raise ValueError(f"expected images of known kinds, got {image.media_type!r}")
     return TextureSource(image, "" if sampler is None else json.dumps(sampler))
-
-
-def _png(texels: NDArray[np.uint8]) -> bytes:
-    """Encode a texture as PNG."""
-    opaque = bool((texels[..., 3] == 255).all())
-    file = io.BytesIO()
-    Image.fromarray(texels[:, :, : 3 if opaque else 4]).save(file, "png", compress_level=3)
-    return file.getvalue()
 
 
 def _texels(data: bytes, *, upright: bool) -> NDArray[np.uint8]:

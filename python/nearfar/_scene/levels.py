@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import islice
 from typing import Any, Protocol, runtime_checkable
 
 import numpy as np
@@ -209,25 +210,23 @@ def kept_of(models: Iterable[Any], scene: Any = None) -> dict[str, Any]:
 def levels_of(argument: str, levels: ArrayLike | Mapping[str, int], leveled: Leveled) -> NDArray[np.int64]:
     """Check levels and return one for each object (N,), −1 to leave it out; objects missing in a mapping get 0."""
     if isinstance(levels, Mapping):
-        place = {name: at for at, name in enumerate(leveled.names)}
-        if unknown := [name for name in levels if name not in place]:
+        index = {name: number for number, name in enumerate(leveled.names)}
+        if unknown := [name for name in levels if name not in index]:
             raise ValueError(f"{argument}: expected names of objects with levels, got {check.shortened(unknown[0])}")
-        chosen = np.zeros(len(leveled), np.int64)
+        rows = np.zeros(len(leveled), np.int64)
         for name, level in levels.items():
-            chosen[place[name]] = check.integer(f"{argument}['{name}']", level, -1, 2**31 - 1)
+            rows[index[name]] = check.integer(f"{argument}['{name}']", level, -1, 2**31 - 1)
     else:
-        chosen = check.array(argument, levels, columns=None, dtype=np.int64)
-    if chosen.shape != (len(leveled),):
-        raise ValueError(
-            f"{argument}: expected one for each of {len(leveled)} objects with levels, got shape {chosen.shape}"
-        )
+        rows = check.array(argument, levels, columns=None, dtype=np.int64)
+    if rows.shape != (len(leveled),):
+        expected = f"one for each of {len(leveled)} objects with levels"
+        raise ValueError(f"{argument}: expected {expected}, got shape {rows.shape}")
     counts = leveled.level_counts
-    wrong = (chosen < -1) | (chosen >= counts)
-    if wrong.any():
-        at = int(np.argmax(wrong))
-        most = counts[at] - 1
-        raise ValueError(f"{argument}: expected -1 to {most} for '{leveled.names[at]}', got {chosen[at]}")
-    return chosen
+    wrong = np.flatnonzero((rows < -1) | (rows >= counts))
+    if len(wrong):
+        row = wrong[0]
+        raise ValueError(f"{argument}: expected -1 to {counts[row] - 1} for '{leveled.names[row]}', got {rows[row]}")
+    return rows
 
 
 def with_levels(
@@ -276,8 +275,8 @@ def _placements(
 
 
 def _rows(pieces: list[_core.Mesh], lengths: list[int]) -> list[tuple[_core.Mesh, ...]]:
-    ends = np.cumsum(lengths, dtype=int).tolist()
-    return [tuple(pieces[end - length : end]) for end, length in zip(ends, lengths, strict=True)]
+    remaining = iter(pieces)
+    return [tuple(islice(remaining, length)) for length in lengths]
 
 
 def _table(

@@ -93,8 +93,7 @@ def colors_of(values: NDArray[Any], count: int, *, linear: bool) -> NDArray[np.u
 
 def _to_bytes(values: NDArray[Any]) -> NDArray[np.uint8]:
     # NaN becomes 0.
-    levels: NDArray[np.uint8] = np.rint(np.clip(np.nan_to_num(values), 0, 1) * 255).astype(np.uint8)
-    return levels
+    return np.rint(np.clip(np.nan_to_num(values), 0, 1) * 255).astype(np.uint8)  # type: ignore[no-any-return]
 
 
 @dataclass(frozen=True, eq=False)
@@ -121,7 +120,7 @@ class Described:
 
 
 _COMPARED_ROWS = 4
-"""Number of rows, at least, that are compared before all texels of two textures are."""
+"""Least number of rows of two textures that are compared before all of their texels are."""
 
 _UNREADABLE = "with an unreadable texture drawn without it"
 _UNREADABLE_EMISSION = "with an unreadable map of emission drawn without it"
@@ -132,9 +131,8 @@ def _is_placeholder(image: Any) -> bool:
     from trimesh.visual.material import color_image
 
     grey = color_image()
-    if image is None or (image.size, image.mode) != (grey.size, grey.mode):
-        return False
-    return bool(image.tobytes() == grey.tobytes())
+    is_alike = image is not None and (image.size, image.mode) == (grey.size, grey.mode)
+    return is_alike and bool(image.tobytes() == grey.tobytes())
 
 
 def _gltf_entry(material: Any) -> Described:
@@ -199,8 +197,8 @@ class Materials:
         factor = None if described is None else described.factor
         if factor is None:
             color = material.baseColorFactor
-            stored = (1.0, 1.0, 1.0, 1.0) if color is None else tuple(float(c) / 255 for c in color)
-            factor = (stored[0], stored[1], stored[2], stored[3])
+            red, green, blue, alpha = (255, 255, 255, 255) if color is None else color
+            factor = (float(red) / 255, float(green) / 255, float(blue) / 255, float(alpha) / 255)
         texture, notes = self._texture(material.baseColorTexture)
         if described is not None and described.is_textured and material.baseColorTexture is None:
             notes = (_UNREADABLE,)
@@ -232,9 +230,7 @@ class Materials:
         """Base colour of a Wavefront material: the diffuse colour is taken as sRGB, as in three.js."""
         diffuse, entries = tuple(int(c) for c in material.diffuse), material.kwargs
         image = getattr(material, "image", None)
-        if _is_placeholder(image):
-            image = None
-        texture, notes = self._texture(image)
+        texture, notes = self._texture(None if _is_placeholder(image) else image)
         glowing = entries.get(wavefront_materials.EMISSION_IMAGE)
         described = wavefront_materials.as_gltf(entries)
         undrawn, differences = undrawn_parts.of_gltf(described, lambda _: _encoded(glowing))
@@ -300,7 +296,6 @@ def _decoded(image: Any) -> NDArray[np.uint8] | None:
         if image.mode.startswith("I;16"):  # Pillow would clip 16-bit values instead of scaling them
             image = Image.fromarray((np.asarray(image) >> 8).astype(np.uint8))
         # Pillow's decoders raise OSError, SyntaxError, ValueError, struct.error, zlib.error and others.
-        texels: NDArray[np.uint8] = np.asarray(image.convert("RGBA"))
+        return np.asarray(image.convert("RGBA"))
     except Exception:
         return None
-    return texels

@@ -18,7 +18,7 @@ from nearfar._scene.names import Names
 OWN_OBJECTS = -1
 """Object number of an instance whose mesh has an object number for each face."""
 
-_ROW = 12
+_ROW_BYTES = 12
 """Bytes of a vertex position, and of a face."""
 
 
@@ -53,8 +53,7 @@ class Placements:
         if (flat & moves).any():
             name = names.as_tuple[self.object[np.argmax(flat & moves)]]
             raise ValueError(f"dynamic: expected objects with invertible transforms, got a flat one for {name!r}")
-        merged: NDArray[np.bool_] = (once & ~moves) | flat
-        return merged
+        return np.asarray((once & ~moves) | flat)
 
     def origin(self, meshes: MeshList) -> NDArray[np.float64]:
         """World position (3,) of the scene's origin."""
@@ -83,7 +82,7 @@ class Placements:
         copies = np.maximum(np.bincount(self.mesh[merged], minlength=len(meshes)) - 1, 0)
         # Python integers: counts in malformed files overflow 64 bits.
         sizes = (meshes.vertex_counts() + meshes.face_counts()).tolist()
-        return sum(_ROW * size * count for size, count in zip(sizes, copies.tolist(), strict=True) if count)
+        return sum(_ROW_BYTES * size * count for size, count in zip(sizes, copies.tolist(), strict=True) if count)
 
 
 def core_scene(
@@ -101,22 +100,21 @@ def core_scene(
         rows = rows[:0]  # a single mesh at the identity is used without a copy
         merges = np.zeros_like(merges)
     merged = meshes.merge(placed.mesh[rows], placements[rows], placed.object[rows])
-    rest = np.flatnonzero(~merges)
+    others = np.flatnonzero(~merges)
     identities = np.broadcast_to(np.eye(4)[:3], (len(merged), 3, 4))
+    x, y, z = origin.tolist()
     return _core.Scene(
-        origin=(float(origin[0]), float(origin[1]), float(origin[2])),
-        meshes=merged + _instanced(placed, rest, meshes),
-        placements=np.concatenate([identities, placements[rest]]),
-        objects=np.concatenate([np.full(len(merged), OWN_OBJECTS, np.int32), placed.object[rest]]),
-        standing_count=len(merged) + len(rest),
+        origin=(x, y, z),
+        meshes=merged + _instanced(placed, others, meshes),
+        placements=np.concatenate([identities, placements[others]]),
+        objects=np.concatenate([np.full(len(merged), OWN_OBJECTS, np.int32), placed.object[others]]),
+        standing_count=len(merged) + len(others),
         **materials,
     )
 
 
 def _instanced(placed: Placements, rows: NDArray[np.int64], meshes: MeshList) -> list[_core.Mesh]:
     """Meshes of instances; mirrored instances get meshes with reversed faces, so that outer sides stay outer sides."""
-    if not len(rows):
-        return []
     handles = placed.mesh[rows]
     mirrored = np.linalg.det(placed.transform[rows, :3, :3]) < 0
     cores = meshes.meshes_by_handle(handles)

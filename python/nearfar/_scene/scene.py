@@ -18,8 +18,7 @@ from nearfar._scene.assembly import Assembled, one_mesh
 from nearfar._scene.levels import Leveled, LevelTable, check_levels, kept_of, levels_of, with_levels
 from nearfar._scene.names import Names, names_of
 from nearfar._scene.options import Blend, LoadKeywords, LoadOptions, OnInvalid, Up
-from nearfar._scene.parts import InParts
-from nearfar._scene.pictures import InPictures
+from nearfar._scene.parts import InParts, InPictures
 from nearfar._scene.poses import checked_pose, frame_of, placements_in, pose_of
 from nearfar._scene.report import Report
 from nearfar._scene.serialize import core_of_parts, parts_of

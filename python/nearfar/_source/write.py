@@ -15,7 +15,7 @@ from nearfar._base import check, files, progress
 from nearfar._scene.moving_rows import moving_rows
 from nearfar._scene.scene import Scene
 from nearfar._source.cells import Grid
-from nearfar._source.protocol import SceneSource, source_of
+from nearfar._source.protocol import SceneSource, bounds_of, source_of
 from nearfar._source.tile_index import DOCUMENT, Tile, TileIndex
 
 _UPDATE_SECONDS = 10.0
@@ -62,7 +62,7 @@ def write_tiles(
     """
     source, target = source_of("source", source), check.path("folder", folder)
     size, error = check.positive("cell", cell), check.at_least_zero("detail", detail)
-    bounds = check.array("source.bounds", source.bounds, dtype=np.float64)
+    bounds = bounds_of(source)
     region = None if aabb is None else check.box("aabb", aabb)
     box = _intersection(bounds, region)
     if np.isinf(box).any() and (box[0] <= box[1]).all():

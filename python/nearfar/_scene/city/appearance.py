@@ -6,10 +6,57 @@ from collections import Counter
 from dataclasses import replace
 from typing import Any
 
+import numpy as np
+
 from nearfar._base.errors import UnusableError
-from nearfar._scene.city import classes
 from nearfar._scene.entries import entry, numbers, typed
-from nearfar._scene.materials import BaseColor
+from nearfar._scene.materials import PLAIN, BaseColor
+from nearfar._scene.srgb import to_linear
+
+
+def _from_srgb(srgb: tuple[float, float, float]) -> BaseColor:
+    """Return the base colour for sRGB values in 0..1."""
+    red, green, blue = to_linear(np.array(srgb)).tolist()
+    return BaseColor(factor=(red, green, blue, 1.0))
+
+
+def _color(code: str) -> BaseColor:
+    red, green, blue = (int(code[at : at + 2], 16) / 255 for at in (1, 3, 5))
+    return _from_srgb((red, green, blue))
+
+
+_WALL, _ROOF, _GROUND, _PAVED, _ROAD = (_color(c) for c in ("#d9cfbd", "#a5533c", "#77706a", "#9c9a96", "#5f6064"))
+_WATER, _GREEN, _GRASS = (_color(code) for code in ("#4d7ba6", "#4f7a3d", "#93a36a"))
+
+SURFACES = {
+    "RoofSurface": _ROOF,
+    **dict.fromkeys(("WallSurface", "ClosureSurface", "InteriorWallSurface", "CeilingSurface"), _WALL),
+    **dict.fromkeys(("GroundSurface", "OuterCeilingSurface", "WaterGroundSurface", "TransportationHole"), _GROUND),
+    **dict.fromkeys(("OuterFloorSurface", "FloorSurface"), _PAVED),
+    **dict.fromkeys(("WaterSurface", "WaterClosureSurface"), _WATER),
+    "Window": _color("#6d8ea6"),
+    "Door": _color("#6b4a33"),
+    "TrafficArea": _ROAD,
+    "AuxiliaryTrafficArea": _GRASS,
+    "TransportationMarking": _color("#e8e8e2"),
+}
+"""Colours of surfaces by semantic class."""
+
+OBJECTS = {
+    **{f"Building{part}": _WALL for part in ("", "Part", "Installation", "Room", "Storey", "Unit")},
+    **dict.fromkeys(("Bridge", "BridgePart", "Tunnel", "TunnelPart", "TransportSquare"), _PAVED),
+    "Road": _ROAD,
+    "Railway": _GROUND,
+    **dict.fromkeys(("LandUse", "TINRelief"), _GRASS),
+    **dict.fromkeys(("PlantCover", "SolitaryVegetationObject"), _GREEN),
+    **dict.fromkeys(("WaterBody", "Waterway"), _WATER),
+}
+"""Colours of surfaces without semantics by type of city object; other types have the plain colour."""
+
+
+def color_of_surface(surface: str | None, kind: str) -> BaseColor:
+    """Return the colour of a surface by its class, else by the type of its object."""
+    return SURFACES.get(surface or "", OBJECTS.get(kind, PLAIN))
 
 
 class Appearance:
@@ -34,7 +81,7 @@ class Appearance:
         if values.shape != (3,):
             raise UnusableError(f"{place}.diffuseColor: expected three numbers, got {len(values)}")
         red, green, blue = values.clip(0, 1).tolist()
-        color = classes.color((red, green, blue))
+        color = _from_srgb((red, green, blue))
         transparency = material.get("transparency")
         is_clear = isinstance(transparency, int | float) and transparency > 0
         return replace(color, notes=("with transparency drawn opaque",)) if is_clear else color
@@ -46,8 +93,8 @@ class Appearance:
         semantics = entry(geometry, "semantics", dict, place, {})
         surfaces = entry(semantics, "surfaces", list, f"{place}semantics.", [])
         types = [item.get("type") if isinstance(item, dict) else None for item in surfaces]
-        class_colors = [classes.color_of_surface(name if isinstance(name, str) else None, kind) for name in types]
-        plain = classes.color_of_surface(None, kind)
+        class_colors = [color_of_surface(name if isinstance(name, str) else None, kind) for name in types]
+        plain = color_of_surface(None, kind)
         labels = _labels(semantics.get("values"), boundaries, depth)
         colors = [_index_or_default(class_colors, label, plain) for label in labels]
         if not self._materials:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,21 +11,6 @@ from nearfar._scene.frames import earth_centred, earth_to_local
 
 _DIGITS = 5
 """Decimals of degrees in a computed origin: about a metre."""
-
-
-class Ground(Protocol):
-    """Converts points and heights to world positions."""
-
-    @property
-    def note(self) -> str:
-        """Sentence that describes the world's coordinates."""
-
-    @property
-    def is_kept(self) -> bool:
-        """Whether the world's coordinates are the file's own."""
-
-    def world(self, points: NDArray[np.float64], heights: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Convert points (N, 2) of the file and heights (N,) in metres to world metres (N, 3)."""
 
 
 @dataclass(frozen=True)
@@ -40,13 +24,16 @@ class Projected:
 
     @property
     def note(self) -> str:
+        """Sentence that describes the world's coordinates."""
         return f"coordinates of {self.system} {'as they are' if self.is_kept else 'in metres'}"
 
     @property
     def is_kept(self) -> bool:
+        """Whether the world's coordinates are the file's own."""
         return self.metres == 1
 
     def world(self, points: NDArray[np.float64], heights: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Convert points (N, 2) of the file and heights (N,) in metres to world metres (N, 3)."""
         return np.stack([points[:, 0] * self.metres, heights, points[:, 1] * -self.metres], axis=-1)
 
 
@@ -81,3 +68,7 @@ class Geodetic:
         to_local = earth_to_local(longitude, latitude, self.height)
         places = earth_centred(np.concatenate([np.radians(points), heights[:, None]], axis=1))
         return places @ to_local[:3, :3].T + to_local[:3, 3]
+
+
+Ground = Projected | Geodetic
+"""Converts points and heights to world positions."""

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from functools import partial
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any
 from urllib.parse import unquote, urljoin, urlsplit
 
 from nearfar._base import cache, check, files, remote
@@ -26,22 +26,6 @@ _VALIDATORS = ("ETag", "Content-MD5", "Digest", "Last-Modified", "mtime", "LastM
 
 class OutsideError(UnusableError):
     """Error: a file refers to one outside its tileset's folder, or at another origin."""
-
-
-class Files(Protocol):
-    """Reader of a tileset's files; a name is a path or a URL."""
-
-    top: str
-    """Name of the top file."""
-
-    def resolve(self, base: str, uri: str) -> str:
-        """Resolve a reference in the file `base` to a name; OutsideError if it leads outside."""
-
-    def display_name(self, name: str) -> str:
-        """Name of a file for messages, relative to the top file's folder."""
-
-    def read(self, name: str, budget: Budget) -> bytes:
-        """Bytes of a file; FileNotFoundError if it does not exist."""
 
 
 def open_files(path: str | os.PathLike[str]) -> Files:
@@ -71,8 +55,10 @@ class Local:
         files.restore(path)
         self._folder = os.path.realpath(path.parent)
         self.top = os.path.join(self._folder, path.name)
+        """Name of the top file."""
 
     def resolve(self, base: str, uri: str) -> str:
+        """Resolve a reference in the file `base` to a name; OutsideError if it leads outside."""
         parts = urlsplit(uri)
         if parts.scheme or parts.netloc or uri.startswith(("/", "\\")):
             raise OutsideError(f"it refers to {check.shortened(uri)}, which lies outside its folder")
@@ -88,9 +74,11 @@ class Local:
         return real
 
     def display_name(self, name: str) -> str:
+        """Name of a file for messages, relative to the top file's folder."""
         return os.path.relpath(name, self._folder)
 
     def read(self, name: str, budget: Budget) -> bytes:
+        """Bytes of a file; FileNotFoundError if it does not exist."""
         return read_file(Path(name), budget)
 
 
@@ -148,6 +136,10 @@ class Remote:
         return [*version, f"size {described.get('size')}"] if version else []
 
 
+Files = Local | Remote
+"""Reader of a tileset's files; a name is a path or a URL."""
+
+
 def _cached_content(key: str) -> bytes | None:
     """Content of a key's cached file; None if there is none."""
     path = cache.find(key, ".tile")
@@ -160,7 +152,7 @@ def _cached_content(key: str) -> bytes | None:
 def _write_to_cache(key: str, data: bytes) -> None:
     """Cache a file's bytes; failure to write the cache folder is ignored."""
     try:
-        cache.keep(key, ".tile", partial(Path.write_bytes, data=data))
+        cache.keep(key, ".tile", partial(files.write, data=data))
     except OSError as error:
         if error.errno not in (errno.EACCES, errno.EROFS, errno.ENOSPC, errno.EPERM):
             raise
