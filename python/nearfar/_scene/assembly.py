@@ -24,9 +24,8 @@ from nearfar._scene.budget import Budget
 from nearfar._scene.emission import DARK, MAX_EMISSION
 from nearfar._scene.material_list import MaterialList
 from nearfar._scene.materials import BaseColor
-from nearfar._scene.mesh_list import MeshList
 from nearfar._scene.names import MAX_OBJECTS, Names, names_of
-from nearfar._scene.placing import OWN_OBJECTS, Placements, core_scene
+from nearfar._scene.placing import OWN_OBJECTS, MeshList, Placements, core_scene
 from nearfar._scene.undrawn import GltfMaterial
 
 

@@ -28,10 +28,10 @@ _TURNS = {
 }
 """Rotations that turn the named axis to y."""
 
-_HALF = 0.5
+_BLEND_CUTOFF = 0.5
 """Alpha cutoff for blending materials that are drawn as cutout."""
 
-_MAX_NAMED = 3
+_MAX_FLAWS = 3
 """Number of flaws that an error message lists; it counts the rest."""
 
 
@@ -129,25 +129,26 @@ def assemble(
     shapes = {name: shape for name, shape in content.shapes.items() if name in used}
     dropped = 0
     for name, shape in shapes.items():
-        flaw, lost = _repair(shape)
-        dropped += lost
+        flaw, dropped_faces = _repair(shape)
+        dropped += dropped_faces
         if flaw:
             flaws.append(f"{flaw} in mesh {check.shortened(name)}")
     if flaws and not options.drops:
-        more = f" and {len(flaws) - _MAX_NAMED} more" if len(flaws) > _MAX_NAMED else ""
-        raise SceneError(
-            f"{content.label}: {', '.join(flaws[:_MAX_NAMED])}{more}; on_invalid='drop' leaves the faces out"
-        )
-    placed = np.zeros(0, bool) if content.stored is None else np.array([name in used for name in content.stored.names])
-    has_faces = content.stored is not None and content.stored.core.face_counts()[placed].any()
+        listed = ", ".join(flaws[:_MAX_FLAWS])
+        more = f" and {len(flaws) - _MAX_FLAWS} more" if len(flaws) > _MAX_FLAWS else ""
+        raise SceneError(f"{content.label}: {listed}{more}; on_invalid='drop' leaves the faces out")
+    stored = content.stored
+    placed = np.zeros(0, bool) if stored is None else np.array([name in used for name in stored.names])
+    has_faces = stored is not None and stored.core.face_counts()[placed].any()
     if not has_faces and not any(len(shape.faces) for shape in shapes.values()):
         raise SceneError(f"{content.label}: no triangles" + "".join(f"; {note}" for note in content.notes))
-    stored = content.stored
     if options.blend == "cutout":
         stored = _cut_out(shapes.values(), stored)
     builder = Assembly()
-    many = _many_objects(content, moves)
-    builder.objects(many)
+    # Objects of shapes with many objects; moving ones need names.
+    names = content.names
+    names = [f"object_{number}" for number in range(names)] if moves and isinstance(names, int) else names
+    builder.objects(names)
     handles = {} if stored is None else _store(builder, stored, placed)
     handles |= {name: _add(builder, shape) for name, shape in shapes.items() if len(shape.faces)}
     up = options.up
@@ -156,15 +157,14 @@ def assemble(
     nodes = _select_nodes(nodes, np.array([shape in handles for shape in nodes.shapes], bool))
     transforms = nodes.transforms if up == "y" else turn @ nodes.transforms
     try:
-        transforms = transforms_of("transforms", transforms)
-        of_many = {name for name, shape in shapes.items() if shape.face_object is not None}
-        has_many = np.array([name in of_many for name in nodes.shapes], bool)
+        nodes = replace(nodes, transforms=transforms_of("transforms", transforms))
+        has_many = np.array([name in shapes and shapes[name].face_object is not None for name in nodes.shapes], bool)
         for row in np.flatnonzero(has_many):
-            builder.instance(handles[nodes.shapes[row]], transforms[row])
-        single = _select_nodes(replace(nodes, transforms=transforms), ~has_many)
+            builder.instance(handles[nodes.shapes[row]], nodes.transforms[row])
+        single = _select_nodes(nodes, ~has_many)
         meshes = np.array([handles[shape] for shape in single.shapes], np.int64)
         builder._place(meshes, single.transforms, single.objects)
-        dynamic = [*([] if isinstance(many, int) else many), *single.objects] if moves else ()
+        dynamic = [*([] if isinstance(names, int) else names), *single.objects] if moves else ()
         parts = builder._assemble(dynamic, budget, origin)
     except ValueError as error:
         raise SceneError(f"{content.label}: {error}") from error
@@ -173,14 +173,8 @@ def assemble(
     if stored is not None:
         looks += stored.looks(placed)
         vertices += int(stored.core.vertex_counts()[placed].sum())
-    notes, held = (*content.notes, *notes_on(looks)), (*content.used, *inventory(looks, vertices))
-    return replace(parts, dropped=dropped, notes=notes, used=held)
-
-
-def _many_objects(content: Content, moves: bool) -> Sequence[str] | int:
-    """Objects of shapes with many objects; moving ones need names."""
-    names = content.names
-    return [f"object_{number}" for number in range(names)] if moves and isinstance(names, int) else names
+    notes, features = (*content.notes, *notes_on(looks)), (*content.used, *inventory(looks, vertices))
+    return replace(parts, dropped=dropped, notes=notes, used=features)
 
 
 def _to_metres(content: Content, scale: float | None) -> None:
@@ -203,11 +197,8 @@ def _usable_nodes(nodes: Nodes) -> tuple[Nodes, list[str]]:
     """Split off nodes whose transforms are not finite and affine; return the rest and a description of each flaw."""
     matrices = nodes.transforms
     affine = np.isfinite(matrices).all(axis=(1, 2)) & (matrices[:, 3] == (0, 0, 0, 1)).all(axis=1)
-    flaws = [
-        f"a transform that is not finite and affine at node {check.shortened(nodes.objects[row])}"
-        for row in np.flatnonzero(~affine)
-    ]
-    return _select_nodes(nodes, affine), flaws
+    names = (check.shortened(nodes.objects[row]) for row in np.flatnonzero(~affine))
+    return _select_nodes(nodes, affine), [f"a transform that is not finite and affine at node {n}" for n in names]
 
 
 def _select_nodes(nodes: Nodes, keep: NDArray[np.bool_]) -> Nodes:
@@ -277,16 +268,14 @@ def _store(builder: Assembly, stored: Stored, placed: NDArray[np.bool_]) -> dict
 
 def _cut_out(shapes: Iterable[Shape], stored: Stored | None) -> Stored | None:
     """Make blending materials cutouts, in place for shapes; return the changed stored meshes. Sharing is preserved."""
-    cut: dict[int, BaseColor] = {}
+    cutouts: dict[int, BaseColor] = {}
 
-    def choose_surfaces(materials: Sequence[BaseColor]) -> list[BaseColor]:
+    def cut_out(materials: Sequence[BaseColor]) -> list[BaseColor]:
         for material in materials:
-            if material.blend and id(material) not in cut:
-                cut[id(material)] = replace(material, cutoff=_HALF)
-        return [cut.get(id(material), material) for material in materials]
+            if material.blend and id(material) not in cutouts:
+                cutouts[id(material)] = replace(material, cutoff=_BLEND_CUTOFF)
+        return [cutouts.get(id(material), material) for material in materials]
 
     for shape in shapes:
-        shape.materials = choose_surfaces(shape.materials)
-    return (
-        None if stored is None else stored.with_materials([choose_surfaces(one.materials) for one in stored.surfaces])
-    )
+        shape.materials = cut_out(shape.materials)
+    return None if stored is None else stored.with_materials([cut_out(one.materials) for one in stored.surfaces])

@@ -18,7 +18,7 @@ from nearfar._scene.budget import MAX, Budget
 from nearfar._scene.coordinates import TRANSFORM, is_texture
 from nearfar._scene.emission import DARK, MAP, Light, emission_of, entries, is_unlit
 from nearfar._scene.gltf import ktx2
-from nearfar._scene.material_list import Material, surface_arguments
+from nearfar._scene.material_list import NO_TEXTURE, Material, surface_arguments
 from nearfar._scene.materials import MAX_TEXELS, texels_of
 from nearfar._scene.srgb import encode_image
 from nearfar._scene.undrawn import EncodedImage, GltfMaterial, TextureSource
@@ -30,7 +30,7 @@ _KIND_EXTENSIONS = {
     "image/avif": "EXT_texture_avif",
     "image/ktx2": "KHR_texture_basisu",
 }
-_NONE = GltfMaterial(undrawn_parts.PLAIN)
+_PLAIN = GltfMaterial(undrawn_parts.PLAIN)
 
 
 class SurfaceWriter:
@@ -64,9 +64,9 @@ class SurfaceWriter:
 
     def _material(self, number: int) -> dict[str, Any]:
         parts = self._parts
-        undrawn = self._undrawn.get(int(parts["material_tags"][number]), _NONE)
+        undrawn = self._undrawn.get(int(parts["material_tags"][number]), _PLAIN)
         material = _sorted(dict(undrawn.material))
-        if undrawn is _NONE:
+        if undrawn is _PLAIN:
             red, green, blue = parts["material_emissions"][number].tolist()
             material |= entries((red, green, blue), unlit=bool(parts["material_unlit"][number]))
         surface = material.setdefault(_SURFACE, {})
@@ -94,7 +94,7 @@ class SurfaceWriter:
         material = _sorted(material)
         self._link(material, undrawn.textures)
         glow = int(parts["material_emission_textures"][number])
-        if undrawn is _NONE and glow >= 0:
+        if undrawn is _PLAIN and glow >= 0:
             return _sorted(material | {MAP: {"index": self._base_texture(glow, "")}})
         return material
 
@@ -162,51 +162,45 @@ def read(reader: glb.Reader, *, upright: bool) -> tuple[dict[str, Any], dict[int
     undrawn = [undrawn_parts.of_gltf(material, lambda number: _texture(reader, number))[0] for material in materials]
     files = [_image(reader, number) for number in images]
     # Images of early versions have row 0 at the bottom.
-    emissions = _Emissions(undrawn, files if upright else [], len(images))
+    emissions = _Emissions(files if upright else [], len(images))
     rows = []
-    for surface, source, material, one, light, link in zip(
-        surfaces, sources, materials, undrawn, emissions.lights, emissions.links, strict=True
-    ):
+    for surface, source, material, one in zip(surfaces, sources, materials, undrawn, strict=True):
         color = surface.get("baseColorFactor", (1.0, 1.0, 1.0, 1.0))
         cutoff = material.get("alphaCutoff", 0.5) if material.get("alphaMode") == "MASK" else None
         if not (np.array(color).shape == (4,) and all(0 <= part <= 1 for part in color)):
             raise ValueError("expected base colours within 0..1")
         if cutoff is not None and not abs(cutoff) <= MAX_CUTOFF:
             raise ValueError(f"expected alpha cutoffs up to {MAX_CUTOFF:g}")
-        texture = -1 if source is None else images.index(source)
+        texture = NO_TEXTURE if source is None else images.index(source)
+        light, emission_texture = emissions.light_and_texture(one)
         unlit, tag = (False, 0) if one is None else (is_unlit(one.material), one.tag)
-        rows.append(Material(color, texture, cutoff, light, link, unlit, tag))
+        rows.append(Material(color, texture, cutoff, light, emission_texture, unlit, tag))
     textures = [_texels(file.data, upright=upright) for file in files] + emissions.textures
     return surface_arguments(rows, textures), {one.tag: one for one in undrawn if one is not None}
 
 
 class _Emissions:
-    """Emission of materials and its textures: known images keep their index, others are numbered from `first` on."""
+    """Textures of materials' emission: known images keep their index, others are numbered from `first` on."""
 
-    def __init__(self, materials: Sequence[GltfMaterial | None], known: Sequence[EncodedImage], first: int) -> None:
-        self.lights: list[Light] = []
-        self.links: list[int] = []
+    def __init__(self, known: Sequence[EncodedImage], first: int) -> None:
         self.textures: list[NDArray[np.uint8]] = []
         self._first = first
-        self._numbers: dict[EncodedImage, int | None] = {image: number for number, image in enumerate(known)}
-        for material in materials:
-            light, link = (DARK, None) if material is None else self._emission_and_image(material)
-            self.lights.append(light)
-            self.links.append(-1 if link is None else link)
+        self._numbers = {image: number for number, image in enumerate(known)}
 
-    def _emission_and_image(self, undrawn: GltfMaterial) -> tuple[Light, int | None]:
-        light = emission_of(undrawn.material)
-        if light == DARK or MAP not in undrawn.material:
-            return light, None
+    def light_and_texture(self, undrawn: GltfMaterial | None) -> tuple[Light, int]:
+        """Emission of a material, and the index of its texture; −1 for none."""
+        light = DARK if undrawn is None else emission_of(undrawn.material)
+        if undrawn is None or light == DARK or MAP not in undrawn.material:
+            return light, NO_TEXTURE
         image = undrawn.textures[undrawn.material[MAP]["index"]].image
-        number = None if image is None else self._number(image)
+        number = NO_TEXTURE if image is None else self._number(image)
         # No emission if the image cannot be decoded.
-        return (DARK, None) if number is None else (light, number)
+        return (DARK if number == NO_TEXTURE else light), number
 
-    def _number(self, image: EncodedImage) -> int | None:
+    def _number(self, image: EncodedImage) -> int:
         if image not in self._numbers:
             texels = ktx2.decode(image.data, Budget(MAX)) if image.media_type == ktx2.KIND else texels_of(image.data)
-            self._numbers[image] = None if texels is None else self._first + len(self.textures)
+            self._numbers[image] = NO_TEXTURE if texels is None else self._first + len(self.textures)
             if texels is not None:
                 self.textures.append(texels)
         return self._numbers[image]

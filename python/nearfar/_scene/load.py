@@ -18,8 +18,7 @@ from nearfar._scene.gltf.document import read as read_gltf
 from nearfar._scene.materials import Materials
 from nearfar._scene.options import LoadOptions
 from nearfar._scene.reasons import explained
-from nearfar._scene.tileset import read as tiles
-from nearfar._scene.tileset.tileset import KINDS
+from nearfar._scene.tileset import tileset as tiles
 
 
 def load(path: str | os.PathLike[str], options: LoadOptions, *, moves: bool = False) -> Assembled:
@@ -63,7 +62,7 @@ def _read(path: Path, data: bytes, options: LoadOptions, budget: Budget) -> Cont
         raise UnusableError("it is an archive, which may hold several models: unpack it and load one of them")
     # Every tileset has these two entries; a text search is faster than parsing.
     may_be_tileset = kind == "json" and b'"root"' in data and b'"asset"' in data
-    if kind in KINDS or (may_be_tileset and tiles.is_tileset(data)):
+    if kind in tiles.KINDS or (may_be_tileset and tiles.is_tileset(data)):
         return tiles.read(path, options, budget)
     if kind == "json" or kind in cities.KINDS:
         tiles.check_unused(options)

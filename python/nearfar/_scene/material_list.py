@@ -12,7 +12,7 @@ from nearfar._scene.arrays import texture_of
 from nearfar._scene.materials import BaseColor
 from nearfar._scene.undrawn import GltfMaterial
 
-_NONE = -1
+NO_TEXTURE = -1
 """Index that means no texture."""
 
 
@@ -53,7 +53,7 @@ class MaterialList:
             self._texture(material.texture),
             material.cutoff,
             tuple(emission.tolist()),
-            self._texture(material.emission_texture) if emission.any() else _NONE,
+            self._texture(material.emission_texture) if emission.any() else NO_TEXTURE,
             material.unlit,
             tag,
         )
@@ -61,7 +61,7 @@ class MaterialList:
 
     def _texture(self, texture: NDArray[np.uint8] | None) -> int:
         if texture is None:
-            return _NONE
+            return NO_TEXTURE
         if id(texture) not in self._textures:
             # The reference keeps the array alive, so that its id is not reused.
             self._textures[id(texture)] = (texture, texture_of("texture", texture), len(self._textures))

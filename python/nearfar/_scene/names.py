@@ -31,19 +31,16 @@ MAX_OBJECTS = (1 << 31) - 1
 
 def distinct(names: Sequence[str]) -> list[str]:
     """Make names distinct: the first of equal ones keeps its name, the others get unused number suffixes."""
-    taken, seen = set(names), set[str]()
-    counts: dict[str, int] = {}
+    taken, next_suffixes = set(names), dict[str, int]()
     result = []
     for name in names:
-        chosen = name
-        if name in seen:
-            number = counts.get(name, 0) + 1
-            while (chosen := f"{name}_{number}") in taken:
-                number += 1
-            counts[name] = number
-            taken.add(chosen)
-        seen.add(name)
-        result.append(chosen)
+        unique, suffix = name, next_suffixes.get(name, 0)
+        if suffix:
+            while (unique := f"{name}_{suffix}") in taken:
+                suffix += 1
+            taken.add(unique)
+        next_suffixes[name] = suffix + 1
+        result.append(unique)
     return result
 
 

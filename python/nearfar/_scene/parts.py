@@ -14,6 +14,7 @@ from nearfar._camera.shot import Shot, check_begin, check_request
 from nearfar._scene.arrays import triangle_mask
 
 if TYPE_CHECKING:
+    from nearfar._core import GpuDevice, GpuJob, Scene as CoreScene
     from nearfar._scene.levels import LevelTable
     from nearfar._scene.names import Names
 
@@ -21,7 +22,7 @@ if TYPE_CHECKING:
 class InParts:
     """Mixin that creates scenes from parts of a scene."""
 
-    _core: _core.Scene
+    _core: CoreScene
     _names: Names
     _rest: NDArray[np.float64]
     _table: LevelTable | None
@@ -29,7 +30,7 @@ class InParts:
     if TYPE_CHECKING:
 
         def _derived(
-            self, core: _core.Scene, rest: NDArray[np.float64], table: LevelTable | None = None, **kept: Any
+            self, core: CoreScene, rest: NDArray[np.float64], table: LevelTable | None = None, **kept: Any
         ) -> Self: ...
 
     @property
@@ -95,17 +96,7 @@ class InParts:
     def touches(self, aabb: ArrayLike) -> bool:
         """Return False if no triangle touches a box; True may be a false alarm. It takes microseconds.
 
-        Parameters
-        ----------
-        aabb
-            Least and greatest corner (2, 3), world, metres. The sides belong to the box and may be infinite.
-
-        Raises
-        ------
-        ValueError
-            A box with NaN or with a least corner above the greatest.
-        TypeError
-            Values that are not numbers.
+        The box is as in `query`; ValueError and TypeError, too.
         """
         least, greatest = check.box("aabb", aabb).tolist()
         return self._core.touches(tuple(least), tuple(greatest))
@@ -120,7 +111,7 @@ class InParts:
 class InPictures:
     """Mixin that renders a scene exactly."""
 
-    _core: _core.Scene
+    _core: CoreScene
 
     @property
     def default_channels(self) -> tuple[str, ...]:
@@ -142,9 +133,7 @@ class InPictures:
         check_request(shot, report)
         return [_core.render_truth(self._core, camera._core, shot.settings, report=report) for camera in shot.cameras]
 
-    def begin(
-        self, device: _core.GpuDevice, shot: Shot, report: Callable[[int, int], None] | None = None
-    ) -> list[_core.GpuJob]:
+    def begin(self, device: GpuDevice, shot: Shot, report: Callable[[int, int], None] | None = None) -> list[GpuJob]:
         """Begin the pictures of a shot on a graphics device, one for each camera.
 
         Pictures of two cameras are drawn in one pass if the adapter supports it.

@@ -38,10 +38,9 @@ class _Collector(logging.Handler):
 
     def emit(self, record: logging.LogRecord) -> None:
         messages = _silent.get(threading.get_ident())
-        if messages is None:
-            if _LOGGER.parent is not None:
-                _LOGGER.parent.callHandlers(record)
-        elif record.levelno >= logging.WARNING:
+        if messages is None and _LOGGER.parent is not None:
+            _LOGGER.parent.callHandlers(record)
+        elif messages is not None and record.levelno >= logging.WARNING:
             messages.append(record.getMessage().partition("\n")[0])
 
 

@@ -11,8 +11,7 @@ from nearfar._base.errors import SceneError, UnusableError
 from nearfar._base.settings import gather
 from nearfar._scene.options import LoadKeywords, LoadOptions
 from nearfar._scene.scene import Scene
-from nearfar._scene.tileset.read import is_tileset
-from nearfar._scene.tileset.tileset import KINDS, Tileset, suffix
+from nearfar._scene.tileset.tileset import KINDS, Tileset, is_tileset, suffix
 from nearfar._source.files import FootprintFile, TilesetSource
 from nearfar._source.protocol import SceneSource
 from nearfar._source.tile_index import DOCUMENT

@@ -1,4 +1,4 @@
-"""Reads a glTF file's buffers and images, and the arrays that its accessors describe."""
+"""Reads a glTF file's buffers, compressed by meshoptimizer or not, its images, and the arrays of its accessors."""
 
 from __future__ import annotations
 
@@ -11,11 +11,12 @@ from urllib.parse import unquote, unquote_to_bytes
 import numpy as np
 from numpy.typing import NDArray
 
+from nearfar import _core
 from nearfar._base import check
-from nearfar._base.errors import UnusableError
+from nearfar._base.errors import SceneError, UnusableError
 from nearfar._base.glb import entry
 from nearfar._scene.budget import Budget, TooLargeError
-from nearfar._scene.gltf import ktx2, meshopt
+from nearfar._scene.gltf import ktx2
 from nearfar._scene.undrawn import EncodedImage, TextureSource
 
 COMPONENTS: dict[int, type[np.generic]] = {
@@ -39,6 +40,9 @@ _SIGNATURES = {
     (b"\0\0\0", b"ftyp"): "image/avif",
 }
 """Media types of images by their first bytes, and bytes within bytes 4 to 12."""
+
+MESHOPT = ("EXT_meshopt_compression", "KHR_meshopt_compression")
+"""Extensions that compress buffer views; the second one adds a filter and a codec version to the first one."""
 
 _SAMPLER = ("magFilter", "minFilter", "wrapS", "wrapT")
 
@@ -127,7 +131,7 @@ class Buffers:
     def blob(self, view: int) -> bytes:
         """Bytes of a buffer view; each range is copied once."""
         described = entry(self._header, "bufferViews", view)
-        key = _range(meshopt.stream(described) or described)
+        key = _range(_stream(described) or described)
         if key not in self._blobs:
             data = self.view(view)
             self._budget.hold(len(data))
@@ -137,22 +141,22 @@ class Buffers:
     def view(self, number: int) -> memoryview:
         """Bytes of a buffer view; uncompressed data are preferred to a compressed copy."""
         described = entry(self._header, "bufferViews", number)
-        stream = meshopt.stream(described)
+        stream = _stream(described)
         if stream is None or not self.is_packed(number):
             return self._bytes(*_range(described))
         if number not in self._decoded:
             data = self._bytes(*_range(stream))
-            self._decoded[number] = meshopt.decoded(number, described, stream, data, self._budget)
+            self._decoded[number] = _decoded(number, described, stream, data, self._budget)
         return self._decoded[number]
 
     def is_packed(self, view: int) -> bool:
         """Whether a view's data must be decoded."""
         described = entry(self._header, "bufferViews", view)
-        if meshopt.stream(described) is None:
+        if _stream(described) is None:
             return False
         number = described["buffer"]
         buffer = entry(self._header, "buffers", number)
-        return meshopt.is_placeholder(buffer, number, has_binary=bool(self._binary))
+        return _is_placeholder(buffer, number, has_binary=bool(self._binary))
 
     def _bytes(self, buffer: int, start: int, length: int) -> memoryview:
         data = self.whole(buffer)
@@ -230,3 +234,38 @@ def component(described: dict[str, Any]) -> np.dtype[Any]:
     if described["componentType"] not in COMPONENTS:
         raise UnusableError(f"its accessors have the unknown type {check.shortened(described['componentType'])}")
     return np.dtype(COMPONENTS[described["componentType"]])
+
+
+def _stream(view: dict[str, Any]) -> dict[str, Any] | None:
+    """The extension's entry of a view, with place and layout of the compressed bytes; None without the extension."""
+    extensions = view.get("extensions", {})
+    found: dict[str, Any] | None = next((extensions[name] for name in MESHOPT if name in extensions), None)
+    return found
+
+
+def _is_placeholder(buffer: dict[str, Any], number: int, *, has_binary: bool) -> bool:
+    """Whether a buffer is only a placeholder for decoded bytes."""
+    is_fallback = any(buffer.get("extensions", {}).get(name, {}).get("fallback") for name in MESHOPT)
+    return "uri" not in buffer and (is_fallback or number > 0 or not has_binary)
+
+
+def _decoded(
+    number: int, view: dict[str, Any], described: dict[str, Any], data: memoryview, budget: Budget
+) -> memoryview:
+    """Decode a view's compressed bytes, whose layout its extension's entry `described` states.
+
+    The view and its number are for error messages; `budget` counts the decoded bytes before they are allocated.
+    """
+    count, stride = int(described["count"]), int(described["byteStride"])
+    if count < 0 or stride < 0:
+        raise UnusableError(f"its buffer view {number} has {count} rows of {stride} bytes")
+    if view.get("byteStride", stride) != stride:
+        raise UnusableError(f"its buffer view {number} has rows of {view['byteStride']} bytes, and {stride} compressed")
+    budget.take(count * stride)
+    try:
+        words = _core.decode_meshopt(
+            np.frombuffer(data, np.uint8), count, stride, described["mode"], described.get("filter", "NONE")
+        )
+    except (SceneError, ValueError) as error:
+        raise UnusableError(f"its buffer view {number} cannot be decoded: {error}") from None
+    return words.view(np.uint8)[: count * stride].data

@@ -8,9 +8,8 @@ from nearfar._base.errors import UnusableError
 from nearfar._base.glb import entry
 from nearfar._scene.coordinates import TRANSFORM
 from nearfar._scene.gltf import draco
-from nearfar._scene.gltf.buffers import IMAGE_EXTENSIONS
+from nearfar._scene.gltf.buffers import IMAGE_EXTENSIONS, MESHOPT
 from nearfar._scene.gltf.ktx2 import BASISU
-from nearfar._scene.gltf.meshopt import MESHOPT
 from nearfar._scene.gltf.nodes import INSTANCING
 from nearfar._scene.undrawn import EXTENSIONS
 

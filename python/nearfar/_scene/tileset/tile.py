@@ -24,32 +24,25 @@ class Source:
     """Names of the documents that refer to it, outermost first."""
 
 
+@dataclass(slots=True, eq=False, repr=False)
 class Tile(ABC):
-    """A tile of a tileset; its children are made on demand.
+    """A tile of a tileset; its children are made on demand."""
 
-    `source` is the document that states it, `transform` the transform tile→tileset (4, 4), float64. `error` is the
-    geometric error in metres: how far its content deviates from the world if its children are not shown. The children
-    replace its content if `replaces`, otherwise they are added to it. The document states no tiles below a leaf. A tile
-    that `refers` only refers to tiles described elsewhere, so that its children are always shown.
-    """
-
-    __slots__ = ("_children", "error", "has_content", "is_leaf", "parent", "refers", "replaces", "source", "transform")
-
-    def __init__(
-        self,
-        source: Source,
-        error: float,
-        replaces: bool,
-        transform: Floats,
-        *,
-        has_content: bool,
-        is_leaf: bool,
-        refers: bool = False,
-    ) -> None:
-        self.source, self.error, self.replaces, self.transform = source, error, replaces, transform
-        self.has_content, self.is_leaf, self.refers = has_content, is_leaf, refers
-        self.parent: Tile | None = None
-        self._children: list[Tile] | None = None
+    source: Source
+    """Document that states it."""
+    error: float
+    """Geometric error, metres: how far its content deviates from the world if its children are not shown."""
+    replaces: bool
+    """Whether its children replace its content; otherwise they are added to it."""
+    transform: Floats
+    """Tile→tileset (4, 4), float64."""
+    has_content: bool
+    is_leaf: bool
+    """Whether the document states no tiles below it."""
+    refers: bool = False
+    """Whether it only refers to tiles described elsewhere, so that its children are always shown."""
+    parent: Tile | None = None
+    _children: list[Tile] | None = None
 
     @property
     @abstractmethod
