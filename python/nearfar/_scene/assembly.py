@@ -100,8 +100,8 @@ class Assembly:
         for name, image in (("texture", texture), ("emission_texture", emission_texture)):
             if image is not None:
                 texture_of(name, image)
-        glow = (light[0].item(), light[1].item(), light[2].item())
-        return self._materials.add(BaseColor((red, green, blue, alpha), texture, cutoff, glow, emission_texture, unlit))
+        rgb = (light[0].item(), light[1].item(), light[2].item())
+        return self._materials.add(BaseColor((red, green, blue, alpha), texture, cutoff, rgb, emission_texture, unlit))
 
     def mesh(
         self,

@@ -214,19 +214,19 @@ def _repair(shape: Shape) -> tuple[str, int]:
     flaws = []
     # Coordinates beyond float32's range count as infinite. NaN propagates through min and max and fails the comparison.
     limit = np.finfo(np.float32).max
-    bad = np.zeros(0, bool)
+    is_infinite = np.zeros(0, bool)
     if vertices.size and not (vertices.min() >= -limit and vertices.max() <= limit):
-        bad = np.asarray(~(np.abs(vertices) <= limit).all(axis=1))
-        flaws.append(f"{count(int(bad.sum()), 'vertex', 'vertices')} with coordinates that are not finite")
+        is_infinite = np.asarray(~(np.abs(vertices) <= limit).all(axis=1))
+        flaws.append(f"{count(int(is_infinite.sum()), 'vertex', 'vertices')} with coordinates that are not finite")
     if faces.size and (int(faces.min()) < 0 or int(faces.max()) >= len(vertices)):
-        outside = ((faces < 0) | (faces >= len(vertices))).any(axis=1)
-        flaws.append(f"{count(int(outside.sum()), 'face')} with vertices that do not exist")
+        is_damaged = ((faces < 0) | (faces >= len(vertices))).any(axis=1)
+        flaws.append(f"{count(int(is_damaged.sum()), 'face')} with vertices that do not exist")
     if not flaws:
         return "", 0
     keep = np.asarray(((faces >= 0) & (faces < len(vertices))).all(axis=1))
-    if bad.any():
-        keep[keep] = ~bad[faces[keep]].any(axis=1)
-        shape.vertices = np.where(bad[:, None], 0, vertices)
+    if is_infinite.any():
+        keep[keep] = ~is_infinite[faces[keep]].any(axis=1)
+        shape.vertices = np.where(is_infinite[:, None], 0, vertices)
     shape.faces = faces[keep]
     if shape.face_material is not None:
         shape.face_material = shape.face_material[keep]
@@ -251,8 +251,8 @@ def _add(builder: Assembly, shape: Shape) -> int:
 
 def _finite(normals: NDArray[Any]) -> NDArray[Any]:
     """Replace normals that are not finite by zeros: files with damaged normals stay usable."""
-    good = np.isfinite(normals).all(axis=1, keepdims=True)
-    return normals if good.all() else np.where(good, normals, 0)
+    is_finite = np.isfinite(normals).all(axis=1, keepdims=True)
+    return normals if is_finite.all() else np.where(is_finite, normals, 0)
 
 
 def _store(builder: Assembly, stored: Stored, placed: NDArray[np.bool_]) -> dict[str, int]:
@@ -278,4 +278,6 @@ def _cut_out(shapes: Iterable[Shape], stored: Stored | None) -> Stored | None:
 
     for shape in shapes:
         shape.materials = cut_out(shape.materials)
-    return None if stored is None else stored.with_materials([cut_out(one.materials) for one in stored.surfaces])
+    if stored is None:
+        return None
+    return stored.with_materials([cut_out(surface.materials) for surface in stored.surfaces])

@@ -58,15 +58,16 @@ def from_texture_info(info: dict[str, Any]) -> Coordinates:
     transform = object_of(object_of(info, "extensions"), TRANSFORM)
     number = transform.get("texCoord", info.get("texCoord", 0))
     number = number if type(number) is int and number >= 0 else 0
-    (u, v), angle, (wide, high) = (_DEFAULTS | _stated(transform)).values()
+    (u, v), angle, (scale_u, scale_v) = (_DEFAULTS | _valid_parts(transform)).values()
     cosine, sine = math.cos(angle), math.sin(angle)
-    return Coordinates(number, np.array([[cosine * wide, sine * high, u], [-sine * wide, cosine * high, v]]))
+    rows = [[cosine * scale_u, sine * scale_v, u], [-sine * scale_u, cosine * scale_v, v]]
+    return Coordinates(number, np.array(rows))
 
 
 _DEFAULTS: dict[str, Any] = {"offset": [0.0, 0.0], "rotation": 0.0, "scale": [1.0, 1.0]}
 
 
-def _stated(transform: Mapping[str, Any]) -> dict[str, Any]:
+def _valid_parts(transform: Mapping[str, Any]) -> dict[str, Any]:
     """Valid parts of a transform."""
     return numbers_of(transform, {"offset": 2, "rotation": 1, "scale": 2})
 
@@ -121,30 +122,30 @@ def relative(info: dict[str, Any], base: Coordinates) -> dict[str, Any] | None:
 
     The extension scales, rotates, then translates; not every product of one with the inverse of another has that form.
     """
-    own = from_texture_info(info)
-    if own.number != base.number:
+    target = from_texture_info(info)
+    if target.number != base.number:
         return None
     if base.is_plain:
-        return _stated(object_of(object_of(info, "extensions"), TRANSFORM))
-    if np.array_equal(own.matrix, base.matrix):
+        return _valid_parts(object_of(object_of(info, "extensions"), TRANSFORM))
+    if np.array_equal(target.matrix, base.matrix):
         return {}
-    before = np.vstack([base.matrix, [0, 0, 1]])
-    if abs(np.linalg.det(before)) <= _EXACT * np.abs(base.matrix[:, :2]).max() ** 2:
+    square_base = np.vstack([base.matrix, [0, 0, 1]])
+    if abs(np.linalg.det(square_base)) <= _EXACT * np.abs(base.matrix[:, :2]).max() ** 2:
         return None
-    product = own.matrix @ np.linalg.inv(before)
+    product = target.matrix @ np.linalg.inv(square_base)
     size = np.abs(product[:, :2]).max()
     return _parts(np.where(np.abs(product) <= _EXACT * max(size, 1), 0.0, product))
 
 
 def _parts(matrix: NDArray[np.float64]) -> dict[str, Any] | None:
     """Offset, rotation and scale of a transform (2, 3); None if its axes are not perpendicular."""
-    first, second, offset = matrix.T
-    wide, high = float(np.hypot(*first)), float(np.hypot(*second))
-    if not math.isfinite(wide * high) or abs(first @ second) > 1e-9 * wide * high:
+    u_axis, v_axis, offset = matrix.T
+    scale_u, scale_v = float(np.hypot(*u_axis)), float(np.hypot(*v_axis))
+    if not math.isfinite(scale_u * scale_v) or abs(u_axis @ v_axis) > 1e-9 * scale_u * scale_v:
         return None
     # The first column is wide · (cos, −sin), the second one high · (sin, cos).
-    angle = math.atan2(-first[1], first[0]) if wide else math.atan2(second[0], second[1])
+    angle = math.atan2(-u_axis[1], u_axis[0]) if scale_u else math.atan2(v_axis[0], v_axis[1])
     if np.linalg.det(matrix[:, :2]) < 0:
-        high = -high
-    parts: dict[str, Any] = {"offset": offset.tolist(), "rotation": angle, "scale": [wide, high]}
+        scale_v = -scale_v
+    parts: dict[str, Any] = {"offset": offset.tolist(), "rotation": angle, "scale": [scale_u, scale_v]}
     return {key: value for key, value in parts.items() if value != _DEFAULTS[key]}

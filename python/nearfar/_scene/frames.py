@@ -51,9 +51,9 @@ def local_to_earth(longitude: float, latitude: float, height: float = 0.0) -> ND
 
     The frame is nearfar's: x east, y up along the ellipsoid's normal, z south; its origin is the given place, radians.
     """
-    place = np.array([longitude, latitude, height], np.float64)
-    east, north, up = east_north_up(place).T
-    return np.vstack([np.column_stack([east, up, -north, earth_centred(place)]), [0.0, 0, 0, 1]])
+    origin = np.array([longitude, latitude, height], np.float64)
+    east, north, up = east_north_up(origin).T
+    return np.vstack([np.column_stack([east, up, -north, earth_centred(origin)]), [0.0, 0, 0, 1]])
 
 
 def east_north_up(places: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -317,8 +317,8 @@ def _downwards(uvs: NDArray[np.float32]) -> dict[str, NDArray[np.float32]]:
     """Attributes for texture coordinates, from which `_upwards` restores the same bits."""
     flipped = np.column_stack([uvs[:, 0], np.float32(1) - uvs[:, 1]])
     attributes = {"TEXCOORD_0": flipped}
-    again = np.float32(1) - flipped[:, 1]
-    if not np.array_equal(again.view(np.uint32), np.ascontiguousarray(uvs[:, 1]).view(np.uint32)):
+    restored_v = np.float32(1) - flipped[:, 1]
+    if not np.array_equal(restored_v.view(np.uint32), np.ascontiguousarray(uvs[:, 1]).view(np.uint32)):
         attributes[_EXACT_V] = np.ascontiguousarray(uvs[:, 1:])
     return attributes
 
@@ -334,6 +334,6 @@ def _upwards(attributes: dict[str, NDArray[Any]]) -> NDArray[np.float32] | None:
 def _linear(colors: NDArray[np.uint8]) -> NDArray[np.uint16]:
     """Convert sRGB to 16-bit linear colours for glTF, losslessly: 8-bit steps are at least 20 16-bit steps apart."""
     table = np.rint(to_linear(np.arange(256) / 255) * 65535).astype(np.uint16)
-    wide = table[colors]
-    wide[:, 3] = colors[:, 3].astype(np.uint16) * 257
-    return wide
+    linear_colors = table[colors]
+    linear_colors[:, 3] = colors[:, 3].astype(np.uint16) * 257
+    return linear_colors

@@ -93,9 +93,9 @@ class SurfaceWriter:
         self._used |= set(material.get("extensions", {}))
         material = _sorted(material)
         self._link(material, undrawn.textures)
-        glow = int(parts["material_emission_textures"][number])
-        if undrawn is _PLAIN and glow >= 0:
-            return _sorted(material | {MAP: {"index": self._base_texture(glow, "")}})
+        emission_texture = int(parts["material_emission_textures"][number])
+        if undrawn is _PLAIN and emission_texture >= 0:
+            return _sorted(material | {MAP: {"index": self._base_texture(emission_texture, "")}})
         return material
 
     def _link(self, value: dict[str, Any], textures: tuple[TextureSource, ...]) -> None:
@@ -132,8 +132,8 @@ class SurfaceWriter:
             self._used.add(name)
             self._required.add(name)
         if sampler:
-            texture["sampler"] = _place(self._samplers, json.loads(sampler))
-        return _place(self._textures, texture)
+            texture["sampler"] = _index_of(self._samplers, json.loads(sampler))
+        return _index_of(self._textures, texture)
 
 
 def _sorted(material: dict[str, Any]) -> dict[str, Any]:
@@ -141,7 +141,7 @@ def _sorted(material: dict[str, Any]) -> dict[str, Any]:
     return json.loads(json.dumps(material, sort_keys=True))  # type: ignore[no-any-return]
 
 
-def _place(entries: list[dict[str, Any]], entry: dict[str, Any]) -> int:
+def _index_of(entries: list[dict[str, Any]], entry: dict[str, Any]) -> int:
     """Return the index of an entry in a list; append it if it is missing."""
     if entry not in entries:
         entries.append(entry)
@@ -164,7 +164,7 @@ def read(reader: glb.Reader, *, upright: bool) -> tuple[dict[str, Any], dict[int
     # Images of early versions have row 0 at the bottom.
     emissions = _Emissions(files if upright else [], len(images))
     rows = []
-    for surface, source, material, one in zip(surfaces, sources, materials, undrawn, strict=True):
+    for surface, source, material, gltf in zip(surfaces, sources, materials, undrawn, strict=True):
         color = surface.get("baseColorFactor", (1.0, 1.0, 1.0, 1.0))
         cutoff = material.get("alphaCutoff", 0.5) if material.get("alphaMode") == "MASK" else None
         if not (np.array(color).shape == (4,) and all(0 <= part <= 1 for part in color)):
@@ -172,20 +172,20 @@ def read(reader: glb.Reader, *, upright: bool) -> tuple[dict[str, Any], dict[int
         if cutoff is not None and not abs(cutoff) <= MAX_CUTOFF:
             raise ValueError(f"expected alpha cutoffs up to {MAX_CUTOFF:g}")
         texture = NO_TEXTURE if source is None else images.index(source)
-        light, emission_texture = emissions.light_and_texture(one)
-        unlit, tag = (False, 0) if one is None else (is_unlit(one.material), one.tag)
+        light, emission_texture = emissions.light_and_texture(gltf)
+        unlit, tag = (False, 0) if gltf is None else (is_unlit(gltf.material), gltf.tag)
         rows.append(Material(color, texture, cutoff, light, emission_texture, unlit, tag))
     textures = [_texels(file.data, upright=upright) for file in files] + emissions.textures
-    return surface_arguments(rows, textures), {one.tag: one for one in undrawn if one is not None}
+    return surface_arguments(rows, textures), {gltf.tag: gltf for gltf in undrawn if gltf is not None}
 
 
 class _Emissions:
     """Textures of materials' emission: known images keep their index, others are numbered from `first` on."""
 
-    def __init__(self, known: Sequence[EncodedImage], first: int) -> None:
+    def __init__(self, images: Sequence[EncodedImage], first: int) -> None:
         self.textures: list[NDArray[np.uint8]] = []
         self._first = first
-        self._numbers = {image: number for number, image in enumerate(known)}
+        self._numbers = {image: number for number, image in enumerate(images)}
 
     def light_and_texture(self, undrawn: GltfMaterial | None) -> tuple[Light, int]:
         """Emission of a material, and the index of its texture; −1 for none."""
@@ -208,19 +208,19 @@ class _Emissions:
 
 def _source(document: dict[str, Any], texture: int) -> int:
     """Index of a texture's image."""
-    described = glb.entry(document, "textures", texture)
-    entry = described if "source" in described else next(iter(described["extensions"].values()))
+    texture_entry = glb.entry(document, "textures", texture)
+    entry = texture_entry if "source" in texture_entry else next(iter(texture_entry["extensions"].values()))
     return entry["source"]  # type: ignore[no-any-return]
 
 
 def _image(reader: glb.Reader, number: int) -> EncodedImage:
-    described = glb.entry(reader.document, "images", number)
-    return EncodedImage(bytes(reader.bytes(described["bufferView"])), str(described["mimeType"]))
+    image_entry = glb.entry(reader.document, "images", number)
+    return EncodedImage(bytes(reader.bytes(image_entry["bufferView"])), str(image_entry["mimeType"]))
 
 
 def _texture(reader: glb.Reader, number: int) -> TextureSource:
-    described = glb.entry(reader.document, "textures", number)
-    sampler = glb.entry(reader.document, "samplers", described["sampler"]) if "sampler" in described else None
+    texture_entry = glb.entry(reader.document, "textures", number)
+    sampler = glb.entry(reader.document, "samplers", texture_entry["sampler"]) if "sampler" in texture_entry else None
     image = _image(reader, _source(reader.document, number))
     if image.media_type not in (*_PLAIN_KINDS, *_KIND_EXTENSIONS):
         raise ValueError(f"expected images of known kinds, got {image.media_type!r}")

@@ -168,7 +168,7 @@ def check_levels(
         if id(model) not in distinct:
             _check_model(f"models['{names.as_tuple[number]}']", model)
             distinct[id(model)] = model
-    rank = {key: place for place, key in enumerate(distinct)}
+    rank = {key: position for position, key in enumerate(distinct)}
     index = np.array([rank[id(model)] for model in models], np.int64)
     flat = np.linalg.matrix_rank(frames[:, :3, :3]) < 3 if len(frames) else np.zeros(0, bool)
     if flat.any():
@@ -185,8 +185,8 @@ def _placing(frames: NDArray[np.float64], level_frames: NDArray[np.float64]) -> 
     solved = np.linalg.solve(level_frames.transpose(0, 2, 1), frames.transpose(0, 2, 1))
     placing = np.array(solved.transpose(0, 2, 1), np.float64)
     placing[:, 3] = (0, 0, 0, 1)
-    same = (frames == level_frames).all(axis=(1, 2))
-    placing[same] = np.eye(4)
+    is_same = (frames == level_frames).all(axis=(1, 2))
+    placing[is_same] = np.eye(4)
     return placing
 
 
@@ -222,9 +222,9 @@ def levels_of(argument: str, levels: ArrayLike | Mapping[str, int], leveled: Lev
         expected = f"one for each of {len(leveled)} objects with levels"
         raise ValueError(f"{argument}: expected {expected}, got shape {rows.shape}")
     counts = leveled.level_counts
-    wrong = np.flatnonzero((rows < -1) | (rows >= counts))
-    if len(wrong):
-        row = wrong[0]
+    wrong_rows = np.flatnonzero((rows < -1) | (rows >= counts))
+    if len(wrong_rows):
+        row = wrong_rows[0]
         raise ValueError(f"{argument}: expected -1 to {counts[row] - 1} for '{leveled.names[row]}', got {rows[row]}")
     return rows
 
@@ -237,8 +237,8 @@ def with_levels(
     A scene is given and returned as its core, the load placements of its moving instances, and its levels. It has
     `objects` objects.
     """
-    chosen = np.zeros(objects, bool)
-    chosen[new.numbers] = True
+    has_new_levels = np.zeros(objects, bool)
+    has_new_levels[new.numbers] = True
     owner = core.moving_objects()
     placed, moves = _placements(core, rest, new)
     core, pieces = _core.with_surfaces(core, [level.scene._core for model in new.models for level in model.levels])
@@ -246,7 +246,7 @@ def with_levels(
     table, row = _table(before, objects, new, rows)
     order = np.argsort(moves, kind="stable")
     core = _core.with_instances(
-        core.without_objects(chosen),
+        core.without_objects(has_new_levels),
         [table.meshes[number][0] for number in row[order]],
         placed[order],
         new.numbers[order].astype(np.int32),
@@ -254,7 +254,7 @@ def with_levels(
     )
     loaded = new.frames[order[moves[order]], :3].copy()
     loaded[:, :, 3] -= np.array(core.origin)
-    return core, np.concatenate([rest[~chosen[owner]], loaded]), table
+    return core, np.concatenate([rest[~has_new_levels[owner]], loaded]), table
 
 
 def _placements(
@@ -266,11 +266,11 @@ def _placements(
     owner, first = np.unique(core.moving_objects(), return_index=True)
     moves = np.isin(new.numbers, owner)
     instance = first[np.searchsorted(owner, new.numbers[moves])]
-    now, then = (square(rows[instance]) for rows in (core.moving_placements(), rest))
-    moved = (now != then).any(axis=(1, 2))
-    at = np.flatnonzero(moves)[moved]
+    present, loaded = (square(rows[instance]) for rows in (core.moving_placements(), rest))
+    has_moved = (present != loaded).any(axis=(1, 2))
+    moved_rows = np.flatnonzero(moves)[has_moved]
     # An object's mesh moved from `then` to `now`, so its levels' placement is now · then⁻¹ · (load placement).
-    placed[at] = (now[moved] @ np.linalg.solve(then[moved], square(placed[at])))[:, :3]
+    placed[moved_rows] = (present[has_moved] @ np.linalg.solve(loaded[has_moved], square(placed[moved_rows])))[:, :3]
     return placed, moves
 
 
@@ -291,8 +291,8 @@ def _table(
     for model in np.unique(new.index[mirrored]).tolist():
         row[mirrored & (new.index == model)] = len(meshes) + len(rows)
         rows = [*rows, tuple(mesh.flip_faces() for mesh in rows[model])]
-    none = np.full(objects, -1, np.int32)
-    model_of, row_of = (none, none.copy()) if before is None else (before.model_of.copy(), before.row_of.copy())
+    empty = np.full(objects, -1, np.int32)
+    model_of, row_of = (empty, empty.copy()) if before is None else (before.model_of.copy(), before.row_of.copy())
     model_of[new.numbers], row_of[new.numbers] = new.index + len(models), row
     meshes = (*meshes, *rows)
     core = _core.Levels([list(levels) for levels in meshes])

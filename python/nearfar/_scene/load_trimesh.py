@@ -43,8 +43,8 @@ def read(label: str, loaded: trimesh.Trimesh | trimesh.Scene, materials: Materia
     fresh, materials = materials is not None, materials or Materials()
     meshes = {name: mesh for name, mesh in loaded.geometry.items() if isinstance(mesh, trimesh.Trimesh)}
     shapes = {name: _shape(mesh, materials, fresh=fresh) for name, mesh in meshes.items()}
-    other = len(loaded.geometry) - len(shapes)
-    notes = [f"{count(other, 'geometry', 'geometries')} without triangles ignored"] if other else []
+    other_count = len(loaded.geometry) - len(shapes)
+    notes = [f"{count(other_count, 'geometry', 'geometries')} without triangles ignored"] if other_count else []
     notes += _unused_properties(meshes.values())
     units = [str(mesh.units or "") for mesh in meshes.values()]
     return Content(label, shapes, _nodes(loaded, shapes), notes, units=units)
@@ -64,8 +64,8 @@ def _unused_properties(meshes: Iterable[trimesh.Trimesh]) -> list[str]:
     """Notes on ignored properties of PLY files."""
     elements = [item for mesh in meshes for item in mesh.metadata.get("_ply_raw", {}).items()]
     unused = {
-        element: [name for name in described["properties"] if name not in _PLY_PROPERTIES.get(element, ())]
-        for element, described in elements
+        element: [name for name in element_entry["properties"] if name not in _PLY_PROPERTIES.get(element, ())]
+        for element, element_entry in elements
     }
     return [f"{element} property {name} ignored" for element, names in unused.items() for name in names]
 

@@ -91,14 +91,14 @@ def _library(names: list[str], resolver: Any) -> tuple[dict[str, Any], list[str]
     for name in names:
         try:
             text = resolver.get(name)
-            described = parse_mtl(text, resolver=resolver)
-            for entries in described.values():
+            material_entries = parse_mtl(text, resolver=resolver)
+            for entries in material_entries.values():
                 _add_emission(entries, resolver)
-            read = {key: SimpleMaterial(**entries) for key, entries in described.items()}
+            new_materials = {key: SimpleMaterial(**entries) for key, entries in material_entries.items()}
         except Exception:  # resolvers, trimesh and Pillow may raise any type
             notes.append(f"material file {check.shortened(name)} cannot be read, drawn without it")
             continue
-        library = read | library
+        library = new_materials | library
         for texture in dict.fromkeys(_TEXTURE.findall(text)):
             file = texture.decode(errors="replace").rstrip()
             try:

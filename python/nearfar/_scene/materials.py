@@ -210,11 +210,11 @@ class Materials:
             cutoff = min(max(cutoff, -MAX_CUTOFF), MAX_CUTOFF)
         described = described or _gltf_entry(material)
         undrawn, differences = undrawn_parts.of_gltf(described.material, described.texture)
-        light, glow, lost = self._emission(undrawn, material.emissiveTexture)
+        light, light_map, light_notes = self._emission(undrawn, material.emissiveTexture)
         unlit = undrawn is not None and is_unlit(undrawn.material)
-        notes += differences + lost
+        notes += differences + light_notes
         blend = "blending" if mode == "BLEND" else ""
-        return BaseColor(factor, texture, cutoff, light, glow, unlit, notes, undrawn, blend)
+        return BaseColor(factor, texture, cutoff, light, light_map, unlit, notes, undrawn, blend)
 
     def _emission(
         self, undrawn: GltfMaterial | None, image: Any
@@ -231,9 +231,9 @@ class Materials:
         diffuse, entries = tuple(int(c) for c in material.diffuse), material.kwargs
         image = getattr(material, "image", None)
         texture, notes = self._texture(None if _is_placeholder(image) else image)
-        glowing = entries.get(wavefront_materials.EMISSION_IMAGE)
-        described = wavefront_materials.as_gltf(entries)
-        undrawn, differences = undrawn_parts.of_gltf(described, lambda _: _encoded(glowing))
+        emission_image = entries.get(wavefront_materials.EMISSION_IMAGE)
+        gltf = wavefront_materials.as_gltf(entries)
+        undrawn, differences = undrawn_parts.of_gltf(gltf, lambda _: _encoded(emission_image))
         notes += (*differences, *wavefront_materials.losses(entries))
         alpha = min(diffuse[3] / 255, wavefront_materials.opacity(entries))
         blend = "transparency" if alpha < 1.0 else ""
@@ -241,8 +241,9 @@ class Materials:
             red, green, blue, _ = UNCOLORED.factor if texture is not None else PLAIN.factor
         else:
             red, green, blue = (float(c) for c in to_linear(np.array(diffuse[:3]) / 255))
-        light, glow, lost = self._emission(undrawn, glowing)
-        return BaseColor((red, green, blue, alpha), texture, None, light, glow, False, notes + lost, undrawn, blend)
+        light, light_map, light_notes = self._emission(undrawn, emission_image)
+        notes += light_notes
+        return BaseColor((red, green, blue, alpha), texture, None, light, light_map, False, notes, undrawn, blend)
 
     def _texture(self, image: Any) -> tuple[NDArray[np.uint8] | None, tuple[str, ...]]:
         if image is None:

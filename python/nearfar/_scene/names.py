@@ -31,14 +31,14 @@ MAX_OBJECTS = (1 << 31) - 1
 
 def distinct(names: Sequence[str]) -> list[str]:
     """Make names distinct: the first of equal ones keeps its name, the others get unused number suffixes."""
-    taken, next_suffixes = set(names), dict[str, int]()
+    used_names, next_suffixes = set(names), dict[str, int]()
     result = []
     for name in names:
         unique, suffix = name, next_suffixes.get(name, 0)
         if suffix:
-            while (unique := f"{name}_{suffix}") in taken:
+            while (unique := f"{name}_{suffix}") in used_names:
                 suffix += 1
-            taken.add(unique)
+            used_names.add(unique)
         next_suffixes[name] = suffix + 1
         result.append(unique)
     return result

@@ -30,7 +30,7 @@ class InParts:
     if TYPE_CHECKING:
 
         def _derived(
-            self, core: CoreScene, rest: NDArray[np.float64], table: LevelTable | None = None, **kept: Any
+            self, core: CoreScene, rest: NDArray[np.float64], table: LevelTable | None = None, **changes: Any
         ) -> Self: ...
 
     @property
@@ -54,8 +54,8 @@ class InParts:
             Unknown names, triangle numbers out of range, both arguments or none.
         """
         if (objects is None) == (triangles is None):
-            got = "none" if objects is None else "both"
-            raise ValueError(f"subset: expected either objects or triangles, got {got}")
+            count = "none" if objects is None else "both"
+            raise ValueError(f"subset: expected either objects or triangles, got {count}")
         owner = self._core.moving_objects()
         if objects is not None:
             flags = self._names.flags("objects", objects)

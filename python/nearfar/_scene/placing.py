@@ -167,13 +167,13 @@ class Placements:
             raise ValueError(f"vertices: expected coordinates within ±1e30 m, got {reach:g} m")
         return origin_for(bounds)
 
-    def _bounds(self, chosen: NDArray[np.bool_], boxes: NDArray[np.float64]) -> NDArray[np.float64]:
+    def _bounds(self, is_used: NDArray[np.bool_], boxes: NDArray[np.float64]) -> NDArray[np.float64]:
         """Box (2, 3) of the chosen instances of meshes with boxes (M, 2, 3)."""
         # The sides of a rotated box are sums over its axes; they are exact if axes map to axes.
-        products = self.transform[chosen, None, :3, :3] * boxes[self.mesh[chosen]][:, :, None, :]
-        places = self.transform[chosen, :3, 3]
-        least = products.min(axis=1).sum(axis=-1) + places
-        greatest = products.max(axis=1).sum(axis=-1) + places
+        products = self.transform[is_used, None, :3, :3] * boxes[self.mesh[is_used]][:, :, None, :]
+        offsets = self.transform[is_used, :3, 3]
+        least = products.min(axis=1).sum(axis=-1) + offsets
+        greatest = products.max(axis=1).sum(axis=-1) + offsets
         return np.stack([least.min(axis=0), greatest.max(axis=0)])
 
     def copied_bytes(self, merged: NDArray[np.bool_], meshes: MeshList) -> int:

@@ -50,10 +50,10 @@ def frame_of(frames: Floats | None, number: int) -> Floats:
 def pose_of(core: _core.Scene, number: int, frame: Floats, rest: Floats) -> Floats:
     """Present object→world (4, 4) of an object, from its load transform and moving instances' load placements."""
     rows = np.flatnonzero(core.moving_objects() == number)[:1]
-    now, loaded = square(core.moving_placements()[rows]), square(rest[rows])
-    if np.array_equal(now, loaded):
+    present, loaded = square(core.moving_placements()[rows]), square(rest[rows])
+    if np.array_equal(present, loaded):
         return frame.copy()
-    now[:, :3, 3] += core.origin
+    present[:, :3, 3] += core.origin
     loaded[:, :3, 3] += core.origin
-    pose: Floats = now[0] @ np.linalg.solve(loaded[0], frame)
+    pose: Floats = present[0] @ np.linalg.solve(loaded[0], frame)
     return pose

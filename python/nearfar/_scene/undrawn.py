@@ -84,7 +84,7 @@ class GltfMaterial:
     @cached_property
     def tag(self) -> int:
         """Content hash from 1 to 2⁶⁴ − 1, by which kernels distinguish materials."""
-        textures = [(one.sampler, "" if one.image is None else one.image.digest) for one in self.textures]
+        textures = [(source.sampler, "" if source.image is None else source.image.digest) for source in self.textures]
         text = json.dumps([self.material, textures], sort_keys=True)
         return int.from_bytes(hashlib.blake2b(text.encode(), digest_size=8).digest()) or 1
 

@@ -21,7 +21,7 @@ def _from_srgb(srgb: tuple[float, float, float]) -> BaseColor:
 
 
 def _color(code: str) -> BaseColor:
-    red, green, blue = (int(code[at : at + 2], 16) / 255 for at in (1, 3, 5))
+    red, green, blue = (int(code[start : start + 2], 16) / 255 for start in (1, 3, 5))
     return _from_srgb((red, green, blue))
 
 
@@ -74,12 +74,12 @@ class Appearance:
         if textures := len(entry(appearance, "textures", list, "appearance.", [])):
             self.notes["texture", "not drawn"] = textures
 
-    def _color(self, item: Any, place: str) -> BaseColor:
-        material = typed(item, dict, place)
+    def _color(self, item: Any, json_path: str) -> BaseColor:
+        material = typed(item, dict, json_path)
         diffuse = material.get("diffuseColor")
-        values = numbers([0.8, 0.8, 0.8] if diffuse is None else diffuse, f"{place}.diffuseColor", None)
+        values = numbers([0.8, 0.8, 0.8] if diffuse is None else diffuse, f"{json_path}.diffuseColor", None)
         if values.shape != (3,):
-            raise UnusableError(f"{place}.diffuseColor: expected three numbers, got {len(values)}")
+            raise UnusableError(f"{json_path}.diffuseColor: expected three numbers, got {len(values)}")
         red, green, blue = values.clip(0, 1).tolist()
         color = _from_srgb((red, green, blue))
         transparency = material.get("transparency")
@@ -87,11 +87,11 @@ class Appearance:
         return replace(color, notes=("with transparency drawn opaque",)) if is_clear else color
 
     def colors(
-        self, geometry: dict[str, Any], boundaries: list[Any], depth: int, kind: str, place: str
+        self, geometry: dict[str, Any], boundaries: list[Any], depth: int, kind: str, prefix: str
     ) -> list[BaseColor]:
         """Colour of each surface of a geometry whose boundaries have `depth` levels of lists above surfaces."""
-        semantics = entry(geometry, "semantics", dict, place, {})
-        surfaces = entry(semantics, "surfaces", list, f"{place}semantics.", [])
+        semantics = entry(geometry, "semantics", dict, prefix, {})
+        surfaces = entry(semantics, "surfaces", list, f"{prefix}semantics.", [])
         types = [item.get("type") if isinstance(item, dict) else None for item in surfaces]
         class_colors = [color_of_surface(name if isinstance(name, str) else None, kind) for name in types]
         plain = color_of_surface(None, kind)
@@ -99,9 +99,9 @@ class Appearance:
         colors = [_index_or_default(class_colors, label, plain) for label in labels]
         if not self._materials:
             return colors
-        theme = self._theme_of(entry(geometry, "material", dict, place, {}))
-        one = theme.get("value")
-        labels = [one] * len(colors) if isinstance(one, int) else _labels(theme.get("values"), boundaries, depth)
+        theme = self._theme_of(entry(geometry, "material", dict, prefix, {}))
+        label = theme.get("value")
+        labels = [label] * len(colors) if isinstance(label, int) else _labels(theme.get("values"), boundaries, depth)
         return [_index_or_default(self._materials, label, color) for label, color in zip(labels, colors, strict=True)]
 
     def _theme_of(self, themes: dict[str, Any]) -> dict[str, Any]:
@@ -121,5 +121,5 @@ def _labels(values: Any, boundaries: list[Any], depth: int) -> list[int | None]:
     padded = [*parts[: len(boundaries)], *[None] * (len(boundaries) - len(parts))]
     if depth:
         pairs = zip(padded, boundaries, strict=True)
-        return [label for part, below in pairs for label in _labels(part, below, depth - 1)]
+        return [label for part, inner_boundaries in pairs for label in _labels(part, inner_boundaries, depth - 1)]
     return [part if isinstance(part, int) and not isinstance(part, bool) else None for part in padded]

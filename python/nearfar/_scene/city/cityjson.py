@@ -81,73 +81,73 @@ class _Reader:
             self._omissions["surface", "with rings of fewer than three corners left out"] += losses
         shapes = {name: shape for name, shape in shapes.items() if len(shape.faces)}
         used = [f"CityJSON {self._header['version']}", *self._system]
-        notes = [f"{count(number, noun)} {rest}" for (noun, rest), number in self._omissions.items()]
+        notes = [f"{count(number, noun)} {ending}" for (noun, ending), number in self._omissions.items()]
         return Content(self._label, shapes, Nodes.from_rows(nodes), self._levels.notes() + notes, used)
 
     def _read_part(self, part: dict[str, Any]) -> None:
-        place = "" if part is self._header else f"feature {check.shortened(part.get('id', ''))}: "
-        vertices = self._placed_vertices(numbers(entry(part, "vertices", list, place), f"{place}vertices", 3), place)
+        prefix = "" if part is self._header else f"feature {check.shortened(part.get('id', ''))}: "
+        vertices = self._placed_vertices(numbers(entry(part, "vertices", list, prefix), f"{prefix}vertices", 3), prefix)
         self._collector.vertices(vertices)
         objects = {
-            name: typed(item, dict, f"{place}CityObjects {check.shortened(name)}")
-            for name, item in entry(part, "CityObjects", dict, place).items()
+            name: typed(item, dict, f"{prefix}CityObjects {check.shortened(name)}")
+            for name, item in entry(part, "CityObjects", dict, prefix).items()
         }
         appearance = Appearance(part if "appearance" in part else self._header)
         for name, (number, geometry) in self._levels.select_geometries(objects, DRAWN):
-            place_of = f"CityObjects {check.shortened(name)}: geometry[{number}]"
+            json_path = f"CityObjects {check.shortened(name)}: geometry[{number}]"
             if geometry["type"] == _INSTANCE:
-                self._place(name, geometry, vertices, place_of)
+                self._place(name, geometry, vertices, json_path)
             else:
-                self._add(self._collector, Part(name, place_of), geometry, str(objects[name].get("type")), appearance)
+                self._add(self._collector, Part(name, json_path), geometry, str(objects[name].get("type")), appearance)
         self._omissions.update(appearance.notes)
 
     def _add(self, to: Collector, part: Part, geometry: dict[str, Any], kind: str, appearance: Appearance) -> None:
-        boundaries = entry(geometry, "boundaries", list, f"{part.place}.")
+        boundaries = entry(geometry, "boundaries", list, f"{part.json_path}.")
         depth = _DEPTHS[geometry["type"]]
-        surfaces = flattened(boundaries, depth, f"{part.place}.boundaries")
-        colors = appearance.colors(geometry, boundaries, depth, kind, f"{part.place}.")
-        to.add(Part(part.owner, f"{part.place}.boundaries"), surfaces, colors)
+        surfaces = flattened(boundaries, depth, f"{part.json_path}.boundaries")
+        colors = appearance.colors(geometry, boundaries, depth, kind, f"{part.json_path}.")
+        to.add(Part(part.owner, f"{part.json_path}.boundaries"), surfaces, colors)
 
-    def _placed_vertices(self, vertices: NDArray[np.float64], place: str) -> NDArray[np.float64]:
+    def _placed_vertices(self, vertices: NDArray[np.float64], prefix: str) -> NDArray[np.float64]:
         transform = entry(self._header, "transform", dict, "", {})
         for key in ("scale", "translate") if transform else ():
             row = numbers(entry(transform, key, list, "transform."), f"transform.{key}", None)
             if len(row) != 3:
                 raise UnusableError(f"transform.{key}: expected three numbers, got {len(row)}")
             vertices = vertices * row if key == "scale" else vertices + row
-        check_range(vertices, f"{place}vertices")
+        check_range(vertices, f"{prefix}vertices")
         return vertices
 
     def _read_templates(self) -> None:
         templates = entry(self._header, "geometry-templates", dict, "", {})
         if not templates:
             return
-        place = "geometry-templates."
+        prefix = "geometry-templates."
         self._templates.vertices(
-            numbers(entry(templates, "vertices-templates", list, place), f"{place}vertices-templates", 3)
+            numbers(entry(templates, "vertices-templates", list, prefix), f"{prefix}vertices-templates", 3)
         )
         appearance = Appearance(self._header)
-        for number, item in enumerate(entry(templates, "templates", list, place)):
-            geometry = typed(item, dict, f"{place}templates[{number}]")
-            part = Part(f"template {number}", f"{place}templates[{number}]")
+        for number, item in enumerate(entry(templates, "templates", list, prefix)):
+            geometry = typed(item, dict, f"{prefix}templates[{number}]")
+            part = Part(f"template {number}", f"{prefix}templates[{number}]")
             drawn = geometry.get("type") in _DEPTHS
             self._template_names.append(part.owner if drawn else None)
             if drawn:
                 self._add(self._templates, part, geometry, "", appearance)
 
-    def _place(self, name: str, geometry: dict[str, Any], vertices: NDArray[np.float64], place: str) -> None:
-        number = entry(geometry, "template", int, f"{place}.")
+    def _place(self, name: str, geometry: dict[str, Any], vertices: NDArray[np.float64], json_path: str) -> None:
+        number = entry(geometry, "template", int, f"{json_path}.")
         if not 0 <= number < len(self._template_names):
-            raise UnusableError(f"{place}.template: it names template {number} of {len(self._template_names)}")
-        boundaries = entry(geometry, "boundaries", list, f"{place}.")
-        vertex = typed(boundaries[0] if len(boundaries) == 1 else None, int, f"{place}.boundaries[0]")
+            raise UnusableError(f"{json_path}.template: it names template {number} of {len(self._template_names)}")
+        boundaries = entry(geometry, "boundaries", list, f"{json_path}.")
+        vertex = typed(boundaries[0] if len(boundaries) == 1 else None, int, f"{json_path}.boundaries[0]")
         if not 0 <= vertex < len(vertices):
-            raise UnusableError(f"{place}.boundaries: it names vertex {vertex} of {len(vertices)}")
+            raise UnusableError(f"{json_path}.boundaries: it names vertex {vertex} of {len(vertices)}")
         rows = numbers(
-            entry(geometry, "transformationMatrix", list, f"{place}."), f"{place}.transformationMatrix", None
+            entry(geometry, "transformationMatrix", list, f"{json_path}."), f"{json_path}.transformationMatrix", None
         )
         if rows.shape != (16,):
-            raise UnusableError(f"{place}.transformationMatrix: expected 16 numbers, got {len(rows)}")
+            raise UnusableError(f"{json_path}.transformationMatrix: expected 16 numbers, got {len(rows)}")
         matrix = rows.reshape(4, 4)
         owner = self._template_names[number]
         if owner is None:

@@ -20,7 +20,7 @@ class Part:
     """Owner of a geometry's surfaces, and its place in the document for messages."""
 
     owner: str
-    place: str
+    json_path: str
 
 
 class Collector:
@@ -47,13 +47,13 @@ class Collector:
 
     def add(self, part: Part, surfaces: list[Any], colors: list[BaseColor]) -> None:
         """Add surfaces, lists of rings of vertex indices, each with a colour; UnusableError for anything else."""
-        rings = flattened(surfaces, 1, part.place)
-        corners = flattened(rings, 1, part.place)
+        rings = flattened(surfaces, 1, part.json_path)
+        corners = flattened(rings, 1, part.json_path)
         if wrong_types := sorted(kind.__name__ for kind in set(map(type, corners)) - {int}):
-            raise UnusableError(f"{part.place}: expected numbers of vertices, got {wrong_types[0]} among them")
+            raise UnusableError(f"{part.json_path}: expected numbers of vertices, got {wrong_types[0]} among them")
         if corners and not (min(corners) >= 0 and max(corners) < self._count):
             unknown = next(corner for corner in corners if not 0 <= corner < self._count)
-            raise UnusableError(f"{part.place}: it names vertex {unknown} of {self._count}")
+            raise UnusableError(f"{part.json_path}: it names vertex {unknown} of {self._count}")
         self._indices.append(np.array(corners, np.int64) + self._base)
         self._ring_sizes += map(len, rings)
         self._surface_rings += map(len, surfaces)
@@ -87,18 +87,18 @@ class Collector:
         """Usable surfaces, their numbers, and the number of unusable ones."""
         ring_sizes = np.array(self._ring_sizes, np.int64)
         surface_rings = np.array(self._surface_rings, np.int64)
-        good = surface_rings > 0
+        is_usable = surface_rings > 0
         owner = np.arange(len(surface_rings)).repeat(surface_rings)
-        good[owner[ring_sizes < 3]] = False
-        if not drop and not good.all():
-            self._raise_for(int(np.argmin(good)), surface_rings, ring_sizes)
-        numbers = np.flatnonzero(good)
+        is_usable[owner[ring_sizes < 3]] = False
+        if not drop and not is_usable.all():
+            self._raise_for(int(np.argmin(is_usable)), surface_rings, ring_sizes)
+        numbers = np.flatnonzero(is_usable)
         rings = rows_of(offsets(surface_rings)[:-1][numbers], surface_rings[numbers])
         corners = rows_of(offsets(ring_sizes)[:-1][rings], ring_sizes[rings])
         indices = np.concatenate([np.zeros(0, np.int64), *self._indices])[corners]
         vertices = np.concatenate(self._vertices)
         surfaces = Surfaces(vertices[indices], offsets(ring_sizes[rings]), offsets(surface_rings[numbers]))
-        return surfaces, numbers, len(good) - len(numbers)
+        return surfaces, numbers, len(is_usable) - len(numbers)
 
     def _raise_for(self, surface: int, surface_rings: NDArray[np.int64], ring_sizes: NDArray[np.int64]) -> None:
         ends = np.cumsum(self._part_surfaces)
@@ -107,7 +107,7 @@ class Collector:
         sizes = ring_sizes[offsets(surface_rings)[surface] :][: surface_rings[surface]]
         flaw = f"a ring of {sizes.min()} corners" if len(sizes) else "no rings"
         raise UnusableError(
-            f"{self._parts[part].place}: surface {number} has {flaw}; on_invalid='drop' leaves such surfaces out"
+            f"{self._parts[part].json_path}: surface {number} has {flaw}; on_invalid='drop' leaves such surfaces out"
         )
 
 

@@ -38,11 +38,11 @@ class Footprints:
 
     def __init__(self, label: str, table: Table, options: LoadOptions) -> None:
         self.label = label
-        self._outlines, lost = table.outlines.validate(drop=options.drops, degrees=table.degrees)
+        self._outlines, invalid_count = table.outlines.validate(drop=options.drops, degrees=table.degrees)
         self.count = len(self._outlines.features) - 1
         """Number of features, including those without polygons."""
         self.ground = _ground(table, self._outlines.points, checked_origin(options.origin))
-        self._low, self._high, unknown = _extents(table, options.height, self.count)
+        self._low, self._high, unknown_count = _extents(table, options.height, self.count)
         names = table.columns.texts(None)
         self.names: Sequence[str] | int = self.count if names is None else distinct(names)
         """Names of the features, or their number if they have none: feature n is then called ``object_n``."""
@@ -55,7 +55,7 @@ class Footprints:
         self.format = table.format
         self._system = [self.ground.note] if self.ground.is_kept else []
         own_frame = [] if self._system else [self.ground.note]
-        self.notes = [*own_frame, *table.notes, *_notes(table.skipped, lost, unknown)]
+        self.notes = [*own_frame, *table.notes, *_notes(table.skipped, invalid_count, unknown_count)]
 
     @property
     def bounds(self) -> NDArray[np.float64]:
@@ -70,10 +70,10 @@ class Footprints:
     def content(self, rows: NDArray[np.int64] | None = None) -> Content:
         """Triangulate some features, or all; the selection may be empty. Features keep their names."""
         outlines = self._outlines if rows is None else self._outlines.select(rows)
-        chosen = np.arange(self.count) if rows is None else rows
-        owner = np.arange(len(chosen)).repeat(np.diff(outlines.point_starts))
-        polygon_owner = np.arange(len(chosen)).repeat(np.diff(outlines.features))
-        low, high = self._low[chosen], self._high[chosen]
+        numbers = np.arange(self.count) if rows is None else rows
+        owner = np.arange(len(numbers)).repeat(np.diff(outlines.point_starts))
+        polygon_owner = np.arange(len(numbers)).repeat(np.diff(outlines.features))
+        low, high = self._low[numbers], self._high[numbers]
         vertices = np.empty((2, len(owner), 3), np.float32)
         plan = np.empty((len(owner), 2))
         for start in range(0, len(owner), _POINTS_AT_ONCE):
@@ -88,7 +88,7 @@ class Footprints:
         face_object = polygon_owner.astype(np.int32).repeat(np.diff(offsets))
         shape = Shape(vertices.reshape(-1, 3), faces, face_object=face_object)
         nodes = Nodes([""], translation(self._base)[None], [_KEY])
-        used = [f"{self.format}: {count(len(chosen), 'feature')} extruded", *self._system]
+        used = [f"{self.format}: {count(len(numbers), 'feature')} extruded", *self._system]
         return Content(self.label, {_KEY: shape}, nodes, list(self.notes), used, names=self._names_of(rows))
 
     def _names_of(self, rows: NDArray[np.int64] | None) -> Sequence[str] | int:
@@ -125,15 +125,15 @@ def _extents(table: Table, height: str | None, number: int) -> tuple[NDArray[np.
     """Lower and upper ends of the features in metres above the ground, and the number of unknown heights."""
     high = heights.stated(table.columns, heights.HEIGHTS, number, height)
     low = np.nan_to_num(heights.stated(table.columns, heights.BASES, number, None))
-    unknown = ~(high > low)
-    return low, np.where(unknown, low + heights.DEFAULT_HEIGHT, high), int(unknown.sum())
+    is_unknown = ~(high > low)
+    return low, np.where(is_unknown, low + heights.DEFAULT_HEIGHT, high), int(is_unknown.sum())
 
 
-def _notes(skipped: int, lost: int, unknown: int) -> list[str]:
+def _notes(skipped_count: int, invalid_count: int, unknown_count: int) -> list[str]:
     notes = {
-        f"{count(skipped, 'geometry', 'geometries')} of points or lines ignored": skipped,
-        f"{count(lost, 'polygon')} left out": lost,
-        f"{count(unknown, 'feature')} of unknown height drawn {heights.DEFAULT_HEIGHT:g} m high": unknown,
+        f"{count(skipped_count, 'geometry', 'geometries')} of points or lines ignored": skipped_count,
+        f"{count(invalid_count, 'polygon')} left out": invalid_count,
+        f"{count(unknown_count, 'feature')} of unknown height drawn {heights.DEFAULT_HEIGHT:g} m high": unknown_count,
     }
     return [note for note, number in notes.items() if number]
 
@@ -155,9 +155,9 @@ class BoxIndex:
     def touching(self, box: NDArray[np.float64]) -> NDArray[np.int64]:
         """Numbers of the boxes that touch a box (2, 3), borders included, ascending."""
         blocks = np.flatnonzero(touching(self._blocks, box))
-        places = (blocks[:, None] * _BLOCK + np.arange(_BLOCK)).ravel()
-        places = places[places < len(self._rows)]
-        return np.sort(self._rows[places[touching(self._boxes[places], box)]])
+        indices = (blocks[:, None] * _BLOCK + np.arange(_BLOCK)).ravel()
+        indices = indices[indices < len(self._rows)]
+        return np.sort(self._rows[indices[touching(self._boxes[indices], box)]])
 
 
 def _interleaved(cells: NDArray[np.int64]) -> NDArray[np.int64]:

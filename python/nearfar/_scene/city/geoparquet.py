@@ -89,8 +89,8 @@ def _batch(column: Any, first_row: int) -> tuple[Outlines, int]:
         points, rings, polygons, features, skipped = _core.read_wkb(data, bounds - bounds[0])
     except SceneError as error:
         words = str(error).split(" ", 2)
-        place = f"row {first_row + int(words[1].rstrip(':'))}: {words[2]}" if len(words) == 3 else str(error)
-        raise UnusableError(f"geometry of {place}") from None
+        message = f"row {first_row + int(words[1].rstrip(':'))}: {words[2]}" if len(words) == 3 else str(error)
+        raise UnusableError(f"geometry of {message}") from None
     return Outlines(points, rings, polygons, features), skipped
 
 

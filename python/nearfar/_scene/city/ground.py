@@ -66,8 +66,8 @@ class Geodetic:
     def world(self, points: NDArray[np.float64], heights: NDArray[np.float64]) -> NDArray[np.float64]:
         longitude, latitude = np.radians((self.longitude, self.latitude)).tolist()
         to_local = earth_to_local(longitude, latitude, self.height)
-        places = earth_centred(np.concatenate([np.radians(points), heights[:, None]], axis=1))
-        return places @ to_local[:3, :3].T + to_local[:3, 3]
+        earth_points = earth_centred(np.concatenate([np.radians(points), heights[:, None]], axis=1))
+        return earth_points @ to_local[:3, :3].T + to_local[:3, 3]
 
 
 Ground = Projected | Geodetic

@@ -41,14 +41,14 @@ Column = Callable[[str], NDArray[np.float64] | None]
 """Returns a property's numbers for all features, NaN where missing; None if no feature has the property."""
 
 
-def stated(column: Column, known: Iterable[tuple[str, float]], count: int, name: str | None) -> NDArray[np.float64]:
+def stated(column: Column, keys: Iterable[tuple[str, float]], count: int, name: str | None) -> NDArray[np.float64]:
     """Heights in metres that properties state for each of `count` features (N,), NaN where none does.
 
-    The properties are the `known` ones in order of precedence, with metres per unit; with a `name`, only that one, in
+    The properties are the `keys` in order of precedence, with metres per unit; with a `name`, only that one, in
     m.
     """
     values = np.full(count, np.nan)
-    for key, metres in known if name is None else [(name, 1.0)]:
+    for key, metres in keys if name is None else [(name, 1.0)]:
         missing = np.isnan(values)
         if not missing.any():
             break

@@ -19,7 +19,7 @@ _NEXT = 0.999
 """Added to a whole level: level 2 includes 2.0 to 2.3."""
 
 
-def level_of(value: Any, place: str) -> float:
+def level_of(value: Any, json_path: str) -> float:
     """Parse a level of detail, a number or text such as "2.2"; UnusableError for anything else."""
     if isinstance(value, str | int | float) and not isinstance(value, bool):
         try:
@@ -28,7 +28,7 @@ def level_of(value: Any, place: str) -> float:
             number = math.nan
         if 0 <= number <= _LARGEST:
             return number
-    raise UnusableError(f"{place}: expected a level of detail such as '2.2', got {check.shortened(value)}")
+    raise UnusableError(f"{json_path}: expected a level of detail such as '2.2', got {check.shortened(value)}")
 
 
 def greatest(lod: str | float) -> float:
@@ -47,7 +47,7 @@ class Levels:
 
     def __init__(self, max_level: float | None) -> None:
         self._max_level = math.inf if max_level is None else max_level
-        self._known = set[str]()
+        self._level_names = set[str]()
         self._omissions = Counter[tuple[str, str]]()
 
     def select_geometries(
@@ -57,8 +57,8 @@ class Levels:
         best: dict[str, float] = {}
         usable: dict[str, list[tuple[float, int, dict[str, Any]]]] = {}
         for name, item in objects.items():
-            place = f"CityObjects {check.shortened(name)}: "
-            usable[name] = list(self._usable(entry(item, "geometry", list, place, []), drawn, place))
+            prefix = f"CityObjects {check.shortened(name)}: "
+            usable[name] = list(self._usable(entry(item, "geometry", list, prefix, []), drawn, prefix))
             if levels := [level for level, _, _ in usable[name] if level <= self._max_level]:
                 best[name] = max(levels)
             elif usable[name]:
@@ -72,23 +72,23 @@ class Levels:
             yield from ((name, (number, geometry)) for level, number, geometry in usable[name] if level == best[name])
 
     def _usable(
-        self, geometries: list[Any], drawn: Collection[str], place: str
+        self, geometries: list[Any], drawn: Collection[str], prefix: str
     ) -> Iterator[tuple[float, int, dict[str, Any]]]:
         for number, item in enumerate(geometries):
-            geometry = typed(item, dict, f"{place}geometry[{number}]")
+            geometry = typed(item, dict, f"{prefix}geometry[{number}]")
             if geometry.get("type") not in drawn:
                 self._omissions["geometry", "of points, lines or an unknown type ignored"] += 1
                 continue
-            level = level_of(geometry.get("lod", 0), f"{place}geometry[{number}].lod")
-            self._known.add(f"{level:g}")
+            level = level_of(geometry.get("lod", 0), f"{prefix}geometry[{number}].lod")
+            self._level_names.add(f"{level:g}")
             yield level, number, geometry
 
     def notes(self) -> list[str]:
         """Notes on parts left out, and on the levels if there are several."""
         plurals = {"geometry": "geometries"}
-        notes = [f"{count(n, noun, plurals.get(noun, ''))} {rest}" for (noun, rest), n in self._omissions.items()]
-        if len(self._known) > 1:
-            listed = ", ".join(sorted(self._known))
+        notes = [f"{count(n, noun, plurals.get(noun, ''))} {ending}" for (noun, ending), n in self._omissions.items()]
+        if len(self._level_names) > 1:
+            listed = ", ".join(sorted(self._level_names))
             notes.append(f"levels of detail {listed}: the highest of each object is drawn, lod chooses a lower one")
         return notes
 

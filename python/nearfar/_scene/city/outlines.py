@@ -60,32 +60,30 @@ class Outlines:
         """
         # NaN fails each comparison.
         limit = np.array([360.0, 90.0]) if degrees else check.FARTHEST
-        good = np.asarray((np.abs(self.points) <= limit).all(axis=1))
-        sizes = np.diff(self.rings)
-        short = sizes < 3
-        if good.all() and not short.any():
+        is_in_range = np.asarray((np.abs(self.points) <= limit).all(axis=1))
+        is_unusable = np.diff(self.rings) < 3
+        if is_in_range.all() and not is_unusable.any():
             return self, 0
         if not drop:
-            self._raise_for(good, short, degrees)
-        bad = short.copy()
-        bad[np.searchsorted(self.rings, np.flatnonzero(~good), side="right") - 1] = True
+            self._raise_for(is_in_range, is_unusable, degrees)
+        is_unusable[np.searchsorted(self.rings, np.flatnonzero(~is_in_range), side="right") - 1] = True
         polygon_of = np.arange(len(self.polygons) - 1).repeat(np.diff(self.polygons))
-        lost = np.zeros(len(self.polygons) - 1, bool)
-        lost[polygon_of[bad]] = True
-        usable = Outlines(self.points, self.rings, self.polygons, np.arange(len(self.polygons))).select(~lost)
-        before = np.concatenate([[0], np.cumsum(~lost)])
-        return replace(usable, features=before[self.features]), int(lost.sum())
+        is_invalid = np.zeros(len(self.polygons) - 1, bool)
+        is_invalid[polygon_of[is_unusable]] = True
+        usable = Outlines(self.points, self.rings, self.polygons, np.arange(len(self.polygons))).select(~is_invalid)
+        before = np.concatenate([[0], np.cumsum(~is_invalid)])
+        return replace(usable, features=before[self.features]), int(is_invalid.sum())
 
-    def _raise_for(self, good: NDArray[np.bool_], short: NDArray[np.bool_], degrees: bool) -> None:
-        if not good.all():
-            point = int(np.argmin(good))
+    def _raise_for(self, is_in_range: NDArray[np.bool_], is_short: NDArray[np.bool_], degrees: bool) -> None:
+        if not is_in_range.all():
+            point = int(np.argmin(is_in_range))
             ring = int(np.searchsorted(self.rings, point, side="right")) - 1
             x, y = self.points[point].tolist()
             expected = "longitude and latitude in degrees" if degrees else f"numbers up to {check.FARTHEST:g}"
             hint = "; a member 'crs' names a system in metres" if degrees and max(abs(x), abs(y)) < 1e9 else ""
             flaw = f"expected {expected}, got ({x:g}, {y:g}){hint}"
         else:
-            ring = int(np.argmax(short))
+            ring = int(np.argmax(is_short))
             flaw = f"a ring of {np.diff(self.rings)[ring]} points"
         feature = int(np.searchsorted(self.polygons[self.features], ring, side="right")) - 1
         raise UnusableError(f"feature {feature}: {flaw}; on_invalid='drop' leaves such polygons out")

@@ -49,10 +49,10 @@ _SAMPLER = ("magFilter", "minFilter", "wrapS", "wrapT")
 
 def name_files(header: dict[str, Any], resolver: Any) -> None:
     """Decode percent escapes in the file names that a document refers to."""
-    for described in [*header.get("buffers", []), *header.get("images", [])]:
-        uri = described.get("uri", "")
+    for item in [*header.get("buffers", []), *header.get("images", [])]:
+        uri = item.get("uri", "")
         if "%" in uri and not uri.startswith("data:") and not os.path.exists(os.path.join(resolver.parent, uri)):
-            described["uri"] = unquote(uri)
+            item["uri"] = unquote(uri)
 
 
 def _kind(data: bytes) -> str:
@@ -93,8 +93,8 @@ class Buffers:
         data = self.picture(number)
         if data is None:
             return None
-        described = entry(self._header, "textures", number)
-        sampler = entry(self._header, "samplers", described["sampler"]) if "sampler" in described else {}
+        texture = entry(self._header, "textures", number)
+        sampler = entry(self._header, "samplers", texture["sampler"]) if "sampler" in texture else {}
         settings = {key: sampler[key] for key in _SAMPLER if isinstance(sampler.get(key), int)}
         # Equal images share one object, which caches its hash.
         if data not in self._encoded:
@@ -105,10 +105,9 @@ class Buffers:
     def picture(self, number: Any) -> bytes | None:
         """Bytes of a texture's image; None if there are none."""
         try:
-            described = entry(self._header, "textures", number)
-            others = [content["source"] for content in described.get("extensions", {}).values() if "source" in content]
-            sources = [described["source"]] if "source" in described else others
-            return self._image(sources[0]) if sources else None
+            texture = entry(self._header, "textures", number)
+            candidates = (texture, *texture.get("extensions", {}).values())
+            return next((self._image(item["source"]) for item in candidates if "source" in item), None)
         except TooLargeError:
             raise
         except Exception:  # textures are optional, and resolvers may raise any type
@@ -130,8 +129,8 @@ class Buffers:
 
     def blob(self, view: int) -> bytes:
         """Bytes of a buffer view; each range is copied once."""
-        described = entry(self._header, "bufferViews", view)
-        key = _range(_stream(described) or described)
+        view_entry = entry(self._header, "bufferViews", view)
+        key = _range(_stream(view_entry) or view_entry)
         if key not in self._blobs:
             data = self.view(view)
             self._budget.hold(len(data))
@@ -140,21 +139,21 @@ class Buffers:
 
     def view(self, number: int) -> memoryview:
         """Bytes of a buffer view; uncompressed data are preferred to a compressed copy."""
-        described = entry(self._header, "bufferViews", number)
-        stream = _stream(described)
+        view_entry = entry(self._header, "bufferViews", number)
+        stream = _stream(view_entry)
         if stream is None or not self.is_packed(number):
-            return self._bytes(*_range(described))
+            return self._bytes(*_range(view_entry))
         if number not in self._decoded:
             data = self._bytes(*_range(stream))
-            self._decoded[number] = _decoded(number, described, stream, data, self._budget)
+            self._decoded[number] = _decoded(number, view_entry, stream, data, self._budget)
         return self._decoded[number]
 
     def is_packed(self, view: int) -> bool:
         """Whether a view's data must be decoded."""
-        described = entry(self._header, "bufferViews", view)
-        if _stream(described) is None:
+        view_entry = entry(self._header, "bufferViews", view)
+        if _stream(view_entry) is None:
             return False
-        number = described["buffer"]
+        number = view_entry["buffer"]
         buffer = entry(self._header, "buffers", number)
         return _is_placeholder(buffer, number, has_binary=bool(self._binary))
 
@@ -167,8 +166,8 @@ class Buffers:
     def whole(self, buffer: int) -> memoryview:
         """Bytes of a buffer."""
         if buffer not in self._buffers:
-            described = entry(self._header, "buffers", buffer)
-            self._buffers[buffer] = memoryview(self._file(described["uri"]) if "uri" in described else self._binary)
+            source = entry(self._header, "buffers", buffer)
+            self._buffers[buffer] = memoryview(self._file(source["uri"]) if "uri" in source else self._binary)
         return self._buffers[buffer]
 
     def replace(self, number: int, rows: NDArray[Any]) -> None:
@@ -190,22 +189,22 @@ class Buffers:
         return fractions.astype(np.float32)
 
     def _read(self, number: int) -> NDArray[Any]:
-        described = entry(self._header, "accessors", number)
-        kind, width, count = component(described), WIDTHS[described["type"]], int(described["count"])
-        if "bufferView" in described:
-            rows = self._rows(described["bufferView"], described.get("byteOffset", 0), kind, count, width)
+        accessor = entry(self._header, "accessors", number)
+        kind, width, count = component(accessor), WIDTHS[accessor["type"]], int(accessor["count"])
+        if "bufferView" in accessor:
+            rows = self._rows(accessor["bufferView"], accessor.get("byteOffset", 0), kind, count, width)
         else:
             if count < 0:
                 raise IndexError(f"{count} rows")
             self._budget.hold(count * width * kind.itemsize)
             rows = np.zeros((count, width), kind)
-        sparse = described.get("sparse")
+        sparse = accessor.get("sparse")
         return self._changed(rows, sparse) if sparse else rows
 
     def _changed(self, rows: NDArray[Any], sparse: dict[str, Any]) -> NDArray[Any]:
-        places, values, count = sparse["indices"], sparse["values"], int(sparse["count"])
-        kind = component(places)
-        where = self._rows(places["bufferView"], places.get("byteOffset", 0), kind, count, 1)[:, 0]
+        indices, values, count = sparse["indices"], sparse["values"], int(sparse["count"])
+        kind = component(indices)
+        where = self._rows(indices["bufferView"], indices.get("byteOffset", 0), kind, count, 1)[:, 0]
         new = self._rows(values["bufferView"], values.get("byteOffset", 0), rows.dtype, count, rows.shape[1])
         if len(where) and not 0 <= int(where.min()) <= int(where.max()) < len(rows):
             raise UnusableError(f"a sparse accessor changes a row that is none of its {len(rows)}")
@@ -224,16 +223,16 @@ class Buffers:
         return np.ndarray(shape, kind, data, start, strides) if count else np.zeros(shape, kind)
 
 
-def _range(described: dict[str, Any]) -> tuple[int, int, int]:
+def _range(view: dict[str, Any]) -> tuple[int, int, int]:
     """Buffer, first byte and length of a view or of its compressed stream."""
-    return described["buffer"], described.get("byteOffset", 0), described["byteLength"]
+    return view["buffer"], view.get("byteOffset", 0), view["byteLength"]
 
 
-def component(described: dict[str, Any]) -> np.dtype[Any]:
+def component(accessor: dict[str, Any]) -> np.dtype[Any]:
     """Component type of an accessor."""
-    if described["componentType"] not in COMPONENTS:
-        raise UnusableError(f"its accessors have the unknown type {check.shortened(described['componentType'])}")
-    return np.dtype(COMPONENTS[described["componentType"]])
+    if accessor["componentType"] not in COMPONENTS:
+        raise UnusableError(f"its accessors have the unknown type {check.shortened(accessor['componentType'])}")
+    return np.dtype(COMPONENTS[accessor["componentType"]])
 
 
 def _stream(view: dict[str, Any]) -> dict[str, Any] | None:
@@ -249,14 +248,12 @@ def _is_placeholder(buffer: dict[str, Any], number: int, *, has_binary: bool) ->
     return "uri" not in buffer and (is_fallback or number > 0 or not has_binary)
 
 
-def _decoded(
-    number: int, view: dict[str, Any], described: dict[str, Any], data: memoryview, budget: Budget
-) -> memoryview:
-    """Decode a view's compressed bytes, whose layout its extension's entry `described` states.
+def _decoded(number: int, view: dict[str, Any], stream: dict[str, Any], data: memoryview, budget: Budget) -> memoryview:
+    """Decode a view's compressed bytes, whose layout the extension's entry, `stream`, states.
 
     The view and its number are for error messages; `budget` counts the decoded bytes before they are allocated.
     """
-    count, stride = int(described["count"]), int(described["byteStride"])
+    count, stride = int(stream["count"]), int(stream["byteStride"])
     if count < 0 or stride < 0:
         raise UnusableError(f"its buffer view {number} has {count} rows of {stride} bytes")
     if view.get("byteStride", stride) != stride:
@@ -264,7 +261,7 @@ def _decoded(
     budget.take(count * stride)
     try:
         words = _core.decode_meshopt(
-            np.frombuffer(data, np.uint8), count, stride, described["mode"], described.get("filter", "NONE")
+            np.frombuffer(data, np.uint8), count, stride, stream["mode"], stream.get("filter", "NONE")
         )
     except (SceneError, ValueError) as error:
         raise UnusableError(f"its buffer view {number} cannot be decoded: {error}") from None

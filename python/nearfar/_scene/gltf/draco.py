@@ -91,14 +91,14 @@ def _face_count(header: dict[str, Any], primitive: dict[str, Any], data: bytes) 
     """Expected number of triangles: the primitive's; the stream's header must agree with it."""
     if not data.startswith(b"DRACO") or len(data) < 12:
         raise _flaw("does not begin like one")
-    stated = _stated_faces(data)
+    stated_count = _stated_faces(data)
     if "indices" not in primitive or mode(primitive) != TRIANGLES:
-        if stated is None:
+        if stated_count is None:
             raise _flaw("states no number of triangles")
-        return stated
+        return stated_count
     corners = int(entry(header, "accessors", primitive["indices"])["count"])
-    if corners < 0 or corners % 3 or stated not in (None, corners // 3):
-        raise _flaw(f"has {stated} triangles, and {corners / 3:g} are stated")
+    if corners < 0 or corners % 3 or stated_count not in (None, corners // 3):
+        raise _flaw(f"has {stated_count} triangles, and {corners / 3:g} are stated")
     return corners // 3
 
 
@@ -109,22 +109,22 @@ def _stated_faces(data: bytes) -> int | None:
         raise _flaw("holds no mesh")
     if version != _VERSION or flags & _HAS_METADATA:
         return None
-    place = 11
+    offset = 11
     if method == _EDGEBREAKER:
-        _, place = _varint(data, place + 1)  # skip the number of vertices, after the kind of traversal
-    return _varint(data, place)[0]
+        _, offset = _varint(data, offset + 1)  # skip the number of vertices, after the kind of traversal
+    return _varint(data, offset)[0]
 
 
-def _varint(data: bytes, place: int) -> tuple[int, int]:
+def _varint(data: bytes, offset: int) -> tuple[int, int]:
     """Decode a variable-length integer of 7 bits a byte; also return the place after it."""
     value = 0
     for shift in range(0, 35, 7):
-        if place >= len(data):
+        if offset >= len(data):
             raise _flaw("is cut off")
-        value |= (data[place] & 0x7F) << shift
-        place += 1
-        if not data[place - 1] & 0x80:
-            return value, place
+        value |= (data[offset] & 0x7F) << shift
+        offset += 1
+        if not data[offset - 1] & 0x80:
+            return value, offset
     raise _flaw("states a number of more than 32 bits")
 
 

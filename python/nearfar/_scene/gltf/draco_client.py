@@ -122,7 +122,7 @@ class _Process:
             return np.frombuffer(data, kind).reshape(shape)
 
         faces = rows(np.dtype(np.uint32), (answer["faces"], 3))
-        return Mesh(faces, {number: rows(*described) for number, described in arrays.items()})
+        return Mesh(faces, {number: rows(*type_and_shape) for number, type_and_shape in arrays.items()})
 
     def end(self) -> None:
         """Kill the process and close its pipes."""

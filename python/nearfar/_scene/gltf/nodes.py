@@ -140,16 +140,16 @@ _PARTS = {"translation", "rotation", "scale"}
 
 def _values_or_default(nodes: list[dict[str, Any]], key: str, default: Floats) -> Floats:
     """Values (N, K) that nodes state, else the default."""
-    stated = [row for row, node in enumerate(nodes) if key in node]
+    rows_with_key = [row for row, node in enumerate(nodes) if key in node]
     values = np.tile(default, (len(nodes), 1))
-    if stated:
+    if rows_with_key:
         try:
-            given = np.array([nodes[row][key] for row in stated], np.float64)
+            listed_values = np.array([nodes[row][key] for row in rows_with_key], np.float64)
         except (ValueError, TypeError, OverflowError):
-            given = np.zeros(0)
-        if given.shape != (len(stated), len(default)):
+            listed_values = np.zeros(0)
+        if listed_values.shape != (len(rows_with_key), len(default)):
             raise UnusableError(f"expected {len(default)} numbers as {key} of each node, got others")
-        values[stated] = given
+        values[rows_with_key] = listed_values
     return values
 
 
@@ -195,8 +195,8 @@ def _of_node(
 ) -> Floats:
     counts = {name: int(entry(header, "accessors", accessor)["count"]) for name, accessor in attributes.items()}
     if len(set(counts.values())) != 1:
-        stated = ", ".join(f"{count} of {name}" for name, count in counts.items()) or "none"
-        raise UnusableError(f"expected as many rows of each attribute of the instances of node {number}, got {stated}")
+        listed = ", ".join(f"{count} of {name}" for name, count in counts.items()) or "none"
+        raise UnusableError(f"expected as many rows of each attribute of the instances of node {number}, got {listed}")
     (count,) = set(counts.values())
     # Many nodes may use the same arrays. A mesh of several primitives is placed once for each of them.
     primitives = entry(header, "meshes", header["nodes"][number]["mesh"])["primitives"]

@@ -56,11 +56,11 @@ class Primitives:
             shape.normals = normals
         if "material" in primitive:
             shape.materials = self._materials.material(primitive["material"])
-            shown = self._materials.coordinates(primitive["material"])
-            if shown is not None and (name := f"TEXCOORD_{shown.number}") in numbers:
+            uv_set = self._materials.coordinates(primitive["material"])
+            if uv_set is not None and (name := f"TEXCOORD_{uv_set.number}") in numbers:
                 uvs = attribute(name, _UV_WIDTH)
                 # v points down in files.
-                shape.uvs = np.column_stack([uvs[:, 0], 1 - uvs[:, 1]]) if shown.is_plain else shown.upwards(uvs)
+                shape.uvs = np.column_stack([uvs[:, 0], 1 - uvs[:, 1]]) if uv_set.is_plain else uv_set.upwards(uvs)
         if "COLOR_0" in numbers:
             # COLOR_0 is linear (glTF 2.0, 3.7.2.1).
             shape.colors = colors_of(used_rows(numbers["COLOR_0"]), len(vertices), linear=True)
@@ -104,5 +104,5 @@ def _used(faces: NDArray[Any], count: int) -> tuple[NDArray[np.int64] | slice, N
     """Indices of the vertices in use, and the faces renumbered to them; all vertices if faces are damaged."""
     if not faces.size or int(faces.min()) < 0 or int(faces.max()) >= count:
         return slice(None), faces
-    used, places = np.unique(faces, return_inverse=True)
-    return (slice(None), faces) if len(used) == count else (used.astype(np.int64), places.reshape(-1, 3))
+    used, indices = np.unique(faces, return_inverse=True)
+    return (slice(None), faces) if len(used) == count else (used.astype(np.int64), indices.reshape(-1, 3))

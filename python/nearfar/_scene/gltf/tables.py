@@ -98,9 +98,9 @@ def _accessors(header: dict[str, Any], accessor_numbers: Collection[int]) -> Num
         if number not in accessor_numbers:
             rows.append(_UNUSED_ROW)
             continue
-        stated = (accessor.get(key, default) for key, default in _ACCESSOR_DEFAULTS.items())
+        numbers = (accessor.get(key, default) for key, default in _ACCESSOR_DEFAULTS.items())
         width, is_normalized = WIDTHS.get(accessor.get("type"), 0), accessor.get("normalized", False) is True
-        rows.append((*stated, width, int(is_normalized), int("sparse" in accessor)))
+        rows.append((*numbers, width, int(is_normalized), int("sparse" in accessor)))
     return _numbers(rows)
 
 

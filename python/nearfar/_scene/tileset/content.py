@@ -173,9 +173,9 @@ def _center(data: bytes, kind: str) -> Floats:
     """Position (3,) of a glTF file's origin from the extension; 0 without it."""
     if _RTC.encode() in data:
         document = glb.header(data)[0] if kind == "glb" else glb.json_object(data)
-        stated = document.get("extensions", {}).get(_RTC)
-        if stated is not None:
-            return values.numbers(f"extensions.{_RTC}.center", stated.get("center"), 3)
+        extension = document.get("extensions", {}).get(_RTC)
+        if extension is not None:
+            return values.numbers(f"extensions.{_RTC}.center", extension.get("center"), 3)
     return np.zeros(3)
 
 

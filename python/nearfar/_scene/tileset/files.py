@@ -128,12 +128,12 @@ class Remote:
     def _version(self, path: str) -> list[str]:
         """Values that identify a file's version; empty if the server states none."""
         try:
-            described = self._system.info(path)
+            info = self._system.info(path)
         except FileNotFoundError:  # also raised for servers that only support requests for whole files
             return []
-        version = [f"{key} {described[key]}" for key in _VALIDATORS if described.get(key)]
+        version = [f"{key} {info[key]}" for key in _VALIDATORS if info.get(key)]
         # Dates have a resolution of one second, within which a file may change again.
-        return [*version, f"size {described.get('size')}"] if version else []
+        return [*version, f"size {info.get('size')}"] if version else []
 
 
 Files = Local | Remote

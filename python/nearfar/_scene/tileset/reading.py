@@ -31,7 +31,7 @@ class Key(NamedTuple):
     """Path or URL."""
     up: str
     """Up axis of its glTF."""
-    place: bytes
+    transform: bytes
     """The tile's transform if the content depends on it; else empty."""
 
 
@@ -52,7 +52,7 @@ class ContentCache:
     def find(self, key: Key) -> TileContent | None:
         """Content of a file; None if it is not cached."""
         with self._lock:
-            for stored_key in (key._replace(place=b""), key):
+            for stored_key in (key._replace(transform=b""), key):
                 if stored_key in self._contents:
                     self._contents.move_to_end(stored_key)
                     return self._contents[stored_key]
@@ -61,7 +61,7 @@ class ContentCache:
     def keep(self, key: Key, content: TileContent) -> None:
         """Cache a content; the least recently used ones are evicted."""
         with self._lock:
-            self._contents[key if content.depends_on_place else key._replace(place=b"")] = content
+            self._contents[key if content.depends_on_place else key._replace(transform=b"")] = content
             self._bytes += content.nbytes
             while self._bytes > self._max_bytes and len(self._contents) > 1:
                 self._bytes -= self._contents.popitem(last=False)[1].nbytes
@@ -88,9 +88,9 @@ class Reading:
 
     def _keys(self, tile: Tile) -> list[Key]:
         if tile not in self._keys_by_tile:
-            source, place = tile.source, tile.transform.tobytes()
+            source, transform = tile.source, tile.transform.tobytes()
             names = [self._files.resolve(source.name, uri) if uri else source.name for uri in tile.contents]
-            self._keys_by_tile[tile] = [Key(name, source.up, place) for name in names]
+            self._keys_by_tile[tile] = [Key(name, source.up, transform) for name in names]
         return self._keys_by_tile[tile]
 
     def _read(self, tile_by_key: dict[Key, Tile]) -> None:

@@ -69,7 +69,7 @@ def by_error(
     otherwise only if nothing would be shown.
     """
     visits = Visits()
-    shown: list[Tile] = []
+    selected: list[Tile] = []
     worst = 0.0
     pending = [root]
     while pending:
@@ -80,13 +80,13 @@ def by_error(
         refines = is_coarse and tile not in unrefined
         children = visits.children(tile) if refines else []
         if tile.has_content and not (tile.replaces and children):
-            shown.append(tile)
+            selected.append(tile)
         if not (refines or tile.is_leaf):
             worst = max(worst, tile.error)
         pending += reversed(children)
-    if not (shown or through):
+    if not (selected or through):
         return by_error(root, error, touches, unrefined, through=True)
-    return Selection(shown, worst)
+    return Selection(selected, worst)
 
 
 def substitute(tile: Tile) -> Tile | None:
@@ -109,7 +109,7 @@ def by_triangles(
     tiles, None for one whose content cannot be read. The selection has more triangles if the coarsest tiles do.
     """
     visits = Visits()
-    shown: dict[Tile, int] = {}
+    selected: dict[Tile, int] = {}
     order = itertools.count()
     heap: list[tuple[float, int, Tile]] = []
     total = 0
@@ -117,7 +117,7 @@ def by_triangles(
 
     def show(tiles: dict[Tile, int]) -> None:
         nonlocal total
-        shown.update(tiles)
+        selected.update(tiles)
         total += sum(tiles.values())
         for tile in tiles:
             heapq.heappush(heap, (-tile.error, next(order), tile))
@@ -139,14 +139,14 @@ def by_triangles(
     while heap and total <= max_count:
         tile = heapq.heappop(heap)[2]
         children = readable(visits.children(tile), through=not tile.replaces)
-        removed = shown[tile] if tile.replaces else 0
+        removed = selected[tile] if tile.replaces else 0
         if children and total - removed + sum(children.values()) <= max_count:
             if tile.replaces:
-                total -= shown.pop(tile)
+                total -= selected.pop(tile)
             show(children)
         elif children != {}:
             worst = max(worst, tile.error)
-    return Selection(list(shown), worst, total)
+    return Selection(list(selected), worst, total)
 
 
 def _with_content(tiles: Sequence[Tile], touches: Touches, visits: Visits) -> list[Tile]:

@@ -115,26 +115,26 @@ class Region:
 Volume = Box | Sphere | Region
 
 
-def read(place: str, described: Any) -> Volume:
+def read(json_path: str, volume_entry: Any) -> Volume:
     """Read a volume from a document; of several kinds the most exact one."""
-    described = typed(described, dict, place)
-    if "box" in described:
-        rows = values.numbers(f"{place}.box", described["box"], 12).reshape(4, 3)
+    volume_entry = typed(volume_entry, dict, json_path)
+    if "box" in volume_entry:
+        rows = values.numbers(f"{json_path}.box", volume_entry["box"], 12).reshape(4, 3)
         return Box(rows[0], rows[1:])
-    if "region" in described:
-        return _region(f"{place}.region", values.numbers(f"{place}.region", described["region"], 6).tolist())
-    if "sphere" in described:
-        *middle, radius = values.numbers(f"{place}.sphere", described["sphere"], 4).tolist()
+    if "region" in volume_entry:
+        return _region(f"{json_path}.region", values.numbers(f"{json_path}.region", volume_entry["region"], 6).tolist())
+    if "sphere" in volume_entry:
+        *middle, radius = values.numbers(f"{json_path}.sphere", volume_entry["sphere"], 4).tolist()
         if radius < 0:
-            raise UnusableError(f"{place}.sphere: expected a radius of at least 0, got {radius:g}")
+            raise UnusableError(f"{json_path}.sphere: expected a radius of at least 0, got {radius:g}")
         return Sphere(np.array(middle), radius)
-    others = [*described.get("extensions", {}), *described]
-    raise UnusableError(f"{place}: expected a box, a region or a sphere, got {', '.join(others[:3]) or 'nothing'}")
+    keys = [*volume_entry.get("extensions", {}), *volume_entry]
+    raise UnusableError(f"{json_path}: expected a box, a region or a sphere, got {', '.join(keys[:3]) or 'nothing'}")
 
 
-def _region(place: str, sides: list[float]) -> Region:
+def _region(json_path: str, sides: list[float]) -> Region:
     west, south, east, north, low, high = sides
     # Radians rounded to seven digits may lie slightly beyond.
     if not (-6.4 <= west <= 6.4 and -6.4 <= east <= 6.4 and -1.571 <= south <= north <= 1.571 and low <= high):
-        raise UnusableError(f"{place}: expected west, south, east, north in radians, and two heights, got {sides}")
+        raise UnusableError(f"{json_path}: expected west, south, east, north in radians, and two heights, got {sides}")
     return Region(west, south, east if east >= west else east + 2 * np.pi, north, low, high)
