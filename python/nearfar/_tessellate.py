@@ -89,13 +89,12 @@ def tessellate(
     ----------
     Popescu, Lee, Choi, Fahmy (2022) morph vertices; the error bound is derived in this project.
     """
-    middle = check.vector("center", center)
-    inner_radius, outer_radius = check.radii(r1, r2)
+    origin, radii = check.vector("center", center), check.radii(r1, r2)
     settings: dict[str, Any] = {
-        "center": middle,
-        "radii": (inner_radius, outer_radius),
-        "stages": _stages(kind, outer_radius, radius, strength),
-        "reach": _reach(user_region, middle),
+        "center": origin,
+        "radii": radii,
+        "stages": _stages(kind, radii[1], radius, strength),
+        "reach": _reach(user_region, origin),
         "tolerance": check.positive("tolerance_px", tolerance_px) * _pixel_angle(camera),
     }
     if isinstance(mesh, Scene):

@@ -90,8 +90,7 @@ def _unit(rows: NDArray[np.float64]) -> NDArray[np.float64]:
     size = np.abs(rows).max(axis=1, keepdims=True)
     scaled = np.divide(rows, size, out=np.zeros_like(rows), where=size != 0)
     length = np.linalg.norm(scaled, axis=1, keepdims=True)
-    unit: NDArray[np.float64] = np.divide(scaled, length, out=scaled, where=length != 0)
-    return unit
+    return np.asarray(np.divide(scaled, length, out=scaled, where=length != 0))
 
 
 def colors_of(name: str, value: ArrayLike, vertex_count: int) -> NDArray[np.uint8]:

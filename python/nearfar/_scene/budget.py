@@ -1,4 +1,4 @@
-"""Limits what a file may unpack to and which files are read, so that none fills the memory or blocks."""
+"""Limits the bytes that a file may unpack to, and rejects pipes and devices: no file fills the memory or blocks."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ class Budget:
         self._check()
 
     def hold(self, size: int) -> None:
-        """Count bytes of arrays before they are created; as many bytes as have been read are free."""
+        """Count bytes of arrays before they are created; only those beyond the bytes read count towards the limit."""
         self._held_bytes += size
         self._check()
 
@@ -71,7 +71,7 @@ class Budget:
         return b"".join(blocks)
 
     def take_members(self, data: bytes) -> None:
-        """Count the unpacked size of an archive such as a 3MF, if it is one; its readers stop at the stated sizes."""
+        """Count the sizes that an archive such as a 3MF states for its members; its readers stop at these sizes."""
         if data.startswith(b"PK"):
             try:
                 with zipfile.ZipFile(io.BytesIO(data)) as archive:

@@ -194,7 +194,7 @@ def _to_metres(content: Content, scale: float | None) -> None:
 
 
 def _usable_nodes(nodes: Nodes) -> tuple[Nodes, list[str]]:
-    """Split off nodes whose transforms are not finite and affine; return the rest and a description of each flaw."""
+    """Split off nodes whose transforms are not finite and affine; return the others and a description of each flaw."""
     matrices = nodes.transforms
     affine = np.isfinite(matrices).all(axis=(1, 2)) & (matrices[:, 3] == (0, 0, 0, 1)).all(axis=1)
     names = (check.shortened(nodes.objects[row]) for row in np.flatnonzero(~affine))

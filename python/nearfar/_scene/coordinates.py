@@ -73,7 +73,7 @@ def _valid_parts(transform: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def numbers_of(source: Mapping[str, Any], sizes: Mapping[str, int]) -> dict[str, Any]:
-    """Entries that are finite numbers, for a size of 1, or lists of that many."""
+    """Entries of the stated sizes: a finite number for size 1, else a list of that many finite numbers."""
 
     def is_usable(value: object, size: int) -> bool:
         return is_number(value) if size == 1 else isinstance(value, list) and [*map(is_number, value)] == [True] * size
@@ -143,7 +143,7 @@ def _parts(matrix: NDArray[np.float64]) -> dict[str, Any] | None:
     scale_u, scale_v = float(np.hypot(*u_axis)), float(np.hypot(*v_axis))
     if not math.isfinite(scale_u * scale_v) or abs(u_axis @ v_axis) > 1e-9 * scale_u * scale_v:
         return None
-    # The first column is wide · (cos, −sin), the second one high · (sin, cos).
+    # The u axis is scale_u · (cos, −sin), the v axis scale_v · (sin, cos).
     angle = math.atan2(-u_axis[1], u_axis[0]) if scale_u else math.atan2(v_axis[0], v_axis[1])
     if np.linalg.det(matrix[:, :2]) < 0:
         scale_v = -scale_v

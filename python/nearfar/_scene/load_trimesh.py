@@ -34,7 +34,7 @@ def parsed(data: bytes, kind: str, resolver: Any, **options: bool) -> Any:
 
 
 def read(label: str, loaded: trimesh.Trimesh | trimesh.Scene, materials: Materials | None = None) -> Content:
-    """Convert a mesh or a scene; its nodes become objects. `materials` means that it comes from a file."""
+    """Convert a mesh or a scene; its nodes become objects. `materials` is given if it comes from a file."""
     trimesh = background.module("trimesh")
     if isinstance(loaded, trimesh.Trimesh):
         loaded = trimesh.Scene({"object": loaded})

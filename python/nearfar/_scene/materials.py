@@ -219,7 +219,7 @@ class Materials:
     def _emission(
         self, undrawn: GltfMaterial | None, image: Any
     ) -> tuple[Light, NDArray[np.uint8] | None, tuple[str, ...]]:
-        """Drawn part of a material's emission, and notes on the rest; `image` is the emission's texture."""
+        """Drawn part of a material's emission, and notes on the undrawn part; `image` is the emission's texture."""
         light = DARK if undrawn is None else emission_of(undrawn.material)
         if undrawn is None or light == DARK or MAP not in undrawn.material:
             return light, None, ()

@@ -55,5 +55,4 @@ def pose_of(core: _core.Scene, number: int, frame: Floats, rest: Floats) -> Floa
         return frame.copy()
     present[:, :3, 3] += core.origin
     loaded[:, :3, 3] += core.origin
-    pose: Floats = present[0] @ np.linalg.solve(loaded[0], frame)
-    return pose
+    return np.asarray(present[0] @ np.linalg.solve(loaded[0], frame))

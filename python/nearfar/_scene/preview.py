@@ -15,7 +15,7 @@ SIZE = (320, 200)
 """Width and height of the picture in pixels."""
 
 MAX_EXACT_ELEMENTS = 750_000
-"""Most distinct triangles and instances to draw exactly: their bounding volume trees are built within a second."""
+"""Maximum number of distinct triangles and instances that are drawn exactly: their trees are built within a second."""
 
 POINT_COUNT = 250_000
 """Number of triangles drawn as points for larger scenes, whose trees would take seconds to build and stay in memory."""

@@ -21,7 +21,7 @@ from nearfar._scene.tileset.tileset import Tileset
 
 
 class TilesetSource:
-    """World of a tileset, whose contents are cached as long as there is room."""
+    """World of a tileset; the contents used last are cached."""
 
     def __init__(self, tileset: Tileset, options: LoadOptions) -> None:
         self._tileset, self._options = tileset, options

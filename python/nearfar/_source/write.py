@@ -112,18 +112,17 @@ class _TileWriter:
 
     def run(self, index: TileIndex) -> None:
         """Write the tiles of the cells that follow those of the index."""
-        current = index
         saved_at = time.monotonic()
         try:
             with progress.bar("tiles") as report:
                 for cell_number in range(index.written_cells, len(self._grid)):
                     report(cell_number, len(self._grid))
-                    current = replace(self._write_cell(current, cell_number), written_cells=cell_number + 1)
+                    index = replace(self._write_cell(index, cell_number), written_cells=cell_number + 1)
                     if time.monotonic() - saved_at > _UPDATE_SECONDS:
-                        current.write(self._folder)
+                        index.write(self._folder)
                         saved_at = time.monotonic()
         finally:
-            current.write(self._folder)
+            index.write(self._folder)
 
     def _write_cell(self, index: TileIndex, cell_number: int) -> TileIndex:
         """Write the tile of a cell, and return the index with it; a cell without triangles has no tile."""

@@ -125,7 +125,7 @@ def _shape(
     corners = surfaces.corners[rows_of(first[numbers], lengths)]
     counts = np.diff(face_offsets)[numbers]
     triangles = faces[rows_of(face_offsets[numbers], counts)].astype(np.int64)
-    # Indices shrink by the number of corners before the surface that are left out.
+    # Each surface's indices shrink by the number of omitted corners before it.
     triangles -= (first[numbers] - offsets(lengths)[:-1]).repeat(counts)[:, None]
     base = np.rint(corners.min(axis=0) / 2 + corners.max(axis=0) / 2) if len(corners) else np.zeros(3)
     used, face_material = np.unique(color[numbers].repeat(counts), return_inverse=True)

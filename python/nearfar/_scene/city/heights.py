@@ -44,8 +44,7 @@ Column = Callable[[str], NDArray[np.float64] | None]
 def stated(column: Column, keys: Iterable[tuple[str, float]], count: int, name: str | None) -> NDArray[np.float64]:
     """Heights in metres that properties state for each of `count` features (N,), NaN where none does.
 
-    The properties are the `keys` in order of precedence, with metres per unit; with a `name`, only that one, in
-    m.
+    The properties are the `keys` in order of precedence, with metres per unit, or only the `name`, in metres.
     """
     values = np.full(count, np.nan)
     for key, metres in keys if name is None else [(name, 1.0)]:

@@ -16,7 +16,7 @@ _LARGEST = 9.0
 """Greatest valid level."""
 
 _NEXT = 0.999
-"""Added to a whole level: level 2 includes 2.0 to 2.3."""
+"""Added to an integer level: level 2 includes 2.0 to 2.3."""
 
 
 def level_of(value: Any, json_path: str) -> float:

@@ -238,8 +238,7 @@ def component(accessor: dict[str, Any]) -> np.dtype[Any]:
 def _stream(view: dict[str, Any]) -> dict[str, Any] | None:
     """The extension's entry of a view, with place and layout of the compressed bytes; None without the extension."""
     extensions = view.get("extensions", {})
-    found: dict[str, Any] | None = next((extensions[name] for name in MESHOPT if name in extensions), None)
-    return found
+    return next((extensions[name] for name in MESHOPT if name in extensions), None)
 
 
 def _is_placeholder(buffer: dict[str, Any], number: int, *, has_binary: bool) -> bool:

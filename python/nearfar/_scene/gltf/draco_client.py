@@ -107,8 +107,7 @@ class _Process:
         assert answers is not None
         requests.write(json.dumps(request).encode() + b"\n" + data)
         requests.flush()
-        line = answers.readline()
-        if not line:
+        if not (line := answers.readline()):
             raise EOFError
         answer = json.loads(line)
         if "error" in answer:
@@ -116,8 +115,8 @@ class _Process:
         arrays = {number: (np.dtype(kind), tuple(shape)) for number, kind, shape in answer["attributes"]}
 
         def rows(kind: np.dtype[Any], shape: tuple[int, ...]) -> NDArray[Any]:
-            data = answers.read(kind.itemsize * math.prod(shape))
-            if len(data) != kind.itemsize * math.prod(shape):
+            size = kind.itemsize * math.prod(shape)
+            if len(data := answers.read(size)) != size:
                 raise EOFError
             return np.frombuffer(data, kind).reshape(shape)
 

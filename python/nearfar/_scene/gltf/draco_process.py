@@ -25,8 +25,7 @@ def main() -> None:
 
     requests, answers = sys.stdin.buffer, sys.stdout.buffer
     while _is_ready(requests):
-        line = requests.readline()
-        if not line:
+        if not (line := requests.readline()):
             return
         request = json.loads(line)
         data = requests.read(request["bytes"])

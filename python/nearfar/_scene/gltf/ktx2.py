@@ -164,5 +164,4 @@ def _bytes(values: NDArray[Any], *, is_alpha: bool) -> NDArray[np.uint8]:
     if values.dtype == _UINT8:
         return values
     light = np.clip(np.nan_to_num(values.astype(np.float32)), 0, 1)
-    levels: NDArray[np.uint8] = np.rint((light if is_alpha else to_srgb(light)) * 255).astype(np.uint8)
-    return levels
+    return np.asarray(np.rint((light if is_alpha else to_srgb(light)) * 255).astype(np.uint8))

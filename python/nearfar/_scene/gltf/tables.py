@@ -56,8 +56,7 @@ class Table:
     @property
     def is_tight(self) -> NDArray[np.bool_]:
         """Whether rows follow each other without gaps (A,)."""
-        tight: NDArray[np.bool_] = self.rows[:, 2] == _sizes(self.rows[:, 5]) * self.rows[:, 4]
-        return tight
+        return np.asarray(self.rows[:, 2] == _sizes(self.rows[:, 5]) * self.rows[:, 4])
 
 
 def _sizes(kinds: Numbers) -> Numbers:

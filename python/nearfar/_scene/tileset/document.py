@@ -186,5 +186,4 @@ def _transform(json_path: str, numbers: Any, parent_transform: Floats) -> Floats
     matrix = values.numbers(json_path, numbers, 16).reshape(4, 4).T
     if not np.array_equal(matrix[3], (0, 0, 0, 1)):
         raise UnusableError(f"{json_path}: expected an affine transform, got the last row {matrix[3].tolist()}")
-    transform: Floats = parent_transform @ matrix
-    return transform
+    return np.asarray(parent_transform @ matrix)

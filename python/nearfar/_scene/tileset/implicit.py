@@ -28,22 +28,23 @@ Cell = tuple[int, ...]
 
 @dataclass(frozen=True)
 class Implicit:
-    """One implicit tiling, which a tile with that volume declares: 2 axes for a quadtree, 3 for an octree.
-
-    `subtrees` and the tile's contents are URI templates with {level}, {x}, {y} and {z}. `boxes` are metadata
-    properties, by class name, with tiles' boxes, which override the subdivided volume.
-    """
+    """One implicit tiling."""
 
     tile: StatedTile
+    """Tile that declares the tiling; its contents are URI templates like `subtrees`."""
     volume: Box | Region
+    """Volume of that tile."""
     axes: int
+    """2 for a quadtree, 3 for an octree."""
     subtree_levels: int
     levels: int
     """Number of levels of the whole tree."""
     subtrees: str
+    """URI template with {level}, {x}, {y} and {z}."""
     open_subtree: Callable[[Implicit, str], Subtree | None]
     """Reads a subtree; None if its file is missing."""
     boxes: dict[str, BoxProperty]
+    """Metadata properties, by class name, that state tiles' boxes, which override the subdivided volume."""
 
     def root(self) -> list[Tile]:
         """Tile of level 0, if it is available."""
@@ -52,8 +53,9 @@ class Implicit:
     def subtree_root(self, level: int, cell: Cell) -> list[Tile]:
         """Top tile of a subtree, if it is available."""
         subtree = self.open_subtree(self, fill_template(self.subtrees, level, cell))
-        is_available = subtree is not None and subtree.tiles.bit(0)
-        return [ImplicitTile(self, subtree, level, cell, 0, 0)] if subtree is not None and is_available else []
+        if subtree is None or not subtree.tiles.bit(0):
+            return []
+        return [ImplicitTile(self, subtree, level, cell, 0, 0)]
 
 
 class ImplicitTile(Tile):

@@ -17,7 +17,7 @@ MAX_TILES = 100_000
 """Maximum number of visited tiles; a whole planet has more."""
 
 _REFERENCE_COST = 10
-"""Number of tiles that the root of an external tileset counts as, since it takes that much longer."""
+"""Number of tiles that the root of an external tileset counts as: reading its file takes about as long."""
 
 Touches = Callable[[Tile], bool]
 
@@ -48,7 +48,7 @@ class Visits:
 
 
 def box_test(box: Floats | None, to_scene: Floats) -> Touches:
-    """Return a test whether a tile's volume touches a box (2, 3) of the scene; without a box all tiles do."""
+    """Return a function that tests whether a tile's volume touches a box (2, 3) of the scene; without a box all do."""
     if box is None:
         return lambda tile: True
 
@@ -123,7 +123,7 @@ def by_triangles(
             heapq.heappush(heap, (-tile.error, next(order), tile))
 
     def readable(tiles: Sequence[Tile], *, through: bool) -> dict[Tile, int] | None:
-        """Tiles with content and their triangles; unreadable ones are replaced by their children, or fail (None)."""
+        """Tiles with content and their triangles; None if one is unreadable. With `through` its children replace it."""
         readable_sizes: dict[Tile, int] = {}
         pending = _with_content(tiles, touches, visits)
         while pending:

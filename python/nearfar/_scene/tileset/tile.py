@@ -79,8 +79,7 @@ class Tile(ABC):
         volume = self.volume
         if isinstance(volume, Region):
             return volume.middle
-        middle: Floats = self.transform[:3, :3] @ volume.middle + self.transform[:3, 3]
-        return middle
+        return np.asarray(self.transform[:3, :3] @ volume.middle + self.transform[:3, 3])
 
 
 class StatedTile(Tile):
