@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from nearfar import _core
 from nearfar._scene.arrays import origin_for, touching
 from nearfar._scene.city import heights
-from nearfar._scene.city.ground import Geodetic, Ground, Projected
+from nearfar._scene.city.crs import Geodetic, Ground, Projected
 from nearfar._scene.city.outlines import Table
 from nearfar._scene.content import Content, Nodes, Shape, translation
 from nearfar._scene.names import distinct

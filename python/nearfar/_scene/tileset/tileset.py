@@ -65,15 +65,9 @@ class Tileset:
         tileset on the Earth; by default the centre of its volume. `cache_bytes` is the size of the cache of contents,
         `budget` the limit of the bytes that a single tile may unpack to.
 
-        Raises
-        ------
-        SceneError
-            A file that is not a tileset, or one of an unsupported version; an `origin` for a tileset that does not lie
-            on the Earth, or none for one that covers the whole Earth.
-        ValueError, TypeError
-            An invalid `origin`.
-        OSError
-            A file that cannot be opened.
+        SceneError for a file that is no tileset or one of an unsupported version, for an `origin` off the Earth, and
+        for none if a tileset covers the whole Earth; ValueError or TypeError for an invalid `origin`; OSError for a
+        file that cannot be opened.
         """
         origin = frames.checked_origin(origin)
         files, cache = open_files(path), ContentCache(cache_bytes)
@@ -108,13 +102,9 @@ class Tileset:
         number of triangles, tiles with the greatest errors are refined first instead. Only tiles that touch the `box`
         (2, 3) in the scene's frame are read, each as a whole. `budget` limits the bytes that the files may unpack to.
 
-        Raises
-        ------
-        SceneError
-            A tileset that refers to files outside its folder or to itself, or that is too large; tiles that unpack to
-            more bytes than the budget; fewer `triangles` than the coarsest tiles have.
-        OSError
-            A URL that does not respond.
+        SceneError for a tileset that refers to files outside its folder or to itself, or that is too large, for tiles
+        that unpack to more bytes than the budget, and for fewer `triangles` than the coarsest tiles have; OSError for a
+        URL that does not respond.
         """
         reading = Reading(self._files, self._cache, Budget() if budget is None else budget)
         touches = select.box_test(box, self.frame.to_scene)
