@@ -20,7 +20,7 @@ from nearfar import _core
 from nearfar._base import files, glb
 from nearfar._scene.moving_rows import rows_of
 from nearfar._scene.scene import Scene
-from nearfar._scene.texture_file import encode_texture
+from nearfar._scene.srgb import encode_texture
 from nearfar.orthoview._grid import Grid, Place
 from nearfar.orthoview._owned import owned
 

@@ -14,7 +14,7 @@ from nearfar import _core
 from nearfar._base import glb as binary, progress, side_by_side
 from nearfar._scene.moving_rows import rows_of
 from nearfar._scene.scene import Scene
-from nearfar._scene.texture_file import encode_texture
+from nearfar._scene.srgb import encode_texture
 from nearfar.stream import _map_files as codec
 from nearfar.stream._map_files import RangeScale
 from nearfar.stream._maps import TILE, RingMaps

@@ -8,7 +8,8 @@ import numpy as np
 
 from nearfar import _core
 from nearfar._base import check, formats
-from nearfar._scene.moving_rows import frames_of, nodes_of, placement_of
+from nearfar._scene.glb import placement_of
+from nearfar._scene.moving_rows import frames_of, nodes_of
 from nearfar._scene.names import Names
 from nearfar._scene.scene import Scene
 from nearfar.stream._decode import Read, assembled

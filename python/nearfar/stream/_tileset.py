@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from nearfar._base import formats, glb
 from nearfar._base.version import __version__
 from nearfar._scene.budget import Budget
-from nearfar._scene.gltf import instances, nodes
+from nearfar._scene.gltf import nodes
 from nearfar._scene.gltf.buffers import Buffers
 
 VERSION = "1.1"
@@ -72,7 +72,7 @@ def box_of(data: bytes) -> NDArray[np.float64]:
     budget = Budget(len(data) << 20)  # our own file
     buffers = Buffers(document, glb.binary(data, end), None, budget)
     meshes = {number: [str(number)] for number in range(len(document["meshes"]))}
-    placed = nodes.place_nodes(document, meshes, instances.transforms(document, buffers, budget))
+    placed = nodes.place_nodes(document, meshes, nodes.instance_transforms(document, buffers, budget))
     local = np.array([_mesh_box(document, mesh) for mesh in document["meshes"]])[[int(name) for name in placed.shapes]]
     linear, offset = placed.transforms[:, :3, :3], placed.transforms[:, :3, 3]
     middle = np.einsum("nij,nj->ni", linear, local.mean(axis=1)) + offset
