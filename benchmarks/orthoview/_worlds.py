@@ -110,7 +110,7 @@ def open_tree(path: Path, directions: int, layers: int = 1) -> nf.orthoview.Orth
     tree = nf.orthoview.open(path)
     whole = tree._layout
     tree._layout = replace(whole, directions=directions_of(directions), layers=layers)
-    read = _store.cells_of(tree._files, whole, tree.generation, _store.Listed(tree._files, whole))
+    _, read = _store.open_generation(tree._files, whole, tree.generation)
 
     def fewer(tier: int, place: Place) -> _store.Cells:
         cells = read(tier, place)

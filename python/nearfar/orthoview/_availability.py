@@ -61,23 +61,10 @@ def subtree_levels(levels: int) -> int:
 
 
 def write(folder: Path, levels: int, leaves: NDArray[np.int64], box_of: Callable[[Place], Floats]) -> Floats:
-    """Write all subtrees of a tree, from the leaves up.
+    """Write all subtrees of a tree, from the leaves up; return the bounding box (2, 3) of all leaves.
 
-    Parameters
-    ----------
-    folder
-        Folder of the subtree files.
-    levels
-        Number of levels of the tree.
-    leaves
-        The leaves (N, 3) that have content, each once; at least one.
-    box_of
-        Returns the bounding box (2, 3) of a leaf's content, world, metres; called once for each leaf.
-
-    Returns
-    -------
-    NDArray
-        Bounding box (2, 3) of all leaves.
+    `leaves` are those (N, 3) that have content, each once; at least one. `box_of`, which is called once for each of
+    them, returns the bounding box (2, 3) of a leaf's content, world, metres.
     """
     below: NDArray[np.int64] = leaves
     boxes: Floats | None = None

@@ -52,15 +52,7 @@ class Fitted:
 
 
 class Fitter:
-    """Chooses the splats of pictures.
-
-    Parameters
-    ----------
-    cutter
-        Cuts the tree.
-    views
-        Reads its views.
-    """
+    """Chooses the splats of pictures."""
 
     def __init__(self, cutter: Cutter, views: Views) -> None:
         self._cutter, self._views = cutter, views

@@ -46,19 +46,7 @@ class Course:
 
 
 class Client:
-    """Fetches the parts that a planner wants over a link.
-
-    Parameters
-    ----------
-    planner
-        Plans the parts to fetch.
-    sizes
-        Returns the sizes of parts, bytes.
-    link
-        The link to the store.
-    cache_bytes
-        Size of the cache, bytes.
-    """
+    """Fetches the parts that a planner wants over a link; `sizes` returns their sizes in bytes."""
 
     def __init__(
         self, planner: Planner, sizes: Callable[[Sequence[Part]], list[int]], link: Link, cache_bytes: int, seed: int

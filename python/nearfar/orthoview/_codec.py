@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from functools import partial
 from typing import Any
 
@@ -34,13 +34,14 @@ def drop_unneeded_layers(views: _core.OrthoViews, layout: Layout) -> _core.Ortho
     return views.keep_behind([share > HIDDEN for share in views.unseen()])
 
 
-def encoded(views: _core.OrthoViews, layout: Layout) -> Encoded:
-    """Compress both layers of a cell's views."""
-    first, second = _encoded(views, layout), views.second_layer()
-    if second is None:
-        return first
-    behind = _encoded(second, layout)
-    return first | {(number, BEHIND + channel): chunk for (number, channel), chunk in behind.items()}
+def encoded(views: _core.OrthoViews | None, layout: Layout) -> Encoded:
+    """Compress both layers of a cell's views; an empty cell has none."""
+    if views is None:
+        return {}
+    second = views.second_layer()
+    behind = {} if second is None else _encoded(second, layout)
+    named = {(number, BEHIND + channel): chunk for (number, channel), chunk in behind.items()}
+    return _encoded(views, layout) | named
 
 
 def _encoded(views: _core.OrthoViews, layout: Layout) -> Encoded:
@@ -67,11 +68,6 @@ def _encoded(views: _core.OrthoViews, layout: Layout) -> Encoded:
     return dict(zip(pairs, side_by_side.results([partial(chunk, *pair) for pair in pairs]), strict=True))
 
 
-def settled(views: _core.OrthoViews, chunks: Encoded, layout: Layout) -> _core.OrthoViews:
-    """Return the views as readers decode them. Parents are composed of these, as in a build that resumes."""
-    return views if layout.quality is None else both(chunks, layout)
-
-
 def _summed(data: bytes) -> bytes:
     """Append the CRC32C of the bytes, as Zarr's codec `crc32c` does."""
     import google_crc32c
@@ -88,26 +84,27 @@ def _unsummed(chunk: bytes) -> bytes:
     return data
 
 
-def both(chunks: Mapping[tuple[int, str], bytes], layout: Layout) -> _core.OrthoViews:
-    """Decode both layers of a cell's views."""
-    first = decoded(chunks, layout)[0]
-    behind = {(n, name.removeprefix(BEHIND)): chunk for (n, name), chunk in chunks.items() if name.startswith(BEHIND)}
-    return _core.OrthoViews.with_behind(first, decoded(behind, layout)[0]) if behind else first
+def split_layers(chunks: Encoded) -> list[Encoded]:
+    """Split chunks into those of the first layer and, if there are any, those of the second one, under equal keys."""
+    first = {pair: chunk for pair, chunk in chunks.items() if not pair[1].startswith(BEHIND)}
+    second = {(n, name.removeprefix(BEHIND)): chunks[n, name] for n, name in chunks if name.startswith(BEHIND)}
+    return [first, second] if second else [first]
+
+
+def both(chunks: Encoded, layout: Layout) -> _core.OrthoViews | None:
+    """Decode both layers of a cell's views; None for an empty cell."""
+    if not chunks:
+        return None
+    first, *second = (decoded(layer, layout)[0] for layer in split_layers(chunks))
+    return _core.OrthoViews.with_behind(first, *second) if second else first
 
 
 def decoded(
-    chunks: Mapping[tuple[int, str], bytes], layout: Layout, numbers: Sequence[int] | None = None
+    chunks: Encoded, layout: Layout, numbers: Sequence[int] | None = None
 ) -> tuple[_core.OrthoViews, NDArray[np.uint8]]:
     """Decode the first layer of a cell's views, and the connections (D, size, size, 1) of their pixels.
 
-    Parameters
-    ----------
-    chunks
-        Chunks by direction number and channel; missing ones show nothing.
-    layout
-        Layout of the tree.
-    numbers
-        Direction numbers; by default all.
+    Missing chunks show nothing. `numbers` are those of the views' directions; by default all.
     """
     from numcodecs.zstd import Zstd
 

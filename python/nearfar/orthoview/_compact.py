@@ -13,7 +13,6 @@ from typing import Any
 from nearfar._base import files, formats, progress
 from nearfar._base.errors import FormatError
 from nearfar.orthoview import _store
-from nearfar.orthoview._chunks import Chunks
 from nearfar.orthoview._files import Files, Local
 from nearfar.orthoview._geometry_store import FOLDER as GEOMETRY, IMAGES, names
 from nearfar.orthoview._grid import Place, depth_first
@@ -35,7 +34,7 @@ def compact(store: Files, attributes: dict[str, Any], target: Path) -> None:
             report(done, len(subtrees))
             copy.write(subtree, shards)
         copy.images()
-        _store.end_compact(folder, attributes)
+        _store.end(folder, failed={}, done=attributes["done"])
 
 
 _AT_ONCE = 64
@@ -48,12 +47,10 @@ Subtree = tuple[int, Place]
 class _Copy:
     def __init__(self, store: Files, layout: Layout, newest: int, folder: Path) -> None:
         self._store, self._layout, self._folder = store, layout, folder
-        listed = _store.Listed(store, layout)
-        self._chunks = Chunks(store, layout, _store.recorded_generations(store, layout, newest, listed))
+        self._chunks, self._read_cells = _store.open_generation(store, layout, newest)
         self._records = list(_store.recorded(store, newest))
         self._known = {path: known for recorded in self._records for path, known in recorded.shards.items()}
         self._geometry = self._newest_geometry()
-        self._cells = _store.cells_of(store, layout, newest, listed)
 
     def subtrees(self) -> dict[Subtree, dict[str, tuple[int, str] | None]]:
         """Shards of all subtrees by path, with size and hash if no update changed them, else None."""
@@ -103,14 +100,8 @@ class _Copy:
                     self._copy(path, path)
             if known is not None:
                 written[path] = known
-        write_record(
-            record_of(self._folder, *subtree),
-            written,
-            self._leaves(subtree),
-            held,
-            presence,
-            self._cells(*subtree).guests,
-        )
+        record, guests = record_of(self._folder, *subtree), self._read_cells(*subtree).guests
+        write_record(record, written, self._leaves(subtree), held, presence, guests)
 
     def _leaves(self, subtree: Subtree) -> Described:
         """Copy the geometry of a subtree's leaves; return sizes and hashes."""

@@ -104,15 +104,7 @@ class OrthoCut:
 
 
 class Cutter:
-    """Cuts a tree; subtrees are read on demand.
-
-    Parameters
-    ----------
-    layout
-        Layout of the tree.
-    read
-        Reads the cells of a subtree by its tier and place.
-    """
+    """Cuts a tree; `read` reads the cells of a subtree, by its tier and place, on demand."""
 
     def __init__(self, layout: Layout, read: Callable[[int, Place], Cells]) -> None:
         grid = layout.grid

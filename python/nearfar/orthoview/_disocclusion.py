@@ -83,24 +83,14 @@ def choose_directions(source: SceneSource, grid: Grid, *, below: bool = False) -
     """Choose the set of directions for a world by what its views hide.
 
     Leaves are sampled at random, and those with the most triangles are rendered. Leaves that the source cannot return
-    are skipped. The same world and grid give the same choice.
-
-    Parameters
-    ----------
-    source
-        The world.
-    grid
-        Grid of the part that is built.
-    below
-        Whether viewers look up from below as well.
+    are skipped. The same world and grid give the same choice. With `below`, viewers look up from below as well.
     """
     hidden: Counter[int] = Counter()
     seen = cells = 0
     with progress.bar("directions") as report:
         for done, place in enumerate(_densest(source, grid, lambda found: report(found, LOOKED + CELLS))):
             report(LOOKED + done, LOOKED + CELLS)
-            part = _queried(source, grid, place)
-            if part is not None:
+            if (part := _query(source, grid, place)) is not None:
                 pixels, holes = _count_holes(part, grid, place, COUNTS, SIZE, viewers(below=below))
                 hidden.update(holes)
                 seen, cells = seen + pixels, cells + (pixels > 0)
@@ -113,8 +103,7 @@ def _densest(source: SceneSource, grid: Grid, report: Callable[[int], None]) -> 
     counts: dict[Place, int] = {}
     for place in leaves(source, grid):
         report(len(counts))
-        part = _queried(source, grid, place)
-        if part is not None:
+        if (part := _query(source, grid, place)) is not None:
             counts[place] = part.triangle_count
         if len(counts) == LOOKED:
             break
@@ -123,7 +112,7 @@ def _densest(source: SceneSource, grid: Grid, report: Callable[[int], None]) -> 
     return [place for number, place in enumerate(densest) if number < FEWEST or before[number] < ENOUGH]
 
 
-def _queried(source: SceneSource, grid: Grid, place: Place) -> Scene | None:
+def _query(source: SceneSource, grid: Grid, place: Place) -> Scene | None:
     """Query the scene of a leaf; None if it is empty or the source fails."""
     try:
         part = source.query(grid.box(0, place))
@@ -146,18 +135,8 @@ def disocclusion(
 ) -> dict[int, float]:
     """Return the share of a leaf's visible surface that the views of each set hide, 0 for a leaf that shows nothing.
 
-    Parameters
-    ----------
-    part
-        Scene of the leaf. Moving objects are left out, as in its views.
-    grid, place
-        The leaf.
-    sets
-        Numbers of directions of the sets.
-    size
-        Width and height of the views, pixels; a multiple of 4.
-    below
-        Whether viewers look up from below as well.
+    Moving objects are left out, as in its views. `sets` are numbers of directions; `size` is the width and height of
+    the views in pixels, a multiple of 4. With `below`, viewers look up from below as well.
     """
     return _shares(*_count_holes(part, grid, place, sets, size, viewers(below=below)), sets)
 
@@ -172,8 +151,7 @@ def viewers(count: int = VIEWERS, *, below: bool = False) -> NDArray[np.float64]
     A Fibonacci lattice: heights are the middles of equal steps, so the lowest viewers are 1° above the horizon.
     """
     number = np.arange(count)
-    height = (number + 0.5) / count
-    height = 2 * height - 1 if below else height
+    height = (number + 0.5) / count * 2 - 1 if below else (number + 0.5) / count
     azimuth, radius = np.pi * (3 - np.sqrt(5)) * number, np.sqrt(1 - height**2)
     return np.column_stack([radius * np.cos(azimuth), height, radius * np.sin(azimuth)])
 

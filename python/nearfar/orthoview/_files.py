@@ -52,20 +52,11 @@ class Local:
 
     def _part(self, name: str, first: int, length: int) -> bytes | None:
         try:
-            file = os.open(self.folder / name, os.O_RDONLY | getattr(os, "O_BINARY", 0))
+            with (self.folder / name).open("rb") as file:
+                file.seek(first if first >= 0 else max(file.seek(0, os.SEEK_END) + first, 0))
+                return file.read(length)
         except (FileNotFoundError, NotADirectoryError):
             return None
-        try:
-            if first < 0:
-                first = max(os.lseek(file, 0, os.SEEK_END) + first, 0)
-            os.lseek(file, first, os.SEEK_SET)
-            pieces = []
-            while length and (piece := os.read(file, length)):
-                pieces.append(piece)
-                length -= len(piece)
-            return b"".join(pieces)
-        finally:
-            os.close(file)
 
 
 class Remote:

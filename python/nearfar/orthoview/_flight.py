@@ -8,7 +8,6 @@ import threading
 import time as clock
 import warnings
 from collections.abc import Callable, Mapping, Sequence
-from types import TracebackType
 from typing import Self, SupportsFloat, SupportsIndex, Unpack
 
 import numpy as np
@@ -84,9 +83,7 @@ class Flight(Pictured):
         """Return the flight."""
         return self
 
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
+    def __exit__(self, *error: object) -> None:
         """Close the flight."""
         self.close()
 
@@ -102,7 +99,7 @@ class Flight(Pictured):
     @property
     def errors(self) -> tuple[Exception, ...]:
         """Read errors so far: one for each damaged part, and the first one of each outage of the store."""
-        self._hear()
+        self._collect_errors()
         return tuple(self._errors)
 
     @property
@@ -199,17 +196,15 @@ class Flight(Pictured):
         now = clock.monotonic() if time is None else time
         with self._lock:
             plan = self._plan(shot.cameras, now)
-            each = zip(shot.cameras, (plan.wanted, *plan.beside), strict=True)
-            views = [self._choose_parts(number, camera, wanted) for number, (camera, wanted) in enumerate(each)]
+            cells = zip(shot.cameras, (plan.wanted, *plan.beside), strict=True)
+            views = [self._choose_parts(number, camera, wanted) for number, (camera, wanted) in enumerate(cells)]
             self._trim(plan)
             parts = [self._parts(shown, movers) for shown in views]
-        self._tell()
-        pictures = [
-            self._viewer.picture(camera, shot, own, report, device)
-            for camera, own in zip(shot.cameras, parts, strict=True)
-        ]
-        for picture in pictures:
-            picture["stats"]["error_px"] = plan.error_px
+        self._report_errors()
+        pictures = []
+        for camera, of_picture in zip(shot.cameras, parts, strict=True):
+            pictures.append(self._viewer.picture(camera, shot, of_picture, report, device))
+            pictures[-1]["stats"]["error_px"] = plan.error_px
         return pictures
 
     def wait(self, seconds: SupportsFloat | None = None) -> bool:
@@ -344,14 +339,15 @@ class Flight(Pictured):
         views, near = self._viewer.views, self._viewer.near
         return Received(views.reads, views.read_bytes, near.reads, near.read_bytes)
 
-    def _hear(self) -> list[Exception]:
-        news = self._loader.errors()
-        self._errors += news
-        return news
+    def _collect_errors(self) -> list[Exception]:
+        """Add the background errors since the last call to `errors`, and return them."""
+        errors = self._loader.errors()
+        self._errors += errors
+        return errors
 
-    def _tell(self) -> None:
+    def _report_errors(self) -> None:
         """Report background errors to `on_error`, or as warnings."""
-        for error in self._hear():
+        for error in self._collect_errors():
             if self._on_error is not None:
                 self._on_error(error)
             else:

@@ -103,16 +103,8 @@ def gaussians_of(
 ) -> Gaussians:
     """Convert the pixels of a view to Gaussians.
 
-    Parameters
-    ----------
-    shown
-        The pixels.
-    axes
-        Rows (3, 3): to the right, up, towards the viewer.
-    pitch
-        Width and height of a pixel, metres.
-    sun
-        Unit vector towards the sun; None for colours without light.
+    The rows of `axes` (3, 3) point to the right, up and towards the viewer. `pitch` is the width and height of a pixel,
+    metres; `sun` a unit vector towards the sun, None for colours without light.
     """
     right, up, toward = axes
     facing = np.maximum(surfaces.normal @ toward, np.float32(MIN_COSINE))

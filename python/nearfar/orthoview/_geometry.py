@@ -53,13 +53,7 @@ def step_of(grid: Grid) -> float:
 
 
 class Images:
-    """Texture files, shared by all leaves and named by a hash of their content.
-
-    Parameters
-    ----------
-    folder
-        Folder of the files; created with the first file.
-    """
+    """Texture files, shared by all leaves and named by a hash of their content; the first one creates the folder."""
 
     def __init__(self, folder: Path) -> None:
         self._folder = folder
@@ -87,23 +81,11 @@ def _fitting(texels: NDArray[np.uint8]) -> NDArray[np.uint8]:
 
 
 def cell_glb(part: Scene, grid: Grid, place: Place, images: Images | None = None) -> bytes | None:
-    """Encode the static triangles that belong to a leaf (`owned`).
+    """Encode the static triangles that belong to a leaf (`owned`) as a GLB in world metres, y up; None without any.
 
-    Parameters
-    ----------
-    part
-        Result of a query of the leaf's box.
-    grid, place
-        The leaf.
-    images
-        Stores the textures; with None materials have no textures.
-
-    Returns
-    -------
-    bytes or None
-        A GLB in world metres, y up; None if no triangle belongs to the leaf. The `extras` of its `asset` have the
-        number of `triangles`, the greatest `error` of a position along an axis, and the `box` of all, metres. Triangles
-        without area after their corners are rounded are left out.
+    `part` results from a query of the leaf's box. `images` stores the textures; with None materials have no textures.
+    The `extras` of the GLB's `asset` have the number of `triangles`, the greatest `error` of a position along an axis,
+    and the `box` of all, metres. Triangles without area after their corners are rounded are left out.
     """
     mine = _mine(part, grid, place, moving=False)
     if not mine.any():

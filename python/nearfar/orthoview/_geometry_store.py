@@ -69,29 +69,16 @@ def _name(grid: Grid, folder: str, place: Place) -> str:
 
 
 class GeometryStore:
-    """Writes the geometry of a tree's leaves.
-
-    Parameters
-    ----------
-    store
-        The tree's folder.
-    grid
-        Grid of the tree's leaves.
-    """
+    """Writes the geometry of a tree's leaves below the store's folder."""
 
     def __init__(self, store: Path, grid: Grid) -> None:
         self._folder, self._grid = store / FOLDER, grid
         self._images = Images(self._folder / IMAGES)
 
     def write(self, part: Scene, place: Place) -> int:
-        """Write the triangles that belong to a leaf; return the number of bytes.
+        """Write the triangles of a query of a leaf's box that belong to the leaf; return the number of bytes.
 
-        Parameters
-        ----------
-        part
-            Result of a query of the leaf's box.
-        place
-            The leaf. Writing it again gives the same bytes.
+        Writing it again gives the same bytes.
         """
         written = 0
         for folder, encode in ((STANDS, cell_glb), (MOVES, moving_glb)):

@@ -5,8 +5,6 @@ Each triangle is in the file of one leaf. A leaf drawn as geometry therefore nee
 
 from __future__ import annotations
 
-import base64
-import zlib
 from collections.abc import Mapping, Sequence
 
 import numpy as np
@@ -16,6 +14,7 @@ from nearfar._scene.scene import Scene
 from nearfar.orthoview._grid import Grid, Place
 from nearfar.orthoview._layout import Layout
 from nearfar.orthoview._owned import owners
+from nearfar.orthoview._presence import pack, unpack
 
 Guests = dict[Place, list[Place]]
 """Guests by leaf; leaves without guests may be missing."""
@@ -36,17 +35,13 @@ def guests(part: Scene, grid: Grid, place: Place) -> list[Place]:
 def encode_guests(known: Mapping[Place, Sequence[Place]]) -> str:
     """Encode guests as text: base64 of zlib of rows of six int32, a leaf and one of its guests."""
     rows = np.array([(*leaf, *guest) for leaf in sorted(known) for guest in known[leaf]], "<i4")
-    return base64.b64encode(zlib.compress(rows.tobytes(), 9)).decode()
+    return pack(rows.tobytes())
 
 
 def guests_of(text: str, layout: Layout, tier: int, place: Place) -> Guests:
-    """Decode the text that `described` returned for a subtree; UnusableError if it is invalid."""
-    stream = zlib.decompressobj()
-    try:
-        content = stream.decompress(base64.b64decode(text, validate=True), _MAX)
-    except (ValueError, zlib.error) as error:
-        raise UnusableError(f"guests: {error}") from None
-    if not stream.eof or stream.unused_data or len(content) % 24:
+    """Decode the text that `encode_guests` returned for a subtree; UnusableError if it is invalid."""
+    content = unpack("guests", text, _MAX)
+    if len(content) % 24:
         raise UnusableError(f"guests: expected rows of 24 bytes, got {len(content)} bytes")
     rows = np.frombuffer(content, "<i4").reshape(-1, 6)
     leaves, others = rows[:, :3], rows[:, 3:]

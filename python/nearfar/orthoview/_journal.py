@@ -47,11 +47,8 @@ class Journal:
         """Record a finished cell and its guests; its chunks must have been written before."""
         self._path.parent.mkdir(parents=True, exist_ok=True)
         entry = {"level": level, "place": place, "chunks": chunks} | ({"guests": guests} if guests else {})
-        line = json.dumps(entry, separators=(",", ":")).encode() + b"\n"
-        with self._path.open("ab", buffering=0) as file:
-            rest = memoryview(line)
-            while rest:
-                rest = rest[file.write(rest) :]
+        with self._path.open("ab") as file:
+            file.write(json.dumps(entry, separators=(",", ":")).encode() + b"\n")
         self.cells[level, place] = chunks
         if guests:
             self.guests[place] = guests

@@ -28,6 +28,9 @@ BEHIND = "behind_"
 Key = tuple[int, Place, str]
 """Level, place and array of a chunk."""
 
+ViewKey = tuple[int, Place, int]
+"""Level, place and direction of a view."""
+
 CONNECTION_BITS = 4
 """Bits below a depth's: connected to the neighbour to the right, below, below right, below left."""
 
@@ -126,6 +129,10 @@ class Layout:
         wanted = range(len(self.directions)) if numbers is None else numbers
         pairs = [(number, channel) for number in wanted for channel in self.channels]
         return {pair: (level, place, self.array(level, *pair)) for pair in pairs}
+
+    def view_keys(self, views: Iterable[ViewKey]) -> list[Key]:
+        """Keys of the chunks of views, one view after the other, in the order of `channels`."""
+        return [(level, place, self.array(level, n, name)) for level, place, n in views for name in self.channels]
 
     def dtype(self, channel: str) -> np.dtype[Any]:
         """Type of a channel's values."""

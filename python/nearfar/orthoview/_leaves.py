@@ -31,16 +31,7 @@ Elsewhere = Callable[[Place], Outcome | None]
 class Leaves:
     """Renders leaves and builds the subtrees that hold them, when their parents need them.
 
-    Parameters
-    ----------
-    source
-        The world.
-    folder
-        Folder of the store, or of one of its generations.
-    layout
-        Layout of the tree.
-    elsewhere
-        Returns subtrees of leaves that other processes build.
+    `folder` is that of the store, or of one of its generations.
     """
 
     unchanged = 0

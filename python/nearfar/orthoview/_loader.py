@@ -18,17 +18,7 @@ FIRST_PAUSE, LONGEST_PAUSE = 0.5, 30.0
 
 
 class Loader:
-    """Reads parts in background threads.
-
-    Parameters
-    ----------
-    read
-        Reads parts, all of one kind, and stores them.
-    held
-        Whether a part has been read.
-    threads
-        Number of threads.
-    """
+    """Reads parts in background threads: `read` reads and stores some of one kind, `held` says which have been read."""
 
     def __init__(self, read: Callable[[Sequence[Part]], None], held: Callable[[Part], bool], threads: int) -> None:
         self._read, self._held = read, held

@@ -31,17 +31,7 @@ MAX_TEXTURES = 256
 
 
 class Near:
-    """Reads the geometry of leaves; thread-safe.
-
-    Parameters
-    ----------
-    place
-        Folder or URL of the store, for messages.
-    chunks
-        Chunks of the store.
-    grid
-        Grid of the tree's cells.
-    """
+    """Reads the geometry of leaves; thread-safe. Messages name the store by `place`, its folder or URL."""
 
     def __init__(self, place: str, chunks: Chunks, grid: Grid) -> None:
         self._place, self._chunks, self._grid = place, chunks, grid

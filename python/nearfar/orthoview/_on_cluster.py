@@ -49,12 +49,9 @@ class _Sent:
 
 @contextmanager
 def subtrees(source: SceneSource, folder: Path, layout: Layout, client: Any) -> Iterator[Elsewhere]:
-    """Let a cluster build the incomplete subtrees of leaves.
+    """Let a cluster build the incomplete subtrees of leaves; yields a function that returns their outcomes in order.
 
-    Yields
-    ------
-    Elsewhere
-        Returns their outcomes, which must be requested depth first.
+    These must be requested depth first.
     """
     pickled = (folder / FOLDER / "source.pickle").absolute()
     try:
@@ -118,14 +115,14 @@ class _InTurn:
         if self._next is None or self._next.place != place:
             return None
         sent, self._next = self._next, None
-        views = _codec.both(sent.chunks, self._layout.lossless) if sent.chunks else None
+        views = _codec.both(sent.chunks, self._layout.lossless)
         return Outcome(views, sent.is_complete, sent.failed, counts=sent.counts)
 
 
 def _built(job: _Job, place: Place, report: progress.Report) -> _Sent:
     """Build a subtree in a worker."""
     outcome = Leaves(_source(job.source, job.changed), job.folder, job.layout).run_one(place, report)
-    chunks = _codec.encoded(outcome.views, job.layout.lossless) if outcome.views is not None else {}
+    chunks = _codec.encoded(outcome.views, job.layout.lossless)
     counts = outcome.counts + Counter(sent=len(chunks))
     return _Sent(place, chunks, outcome.is_complete, outcome.failed, counts)
 

@@ -18,11 +18,11 @@ from nearfar.orthoview._cut import Cutter
 from nearfar.orthoview._files import Files
 from nearfar.orthoview._geometry_store import names
 from nearfar.orthoview._grid import Grid, Place
-from nearfar.orthoview._layout import BEHIND, CHANNELS, Layout
+from nearfar.orthoview._layout import CHANNELS, Layout, ViewKey
 from nearfar.orthoview._near import Near
 from nearfar.orthoview._parts import GEOMETRY, Part
 from nearfar.orthoview._viewer import Viewer
-from nearfar.orthoview._views import ViewKey, Views
+from nearfar.orthoview._views import Views
 
 
 @dataclass(frozen=True)
@@ -39,11 +39,9 @@ class Opened:
     @classmethod
     def from_files(cls, files: Files, layout: Layout, generation: int, cache_bytes: int) -> Opened:
         """Open the documents of a generation."""
-        listed = _store.Listed(files, layout)
-        chunks = Chunks(files, layout, _store.recorded_generations(files, layout, generation, listed))
-        cutter = Cutter(layout, _store.cells_of(files, layout, generation, listed))
+        chunks, read_cells = _store.open_generation(files, layout, generation)
         views, near = Views(files.place, chunks, layout, cache_bytes), Near(files.place, chunks, layout.grid)
-        return cls(files, layout, generation, cache_bytes, chunks, Viewer(cutter, views, near))
+        return cls(files, layout, generation, cache_bytes, chunks, Viewer(Cutter(layout, read_cells), views, near))
 
     @property
     def grid(self) -> Grid:
@@ -57,18 +55,10 @@ class Opened:
 
     def sizes(self, parts: Sequence[Part]) -> list[int]:
         """Bytes of views, and of leaves' geometry without textures."""
-        layers = ("", BEHIND)[: self.layout.layers]
-        keys = [
-            (level, place, self.layout.array(level, direction, layer + channel))
-            for level, place, direction in parts
-            if direction != GEOMETRY
-            for layer in layers
-            for channel in CHANNELS
-        ]
-        lengths = iter(self.chunks.lengths(keys))
-        each = len(layers) * len(CHANNELS)
+        views = [part for part in parts if part[2] != GEOMETRY]
+        lengths, count = iter(self.chunks.lengths(self.layout.view_keys(views))), len(self.layout.channels)
         return [
-            self._geometry_size(place) if direction == GEOMETRY else sum(islice(lengths, each))
+            self._geometry_size(place) if direction == GEOMETRY else sum(islice(lengths, count))
             for _, place, direction in parts
         ]
 
@@ -99,7 +89,7 @@ def _changed_views(layout: Layout, overlays: list[Generation]) -> Callable[[View
         level, place, direction = key
         array = layout.array(level, direction, CHANNELS[0])
         path = layout.shard_path(array, layout.shard_of(level, place)[0]).as_posix()
-        return any(overlay.shards is not None and path in overlay.shards for overlay in overlays)
+        return any(overlay.has_shard is not None and overlay.has_shard(path) for overlay in overlays)
 
     return changed
 
@@ -108,10 +98,7 @@ def _changed_leaves(grid: Grid, overlays: list[Generation]) -> Callable[[Place],
     """Return whether one of the generations has another file of a leaf."""
 
     def changed(place: Place) -> bool:
-        return any(
-            overlay.geometry is not None and name in overlay.geometry
-            for overlay in overlays
-            for name in names(grid, place)
-        )
+        checks = [overlay.has_geometry for overlay in overlays]
+        return any(has_file is not None and any(map(has_file, names(grid, place))) for has_file in checks)
 
     return changed

@@ -77,17 +77,7 @@ class _Renewed:
 
 
 class Pilot:
-    """Plans reads for a viewer.
-
-    Parameters
-    ----------
-    cutter
-        Cuts the tree.
-    settings
-        Settings for viewing the tree.
-    ahead
-        Prefetch settings.
-    """
+    """Plans reads for a viewer."""
 
     def __init__(self, cutter: Cutter, settings: Settings, ahead: Ahead) -> None:
         self._cutter, self._settings, self._ahead = cutter, settings, ahead

@@ -53,12 +53,7 @@ class PrefetchQueue:
 class Outlook:
     """Frustum test: cells that lie in the pictures of cameras, or may when these turn by a margin.
 
-    Parameters
-    ----------
-    cameras
-        Cameras now and at moments ahead.
-    margin
-        Margin around their pictures, radians; None for all directions.
+    The cameras are those of now and of moments ahead. The margin is in radians; None stands for all directions.
     """
 
     def __init__(self, cameras: Iterable[Camera], margin: float | None) -> None:
@@ -115,13 +110,7 @@ def offsets(ahead: float, course: NDArray[np.float64] | None) -> NDArray[np.floa
     return ahead * np.array([0.5 * course, course, *(each / np.linalg.norm(each) for each in outer)])
 
 
-def queue(
-    cutter: Cutter,
-    settings: Settings,
-    here: Camera,
-    ahead: Sequence[Camera],
-    outlook: Outlook,
-) -> PrefetchQueue:
+def queue(cutter: Cutter, settings: Settings, here: Camera, ahead: Sequence[Camera], outlook: Outlook) -> PrefetchQueue:
     """Collect the parts of the cuts at a position and at positions ahead, for cells that an outlook sees."""
     here_cut = cutter.cut(here, settings, around=True)
     needed = seen_parts(cutter, here_cut, here, outlook)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import base64
+import math
 import zlib
 from collections.abc import Sequence
 
@@ -21,17 +22,7 @@ Masks = list[NDArray[np.uint32]]
 
 
 class Presence:
-    """Collects the masks of a subtree from its chunks.
-
-    Parameters
-    ----------
-    layout
-        Layout of the tree.
-    tier
-        Tier of the subtree.
-    value
-        Initial mask of all cells: 0 for empty, or `AS_BEFORE`.
-    """
+    """Collects the masks of a subtree from its chunks; at first all are `value`: 0 for empty, or `AS_BEFORE`."""
 
     def __init__(self, layout: Layout, tier: int, value: int = 0) -> None:
         self._layout, self._lowest = layout, tier * layout.subtree
@@ -54,7 +45,27 @@ class Presence:
 
     def to_json(self) -> list[str]:
         """Encode the masks as JSON."""
-        return [base64.b64encode(zlib.compress(mask.astype("<u4").tobytes(), 9)).decode() for mask in self._masks]
+        return [pack(mask.astype("<u4").tobytes()) for mask in self._masks]
+
+
+def pack(data: bytes) -> str:
+    """Encode bytes as text: base64 of zlib."""
+    return base64.b64encode(zlib.compress(data, 9)).decode()
+
+
+def unpack(name: str, text: str, limit: int) -> bytes:
+    """Decode text that `pack` returned for at most `limit` bytes: a damaged one may unpack to any length.
+
+    Raises UnusableError for damaged text; the message begins with `name`.
+    """
+    stream = zlib.decompressobj()
+    try:
+        content = stream.decompress(base64.b64decode(text, validate=True), limit)
+    except (ValueError, zlib.error) as error:
+        raise UnusableError(f"{name}: {error}") from None
+    if not stream.eof or stream.unused_data:  # zlib compares its checksum at the end
+        raise UnusableError(f"{name}: expected the end of the compressed bytes after their content")
+    return content
 
 
 def shapes(layout: Layout, tier: int) -> list[tuple[int, int, int]]:
@@ -76,16 +87,10 @@ def masks_of(described: Sequence[str], layout: Layout, tier: int) -> Masks:
 
 
 def _mask(text: str, shape: tuple[int, int, int]) -> NDArray[np.uint32]:
-    size, stream = 4 * int(np.prod(shape)), zlib.decompressobj()
-    try:
-        # Limited to the expected size: a damaged text may unpack to any length.
-        content = stream.decompress(base64.b64decode(text, validate=True), size + 1)
-    except (ValueError, zlib.error) as error:
-        raise UnusableError(f"views: {error}") from None
+    size = 4 * math.prod(shape)
+    content = unpack("views", text, size + 1)
     if len(content) != size:
         raise UnusableError(f"views: expected {size} bytes, got {len(content)}")
-    if not stream.eof or stream.unused_data:  # zlib compares its checksum at the end
-        raise UnusableError("views: expected the end of the compressed bytes after their content")
     return np.frombuffer(content, "<u4").reshape(shape).astype(np.uint32)
 
 

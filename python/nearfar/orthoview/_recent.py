@@ -12,13 +12,7 @@ Value = TypeVar("Value")
 
 
 class Recent(Generic[Key, Value]):
-    """The cache.
-
-    Parameters
-    ----------
-    size_of
-        Size of a value, in the unit of `trim`; by default each counts 1.
-    """
+    """The cache; `size_of` returns a value's size in the unit of `trim`, by default 1."""
 
     def __init__(self, size_of: Callable[[Value], int] = lambda value: 1) -> None:
         self._size_of = size_of

@@ -18,6 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nearfar._base.errors import UnusableError
+from nearfar.orthoview._files import Part
 from nearfar.orthoview._grid import Place
 from nearfar.orthoview._journal import Chunk
 
@@ -74,12 +75,11 @@ class ShardWriter:
     def _write(self, data: bytes, *, sync: bool) -> None:
         if not self._size:
             self._part.parent.mkdir(parents=True, exist_ok=True)
-        with self._part.open("r+b" if self._size else "wb", buffering=0) as file:
+        with self._part.open("r+b" if self._size else "wb") as file:
             file.seek(self._size)
-            rest = memoryview(data)
-            while rest:
-                rest = rest[file.write(rest) :]
+            file.write(data)
             if sync:
+                file.flush()
                 os.fsync(file.fileno())
         self._hash.update(data)
         self._size += len(data)
@@ -91,7 +91,7 @@ class ShardWriter:
             return None
         with self._part.open("rb") as file:
             file.seek(start)
-            return complete(self._path, file.read(length), start, length)
+            return complete(file.read(length), (str(self._path), start, length))
 
     def finish(self) -> tuple[int, str]:
         """Write the index and rename the file; return its size and the SHA-256 of its bytes."""
@@ -118,10 +118,7 @@ def index_length(side: int) -> int:
 def index_of(name: str, end: bytes, side: int) -> NDArray[np.uint64]:
     """First bytes and lengths (side, side, side, 2) of a shard's chunks, from the end of its file.
 
-    Raises
-    ------
-    UnusableError
-        A file that is too short, or an index with a wrong checksum.
+    Raises UnusableError for a file that is too short, or an index with a wrong checksum.
     """
     import google_crc32c
 
@@ -133,8 +130,9 @@ def index_of(name: str, end: bytes, side: int) -> NDArray[np.uint64]:
     return np.frombuffer(index, "<u8").reshape(side, side, side, 2)
 
 
-def complete(name: object, chunk: bytes, start: int, length: int) -> bytes:
-    """Return a chunk; UnusableError if it is shorter than the shard's index says."""
+def complete(chunk: bytes | None, part: Part) -> bytes:
+    """Return a chunk; UnusableError if it is missing, or shorter than the shard's index says."""
+    (name, start, length), chunk = part, chunk or b""
     if len(chunk) < length:
         raise UnusableError(f"{name}: expected {length} bytes at {start}, got {len(chunk)}")
     return chunk

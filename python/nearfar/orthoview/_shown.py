@@ -55,8 +55,7 @@ class ShownTree(StoredTree, Pictured):
 
     def _open_store(self) -> Opened:
         """Open the store for a new viewer."""
-        if not self.is_complete:
-            raise ValueError(f"path: {self.path} is not complete, build it again")
+        self._require_complete()
         return Opened.from_files(self._files, self._layout, self.generation, self._cache_bytes)
 
     def __getstate__(self) -> dict[str, Any]:

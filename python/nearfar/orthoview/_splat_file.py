@@ -68,16 +68,12 @@ class _Gathered:
 def write(
     path: Path, target: Path, cells: Cells, level: int, *, packed: bool, is_gltf: bool, extras: Mapping[str, Any]
 ) -> dict[str, int]:
-    """Write the cells of a level into an empty file.
+    """Write the cells of a level into an empty file; ValueError if it does not hold all splats.
 
     Parameters
     ----------
     path, target
         The file to write, and the final file, beside which temporary files are made.
-    cells
-        Cells of the tree.
-    level
-        Level of the cells.
     packed, is_gltf
         Both for SPZ in a GLB, one of them for SPZ alone or a GLB with plain attributes.
     extras
@@ -87,11 +83,6 @@ def write(
     -------
     dict
         Numbers of `cells`, `splats`, `pixels` that they represent, and `bytes`; no splats if nothing is in the box.
-
-    Raises
-    ------
-    ValueError
-        More splats than a file holds.
     """
     bounds = cells.bounds()
     center = np.rint(bounds.mean(axis=0)) if is_gltf else np.zeros(3)

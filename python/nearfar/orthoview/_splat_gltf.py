@@ -67,14 +67,7 @@ def columns(gaussians: Gaussians) -> dict[str, bytes]:
 def plain_start(count: int, extent: Extent, center: NDArray[np.float64], extras: Mapping[str, Any]) -> bytes:
     """Return the start of a GLB, up to the attributes of `columns`, which must follow one after the other.
 
-    Parameters
-    ----------
-    count, extent
-        Number and extent of the Gaussians.
-    center
-        World position (3,) that they are relative to, metres.
-    extras
-        Entries for the asset's `extras`.
+    `center` is the world position (3,) that the Gaussians are relative to, metres.
     """
     views, accessors, offset = [], [], 0
     for number, (component, kind, width, is_normalized) in enumerate(ATTRIBUTES.values()):

@@ -21,9 +21,10 @@ from nearfar._base import files, formats, progress, side_by_side
 from nearfar._base.version import __version__
 from nearfar.orthoview import _splat_gltf as gltf
 from nearfar.orthoview._availability import volume
+from nearfar.orthoview._codec import Encoded
 from nearfar.orthoview._directions import widest
 from nearfar.orthoview._grid import Place
-from nearfar.orthoview._splat_cells import Cells, Chunk
+from nearfar.orthoview._splat_cells import Cells
 
 TILESET = "tileset.json"
 
@@ -114,25 +115,10 @@ class _Tree:
 
 
 def write(folder: Path, cells: Cells, finest: int, *, packed: bool, extras: Mapping[str, Any]) -> dict[str, int]:
-    """Write the tiles of all levels from `finest` upwards into an empty folder.
+    """Write the tiles of all levels from `finest` upwards into an empty folder; `packed` ones hold SPZ files.
 
-    Parameters
-    ----------
-    folder
-        Folder of the tileset.
-    cells
-        Cells of the tree.
-    finest
-        Lowest level.
-    packed
-        Whether contents hold SPZ files.
-    extras
-        Entries for all contents' `extras`.
-
-    Returns
-    -------
-    dict
-        Numbers of `tiles`, `splats`, `pixels` that they represent, and `bytes` of contents; 0 if nothing is in the box.
+    All contents get the entries `extras`. Returns the numbers of `tiles`, of `splats`, of the `pixels` that they
+    represent, and of `bytes` of contents; all are 0 if nothing is in the box.
     """
     contents = [gltf.SPLATS, gltf.PACKED] if packed else [gltf.SPLATS]
     tree = _Tree(folder, cells, finest, contents)
@@ -163,7 +149,7 @@ def write(folder: Path, cells: Cells, finest: int, *, packed: bool, extras: Mapp
     return total
 
 
-def _encode_tile(cells: Cells, chunks: list[Chunk], level: int, place: Place, encode: Callable[..., bytes]) -> _Tile:
+def _encode_tile(cells: Cells, chunks: Encoded, level: int, place: Place, encode: Callable[..., bytes]) -> _Tile:
     """Make a cell's tile from the chunks of its views."""
     cell = cells.to_gaussians(level, place, chunks)
     splats = cell.gaussians

@@ -64,17 +64,8 @@ class Header:
 def fraction_bits(reach: float, finest: float) -> int:
     """Number of fraction bits for 24-bit coordinates up to `reach`, at most as many as fine splats need.
 
-    Parameters
-    ----------
-    reach
-        Greatest absolute value of a coordinate.
-    finest
-        Smallest standard deviation along a surface.
-
-    Raises
-    ------
-    UnusableError
-        The integer part alone does not fit into 24 bits.
+    `finest` is the smallest standard deviation along a surface. Raises UnusableError if the integer part alone does not
+    fit into 24 bits.
     """
     held = math.floor(math.log2(_LIMIT / max(reach, 2.0**-_MAX_BITS)))
     if held < 0:

@@ -50,8 +50,6 @@ class StandIns:
 
     Parameters
     ----------
-    grid
-        Grid of the tree's cells.
     directions
         Unit vectors (D, 3) of the tree's directions.
     held

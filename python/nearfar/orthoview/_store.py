@@ -12,7 +12,7 @@ from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cached_property
-from pathlib import Path
+from pathlib import Path, PurePosixPath
 from typing import Any
 
 import numpy as np
@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 
 from nearfar._base import check, files, formats
 from nearfar._base.errors import FormatError
-from nearfar.orthoview._chunks import Generation, In
+from nearfar.orthoview._chunks import Chunks, Generation
 from nearfar.orthoview._files import Files, Local, missing
 from nearfar.orthoview._geometry_store import FOLDER as GEOMETRY, IMAGES, MOVING, OTHERS, TILESET, GeometryStore
 from nearfar.orthoview._grid import Place
@@ -82,12 +82,8 @@ def place_of(name: str) -> Place:
 def begin(path: Path, layout: Layout) -> None:
     """Create a store atomically, or check that an existing one was begun with the same layout.
 
-    Raises
-    ------
-    ValueError
-        A store that was begun with another layout, or updated since it was built.
-    OSError
-        A folder that holds other files.
+    Raises ValueError for a store that was begun with another layout or updated since it was built, OSError for a folder
+    that holds other files.
     """
     if not (path / DOCUMENT).is_file():
         try:
@@ -170,11 +166,6 @@ def change(path: Path, **attributes: Any) -> None:
         temporary.write_text(json.dumps(document, indent=2), encoding="utf-8")
 
 
-def end_compact(folder: Path, tree: Mapping[str, Any]) -> None:
-    """Complete a compacted store; `tree` has the attributes of the original store."""
-    change(folder, complete=True, held=tree["held"], done=tree["done"], **_end_files(folder))
-
-
 def read(store: Files) -> dict[str, Any]:
     """Return the attributes of a store; FormatError if it is not a store."""
     attributes = _document(store).get("attributes")
@@ -220,28 +211,28 @@ def end_generation(path: Path, number: int, aabb: NDArray[np.float64], held: Map
 def generations(store: Files, newest: int) -> list[Generation]:
     """Generations of a store, newest first."""
     overlays = (_generation(store, number) for number in range(newest, 0, -1))
-    known = (Generation(found.folder, found.shards.keys(), found.geometry.keys()) for found in overlays)
+    known = (Generation(found.folder, found.shards.__contains__, found.geometry.__contains__) for found in overlays)
     return [*known, Generation("", None, None)]
-
-
-def recorded_generations(store: Files, layout: Layout, newest: int, listed: Listed | None = None) -> list[Generation]:
-    """Generations of a store; the first one's content is looked up in its records, so that lost files are detected."""
-    listed = listed or Listed(store, layout)
-    *overlays, _ = generations(store, newest)
-    return [*overlays, Generation("", In(listed.has_shard), In(listed.has_geometry))]
 
 
 def _generation(store: Files, number: int) -> Recorded:
     folder = overlay(number)
     document = _json(store, folder + _GENERATION_FILE, _GENERATION, _GENERATION_VERSION)
-    with formats.guarded(f"{store.place}/{folder}{_GENERATION_FILE}"):
-        return _recorded(folder, str(number), document)
+    return _recorded(store, folder + _GENERATION_FILE, folder, document)
 
 
-def _recorded(folder: str, name: str, document: Mapping[str, Any]) -> Recorded:
-    shards, geometry = _parse_listing(document["shards"], _SHARD), _parse_listing(document["geometry"], _GEOMETRY_FILE)
-    cells = document["cells"] if folder else {key: document[key] for key in ("views", "guests")}
-    return Recorded(folder, name, shards, geometry, document["held"], cells)
+def _record(store: Files, name: str, digest: str) -> Recorded:
+    """Read the record of a subtree."""
+    path = f"{FOLDER}/{DONE}/{name}"
+    return _recorded(store, path, "", _json(store, path, RECORD, RECORD_VERSION, digest))
+
+
+def _recorded(store: Files, path: str, folder: str, document: Mapping[str, Any]) -> Recorded:
+    with formats.guarded(f"{store.place}/{path}"):
+        shards = _parse_listing(document["shards"], _SHARD)
+        geometry = _parse_listing(document["geometry"], _GEOMETRY_FILE)
+        cells = document["cells"] if folder else {key: document[key] for key in ("views", "guests")}
+        return Recorded(folder, PurePosixPath(path).stem, shards, geometry, document["held"], cells)
 
 
 def recorded(store: Files, newest: int) -> Iterator[Recorded]:
@@ -249,12 +240,7 @@ def recorded(store: Files, newest: int) -> Iterator[Recorded]:
     records = _json(store, _RECORDS_FILE, _RECORDS, _RECORDS_VERSION)
     with formats.guarded(f"{store.place}/{_RECORDS_FILE}"):
         digests = dict(records["records"])
-    for name, digest in digests.items():
-        path = f"{FOLDER}/{DONE}/{name}"
-        document = _json(store, path, RECORD, RECORD_VERSION, digest)
-        with formats.guarded(f"{store.place}/{path}"):
-            found = _recorded("", name.removesuffix(".json"), document)
-        yield found
+    yield from (_record(store, name, digest) for name, digest in digests.items())
     with formats.guarded(f"{store.place}/{_RECORDS_FILE}"):
         others = _parse_listing(records["geometry"], _GEOMETRY_FILE)
     yield Recorded("", "", {}, others, {})
@@ -271,8 +257,18 @@ class Cells:
     """Guests of leaves."""
 
 
-def cells_of(store: Files, layout: Layout, newest: int, listed: Listed) -> Callable[[int, Place], Cells]:
-    """Return a function that reads the cells of a subtree by its tier and place."""
+def open_generation(store: Files, layout: Layout, newest: int) -> tuple[Chunks, Callable[[int, Place], Cells]]:
+    """Return a reader of chunks, and a function that reads the cells of a subtree by its tier and place.
+
+    The content of the store's first generation is looked up in its records, so that lost files are detected.
+    """
+    listed = Listed(store, layout)
+    *overlays, _ = generations(store, newest)
+    chunks = Chunks(store, layout, [*overlays, Generation("", listed.has_shard, listed.has_geometry)])
+    return chunks, _cells_of(store, layout, newest, listed)
+
+
+def _cells_of(store: Files, layout: Layout, newest: int, listed: Listed) -> Callable[[int, Place], Cells]:
     overlays = []
     for found in (_generation(store, number) for number in range(newest, 0, -1)):
         with formats.guarded(f"{store.place}/{found.folder}{_GENERATION_FILE}"):
@@ -319,7 +315,7 @@ class Listed:
 
     def __init__(self, store: Files, layout: Layout) -> None:
         self._store, self._layout = store, layout
-        self._records: dict[str, Recorded | None] = {}
+        self._records: dict[str, Recorded] = {}
 
     @cached_property
     def _digests(self) -> dict[str, str]:
@@ -330,15 +326,10 @@ class Listed:
 
     def record(self, tier: int, place: Place) -> Recorded | None:
         """Read the record of a subtree; None for an empty subtree."""
-        path = record_of(Path(), tier, place)
-        if path.name not in self._digests:
-            return None
-        name = path.as_posix()
-        if name not in self._records:
-            document = _json(self._store, name, RECORD, RECORD_VERSION, self._digests[path.name])
-            with formats.guarded(f"{self._store.place}/{name}"):
-                self._records[name] = _recorded("", name, document)
-        return self._records[name]
+        name = record_of(Path(), tier, place).name
+        if name in self._digests and name not in self._records:
+            self._records[name] = _record(self._store, name, self._digests[name])
+        return self._records.get(name)
 
     def has_shard(self, path: str) -> bool:
         """Whether a shard was written."""

@@ -144,12 +144,11 @@ class StoredTree:
         number = check.integer("level", level, 0, self.levels - 1)
         at, seen = self._place(number, place), check.integer("direction", direction, 0, len(self.directions) - 1)
         prefix = BEHIND if check.integer("layer", layer, 0, self.layers - 1) else ""
-        keys = {(seen, name): (number, at, self._layout.array(number, seen, prefix + name)) for name in CHANNELS}
+        keys = [(number, at, self._layout.array(number, seen, prefix + name)) for name in CHANNELS]
         with formats.guarded(self.path, "orthoviews"):
-            found = zip(keys, self._chunks.read(list(keys.values())), strict=True)
-            shown = {pair: chunk for pair, chunk in found if chunk}
-            if shown:
-                views, bits = _codec.decoded(shown, self._layout, (seen,))
+            contents = zip(CHANNELS, self._chunks.read(keys), strict=True)
+            if chunks := {(seen, name): chunk for name, chunk in contents if chunk}:
+                views, bits = _codec.decoded(chunks, self._layout, (seen,))
                 return self._view(views, bits, number, at, self.directions[seen])
         if (not prefix or self.view(level, place, direction) is None) and (reason := self._missing(number, at)):
             raise ValueError(f"place: the cell {at} of level {number} is missing: {reason}")
@@ -173,6 +172,10 @@ class StoredTree:
         surfel = _core.orthoview_surfels(bits)[0, ..., 0]
         center = self._layout.grid.box(level, place).mean(axis=0)
         return OrthoView(views.colors()[0], metres, views.vectors()[0], surfel, right, up, toward, lengths, center)
+
+    def _require_complete(self) -> None:
+        if not self._is_complete:
+            raise ValueError(f"path: {self.path} is not complete, build it again")
 
     @property
     def geometry(self) -> dict[str, Any] | None:

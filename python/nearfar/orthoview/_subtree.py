@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import hashlib
 from collections import Counter
-from collections.abc import Set as AbstractSet
+from collections.abc import Callable, Set as AbstractSet
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Protocol
 
 from nearfar import _core
 from nearfar._base import formats
@@ -111,20 +111,10 @@ class Below(Protocol):
 
 
 class Subtree:
-    """Builds the cells below one cell of level `top`, whose views are returned to the parent subtree, not written.
+    """Builds the cells below one cell, whose views are returned to the parent subtree, not written.
 
-    Parameters
-    ----------
-    layout
-        Layout of the tree.
-    store
-        Folder of the store.
-    tier
-        Number of subtrees below, up to the leaves.
-    place
-        Place of the cell on top, on level (tier + 1) × `Layout.subtree`.
-    below
-        Provides the cells of this subtree's lowest level.
+    The cell has the place `place` on level (tier + 1) × `Layout.subtree`; there are `tier` subtrees below, down to the
+    leaves. `below` provides the cells of this subtree's lowest level.
     """
 
     def __init__(self, layout: Layout, store: Path, tier: int, place: Place, below: Below) -> None:
@@ -146,7 +136,7 @@ class Subtree:
         if self._top > self._root:
             _, self._outcome.is_complete = self._views(self._root, (0, 0, 0))
         else:
-            self._outcome.views, self._outcome.is_complete = self._composed(self._top, self._place)
+            self._outcome.views, self._outcome.is_complete = self._build_parent(self._top, self._place)
         shards = self._finish_shards()
         if self._outcome.is_complete:
             self._note(shards)
@@ -178,39 +168,49 @@ class Subtree:
             self._outcome.counts += below.counts
             views, is_complete, guests = below.views, below.is_complete, below.guests
         else:
-            (views, is_complete), guests = self._composed(level, place), []
+            (views, is_complete), guests = self._build_parent(level, place), []
         if is_complete:
             views = self._write(level, place, views, guests)
         return views, is_complete
 
-    def _composed(self, level: int, place: Place) -> tuple[Views, bool]:
-        """Compose the views of a cell from those of its children, which are built first."""
+    def _build_parent(self, level: int, place: Place) -> tuple[Views, bool]:
+        """Compose the views of a cell, after its children have been built."""
+        views, is_complete = self._compose(level, place, self._views)
+        if views is not None:
+            self._outcome.counts["composed"] += 1
+        return views, is_complete
+
+    def _compose(
+        self, level: int, place: Place, child_views: Callable[[int, Place], tuple[Views, bool]]
+    ) -> tuple[Views, bool]:
+        """Compose the views of a cell from those of its children, unless one of these is not complete."""
         parent, is_complete = None, True
         for octant, child in self._layout.grid.children(level, place):
-            views, is_whole = self._views(level - 1, child)
-            is_complete &= is_whole
+            views, is_child_complete = child_views(level - 1, child)
+            is_complete &= is_child_complete
             if views is not None and is_complete:
-                parent = parent or self._parent()
+                parent = parent or _core.OrthoParent(
+                    self._layout.directions, self._layout.format, behind=self._layout.layers == 2
+                )
                 parent.add(octant, views)
         if parent is None or not is_complete:
             return None, is_complete
-        self._outcome.counts["composed"] += 1
         return _codec.drop_unneeded_layers(parent.finish(), self._layout), True
 
-    def _parent(self) -> _core.OrthoParent:
-        return _core.OrthoParent(self._layout.directions, self._layout.format, behind=self._layout.layers == 2)
-
     def _write(self, level: int, place: Place, views: Views, guests: list[Place]) -> Views:
-        """Write the views of a cell and record its guests; return the views as readers decode them."""
+        """Write the views of a cell and record its guests; return the views as readers decode them.
+
+        Parents are composed of these, as in a build that resumes.
+        """
         shard, within = self._layout.shard_of(level, place)
-        encoded = _codec.encoded(views, self._layout) if views else {}
+        encoded = _codec.encoded(views, self._layout)
         gone = dict.fromkeys(self._below.chunks_before(level, place) - encoded.keys(), b"")
         chunks = {}
         for (direction, channel), chunk in (encoded | gone).items():
             array = self._layout.array(level, direction, channel)
             chunks[array] = self._writer(array, level, shard).append(within, chunk)
         self._journal.add(level, place, chunks, guests)
-        return _codec.settled(views, encoded, self._layout) if views else None
+        return views if self._layout.quality is None else _codec.both(encoded, self._layout)
 
     def _writer(self, array: str, level: int, shard: Place) -> ShardWriter:
         if array not in self._writers:
@@ -223,20 +223,15 @@ class Subtree:
         """Read the views of a cell that an interrupted build wrote."""
         shard, within = self._layout.shard_of(level, place)
         written = self._journal.cells[level, place]
+        arrays = {pair: key[2] for pair, key in self._layout.keys(level, place).items() if key[2] in written}
         with formats.guarded(self._store, "orthoviews"):
-            return self._decoded(
-                {
-                    pair: self._writer(array, level, shard).read(within)
-                    for pair, (_, _, array) in self._layout.keys(level, place).items()
-                    if array in written
-                }
-            )
+            chunks = {pair: self._writer(array, level, shard).read(within) for pair, array in arrays.items()}
+            return self._decode({pair: chunk for pair, chunk in chunks.items() if chunk})
 
-    def _decoded(self, chunks: dict[tuple[int, str], bytes | None]) -> Views:
-        """Decode a cell's views from those of its chunks that exist."""
-        shown = {pair: chunk for pair, chunk in chunks.items() if chunk}
-        self._outcome.counts["reloaded"] += len(shown)
-        return _codec.both(shown, self._layout) if shown else None
+    def _decode(self, chunks: _codec.Encoded) -> Views:
+        """Decode a cell's views, and count their chunks."""
+        self._outcome.counts["reloaded"] += len(chunks)
+        return _codec.both(chunks, self._layout)
 
     def _finish_shards(self) -> Described:
         """Write the index of all shards and rename them; return sizes and SHA-256 by path.
@@ -274,20 +269,14 @@ class Subtree:
         """Outcome of a complete subtree: its views are composed again from those of its highest level."""
         if self._top > self._root:
             return self._outcome
-        self._check(formats.read_json(self._record, RECORD, VERSION)["shards"])
-        chunks, parent = Chunks(Local(self._store), self._layout, [Generation("", None, None)]), None
-        for octant, child in self._layout.grid.children(self._top, self._place):
-            keys = self._layout.keys(self._top - 1, child)
-            with formats.guarded(self._store, "orthoviews"):
-                views = self._decoded(dict(zip(keys, chunks.read(list(keys.values())), strict=True)))
-            if views is not None:
-                parent = parent or self._parent()
-                parent.add(octant, views)
-        self._outcome.views = _codec.drop_unneeded_layers(parent.finish(), self._layout) if parent else None
-        return self._outcome
-
-    def _check(self, shards: dict[str, Any]) -> None:
-        """Raise a FormatError if a shard of a record is missing."""
-        for path in shards:
+        for path in formats.read_json(self._record, RECORD, VERSION)["shards"]:
             if not (self._store / path).exists():
                 raise FormatError(f"{self._store / path}: damaged orthoviews: the shard is gone")
+        chunks = Chunks(Local(self._store), self._layout, [Generation("", None, None)])
+
+        def read(level: int, place: Place) -> tuple[Views, bool]:
+            with formats.guarded(self._store, "orthoviews"):
+                return self._decode(chunks.read_views(level, place)), True
+
+        self._outcome.views, _ = self._compose(self._top, self._place, read)
+        return self._outcome

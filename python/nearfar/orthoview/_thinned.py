@@ -107,22 +107,7 @@ class Picture:
 
 
 def seen_better(pictures: list[Picture], number: int, rows: NDArray[np.int64]) -> NDArray[np.bool_]:
-    """Whether other pictures show pixels of one of them better.
-
-    Parameters
-    ----------
-    pictures
-        All views of the cell.
-    number
-        Number of the picture that the pixels are from.
-    rows
-        Indices of pixels in its `surfaces()`.
-
-    Returns
-    -------
-    NDArray
-        Whether each row is left out.
-    """
+    """Whether other pictures of a cell show pixels of one of them better; `rows` are indices in its `surfaces()`."""
     own = pictures[number]
     shown = own.surfaces()
     fineness = own.fineness[own.fineness >= 0.0]

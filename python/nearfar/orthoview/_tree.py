@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-from pathlib import Path
 from typing import SupportsIndex
 
 import numpy as np
@@ -94,7 +93,9 @@ class OrthoTree(NearFarTree):
             Any exception of the source.
         """
         box, world = check.box("aabb", aabb), source_of("source", source)
-        _update.update(self._folder("update"), box, world)
+        if not isinstance(self._files, Local):
+            raise ValueError(f"path: expected a local folder to update, got {check.shortened(self.path)}")
+        _update.update(self._files.folder, box, world)
         return OrthoTree(self.path)
 
     def compact(self, path: str | os.PathLike[str]) -> OrthoTree:
@@ -118,8 +119,7 @@ class OrthoTree(NearFarTree):
             Files that cannot be written.
         """
         target = check.path("path", path)
-        if not self._is_complete:
-            raise ValueError(f"path: {self.path} is not complete, build it again")
+        self._require_complete()
         if isinstance(self._files, Local) and target.resolve() == self._files.folder.resolve():
             raise ValueError("path: expected another place than that of the tree, whose readers go on")
         _compact.compact(self._files, self._attributes, target)
@@ -183,8 +183,7 @@ class OrthoTree(NearFarTree):
         """
         target, lowest = check.path("path", path), check.integer("level", level, 0, self.levels - 1)
         box = np.array([[-np.inf] * 3, [np.inf] * 3]) if aabb is None else check.box("aabb", aabb)
-        if not self._is_complete:
-            raise ValueError(f"path: {self.path} is not complete, build it again")
+        self._require_complete()
         return _splat_export.export(
             self._files,
             self._layout,
@@ -212,14 +211,8 @@ class OrthoTree(NearFarTree):
         ValueError
             An incomplete store.
         """
-        if not self._is_complete:
-            raise ValueError(f"path: {self.path} is not complete, build it again")
+        self._require_complete()
         return _verify.verify(self._files, self.generation)
-
-    def _folder(self, deed: str) -> Path:
-        if not isinstance(self._files, Local):
-            raise ValueError(f"path: expected a local folder to {deed}, got {check.shortened(self.path)}")
-        return self._files.folder
 
     @card.repr_html
     def _repr_html_(self) -> str:
@@ -246,23 +239,16 @@ class OrthoTree(NearFarTree):
 
 
 def open(path: str | os.PathLike[str], *, cache_bytes: SupportsIndex = CACHE_BYTES) -> OrthoTree:  # noqa: A001 - the name of the public face
-    """Open a store of orthoviews.
+    """Open a store of orthoviews; parts of shards are read on demand.
 
     Parameters
     ----------
-    path
-        The folder that `nearfar.orthoview.build` wrote, or the URL of one: https://…, s3://… or any other that fsspec
-        knows. Parts of shards are read on demand.
-    cache_bytes
-        Size of the view cache, bytes. Views of one picture may exceed it; older ones stay while there is room.
+    path, cache_bytes
+        As in `OrthoTree`.
 
     Raises
     ------
-    FileNotFoundError
-        A place without a store.
-    FormatError
-        A store of another kind, or of a newer version.
-    ValueError
-        A URL that fsspec cannot open.
+    FileNotFoundError, FormatError, ValueError, ImportError
+        As in `OrthoTree`.
     """
     return OrthoTree(path, cache_bytes=cache_bytes)

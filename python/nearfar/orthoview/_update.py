@@ -40,9 +40,8 @@ def update(path: Path, aabb: NDArray[np.float64], source: SceneSource) -> None:
         newest = int(attributes["generation"])
         folder = path / _store.overlay(newest + 1)
         shutil.rmtree(folder, ignore_errors=True)  # left by an interrupted update
-        changed = Changed(
-            source, folder, layout, Chunks(store, layout, _store.recorded_generations(store, layout, newest)), aabb
-        )
+        chunks, _ = _store.open_generation(store, layout, newest)
+        changed = Changed(source, folder, layout, chunks, aabb)
         with progress.bar("orthoviews") as report:
             outcome = changed.run(report)
         held = Counter(attributes["held"])
@@ -102,15 +101,11 @@ class Changed(Leaves):
 
     def finished_outcome(self, level: int, place: Place) -> Outcome | None:
         """Read the views of a cell that the change does not touch; None if it must be rendered again."""
-        keys = self.layout.keys(level, place)
-        if not self.layout.grid.touches(level, place, self._aabb):
-            with formats.guarded(self.folder, "orthoviews"):
-                found = dict(zip(keys, self._chunks.read(list(keys.values())), strict=True))
-                shown = {pair: chunk for pair, chunk in found.items() if chunk}
-                views = _codec.both(shown, self.layout) if shown else None
-            return Outcome(views, counts=Counter(reloaded=len(shown)))
         with formats.guarded(self.folder, "orthoviews"):
-            had_views = any(self._chunks.lengths(list(keys.values())))
+            if not self.layout.grid.touches(level, place, self._aabb):
+                chunks = self._chunks.read_views(level, place)
+                return Outcome(_codec.both(chunks, self.layout), counts=Counter(reloaded=len(chunks)))
+            had_views = any(self._chunks.lengths([*self.layout.keys(level, place).values()]))
         if had_views or self._had_geometry(level, place):
             return None
         return super().finished_outcome(level, place)

@@ -41,17 +41,7 @@ class Parts:
 
 
 class Viewer:
-    """Draws a tree.
-
-    Parameters
-    ----------
-    cutter
-        Cuts the tree.
-    views
-        Reads the tree's views.
-    near
-        Reads the geometry of leaves.
-    """
+    """Draws a tree."""
 
     def __init__(self, cutter: Cutter, views: Views, near: Near) -> None:
         self.cutter, self.views, self.near = cutter, views, near
@@ -76,12 +66,7 @@ class Viewer:
         return [self.picture(camera, shot, parts, report, device) for camera, parts in several]
 
     def picture(
-        self,
-        camera: Camera,
-        shot: Shot,
-        parts: Parts,
-        report: Report = None,
-        device: _core.GpuDevice | None = None,
+        self, camera: Camera, shot: Shot, parts: Parts, report: Report = None, device: _core.GpuDevice | None = None
     ) -> Images:
         """Draw the picture of one of a shot's cameras from given parts, on a device or on the CPU."""
         grid = grid_of(shot.samples)
@@ -132,12 +117,7 @@ class Viewer:
 
 
 def _geometry(
-    parts: Parts,
-    origin: NDArray[np.float64],
-    camera: Camera,
-    shot: Shot,
-    grid: int,
-    device: _core.GpuDevice | None,
+    parts: Parts, origin: NDArray[np.float64], camera: Camera, shot: Shot, grid: int, device: _core.GpuDevice | None
 ) -> dict[str, Any] | None:
     """Render geometry and moving objects, with a pixel for each sample."""
     several = [scene for scene in (parts.near, parts.movers) if scene is not None]

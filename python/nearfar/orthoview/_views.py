@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Callable, Container, Iterable, Iterator, Sequence
+from collections.abc import Callable, Container, Iterator, Sequence
 from functools import partial
 
 from nearfar import _core
@@ -12,11 +12,8 @@ from nearfar._base.errors import UnusableError
 from nearfar.orthoview import _codec
 from nearfar.orthoview._chunks import Chunks
 from nearfar.orthoview._grid import Place
-from nearfar.orthoview._layout import BEHIND, CHANNELS, Layout
+from nearfar.orthoview._layout import CHANNELS, Layout, ViewKey
 from nearfar.orthoview._recent import Recent
-
-ViewKey = tuple[int, Place, int]
-"""Level, place and direction of a view."""
 
 Splats = tuple[_core.OrthoSplats, ...]
 """Splats of a view, layer by layer."""
@@ -32,18 +29,9 @@ _AT_ONCE = 64
 
 
 class Views:
-    """Reads views, and caches those used last.
+    """Reads views, and caches those used last: up to `most` bytes, which the views of one picture may exceed.
 
-    Parameters
-    ----------
-    place
-        Folder or URL of the store, for messages.
-    chunks
-        Chunks of the store.
-    layout
-        Layout of the tree.
-    most
-        Size of the cache, bytes; the views of one picture may exceed it.
+    Messages name the store by `place`, its folder or URL.
     """
 
     def __init__(self, place: str, chunks: Chunks, layout: Layout, most: int) -> None:
@@ -116,21 +104,14 @@ class Views:
         self._kept.trim(needed, self._most)
 
     def _read(self, keys: Sequence[ViewKey]) -> None:
-        layers = ("", BEHIND)[: self._layout.layers]
-        chunks = [
-            (level, place, self._layout.array(level, direction, layer + channel))
-            for level, place, direction in keys
-            for layer in layers
-            for channel in CHANNELS
-        ]
         with formats.guarded(self._place, "orthoviews"):
-            contents = iter(self._chunks.read(chunks))
-            taken = [self._take_chunks(key, contents, len(layers)) for key in keys]
-            jobs = [partial(self._decoded, key, channels) for key, channels in zip(keys, taken, strict=True)]
-            for key, channels, splats in zip(keys, taken, side_by_side.results(jobs), strict=True):
+            contents = iter(self._chunks.read(self._layout.view_keys(keys)))
+            by_view = [self._take_chunks(key, contents) for key in keys]
+            jobs = [partial(self._decode, key, chunks) for key, chunks in zip(keys, by_view, strict=True)]
+            for key, chunks, splats in zip(keys, by_view, side_by_side.results(jobs), strict=True):
                 self._kept.put(key, splats)
                 with self._lock:
-                    self.read_bytes += sum(len(chunk) for layer in channels for chunk in layer.values())
+                    self.read_bytes += sum(map(len, chunks.values()))
                     self.reads += 1
                     self._count(key, sum(layer.count for layer in splats))
 
@@ -141,20 +122,16 @@ class Views:
                 total, views = self._of_level.get(level, (0, 0))
                 self._of_level[level] = total + splats, views + 1
 
-    def _take_chunks(self, key: ViewKey, contents: Iterator[bytes | None], layers: int) -> list[dict[str, bytes]]:
-        """Chunks by channel of the next view's layers that show something; the first layer always does."""
-        taken = [{channel: chunk for channel in CHANNELS if (chunk := next(contents))} for _ in range(layers)]
-        if any(len(layer) not in (0, len(CHANNELS)) for layer in taken) or not taken[0]:
-            level, place, direction = key
-            raise UnusableError(f"{self._layout.array(level, direction, '')}: a chunk of the cell {place} is missing")
-        return [layer for layer in taken if layer]
-
-    def _decoded(self, key: ViewKey, layers: Iterable[dict[str, bytes]]) -> Splats:
+    def _take_chunks(self, key: ViewKey, contents: Iterator[bytes | None]) -> _codec.Encoded:
+        """Chunks of the next view, whose first layer must show something; the second one need not."""
         level, place, direction = key
-        grid = self._layout.grid
-        cell, splats = (grid.corner(level, place), grid.side(level)), []
-        for layer in layers:
-            chunks = {(direction, channel): chunk for channel, chunk in layer.items()}
-            views, bits = _codec.decoded(chunks, self._layout, (direction,))
-            splats.append(_core.OrthoSplats(views, 0, bits, cell))
-        return tuple(splats)
+        chunks = {(direction, channel): chunk for channel in self._layout.channels if (chunk := next(contents))}
+        if [channel for _, channel in chunks] not in ([*CHANNELS], [*self._layout.channels]):
+            raise UnusableError(f"{self._layout.array(level, direction, '')}: a chunk of the cell {place} is missing")
+        return chunks
+
+    def _decode(self, key: ViewKey, chunks: _codec.Encoded) -> Splats:
+        level, place, direction = key
+        cell = self._layout.grid.corner(level, place), self._layout.grid.side(level)
+        layers = (_codec.decoded(layer, self._layout, (direction,)) for layer in _codec.split_layers(chunks))
+        return tuple(_core.OrthoSplats(views, 0, bits, cell) for views, bits in layers)

@@ -11,18 +11,11 @@ from numpy.typing import NDArray
 
 
 def encode(picture: NDArray[np.uint8], quality: int | None = None, seen: NDArray[np.bool_] | None = None) -> bytes:
-    """Encode the colours of a view.
+    """Encode the colours of a view, sRGB (size, size, 3).
 
-    Parameters
-    ----------
-    picture
-        sRGB (size, size, 3).
-    quality
-        0 to 100, or None for a lossless file, which decodes to the same picture.
-    seen
-        Mask (size, size) of non-empty pixels; by default all. In a lossy file empty pixels take colours from their
-        surroundings: black ones would darken neighbouring pixels, and edges take bytes. Readers recognise empty
-        pixels by their depth, 0.
+    `quality` is 0 to 100, or None for a lossless file, which decodes to the same picture. `seen` is the mask (size,
+    size) of non-empty pixels; by default all. In a lossy file empty pixels take colours from their surroundings: black
+    ones would darken neighbouring pixels, and edges take bytes. Readers recognise empty pixels by their depth, 0.
     """
     from PIL import Image
 
@@ -49,13 +42,7 @@ def _spread(colors: NDArray[np.float32], seen: NDArray[np.bool_]) -> NDArray[np.
 
 
 def decode(data: bytes, size: int) -> NDArray[np.uint8]:
-    """Decode the colours (size, size, 3) of a view.
-
-    Raises
-    ------
-    ValueError
-        Bytes that are not a WebP file, or a picture of another size.
-    """
+    """Decode the colours (size, size, 3) of a view; ValueError for other bytes or a picture of another size."""
     from PIL import Image, UnidentifiedImageError
 
     try:
