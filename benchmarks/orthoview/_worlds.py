@@ -14,8 +14,7 @@ import nearfar as nf
 from benchmarks.orthoview.worlds import tokyo_core
 from nearfar.orthoview import _store
 from nearfar.orthoview._cut import Cutter
-from nearfar.orthoview._directions import directions_of
-from nearfar.orthoview._grid import Place
+from nearfar.orthoview._grid import Place, directions_of
 from nearfar.orthoview._viewer import Viewer
 
 SIZE = 256

@@ -13,9 +13,8 @@ import nearfar as nf
 from benchmarks.harness import scenes
 from benchmarks.harness.report import save_figure, start, subplots, table
 from benchmarks.harness.timing import timed
-from nearfar.orthoview._directions import COUNTS
 from nearfar.orthoview._disocclusion import BOUND, Choice, choose_directions
-from nearfar.orthoview._grid import Grid
+from nearfar.orthoview._grid import COUNTS, Grid
 
 GRID = 28.5
 """Angle in degrees about y that aligns Manhattan's avenues with an axis."""

@@ -19,9 +19,8 @@ import numpy as np
 import nearfar as nf
 from benchmarks.harness.report import save_figure, start, subplots, table
 from nearfar.orthoview._client import Client
-from nearfar.orthoview._cut import Cutter, Settings
+from nearfar.orthoview._cut import GEOMETRY, Cutter, Part, Settings
 from nearfar.orthoview._meter import Received
-from nearfar.orthoview._parts import GEOMETRY, Part
 from nearfar.orthoview._pilot import Plan
 from nearfar.orthoview._simulate import flown
 

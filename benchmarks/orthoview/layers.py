@@ -16,8 +16,7 @@ from benchmarks.orthoview._leaves import DIRECTIONS, SIZE, axes_of, layout_of
 from benchmarks.orthoview._quality import shown_by
 from nearfar import _core
 from nearfar.orthoview import _codec
-from nearfar.orthoview._directions import directions_of
-from nearfar.orthoview._grid import OCTANTS
+from nearfar.orthoview._grid import OCTANTS, directions_of
 from nearfar.orthoview._layout import CHANNELS
 
 LAYOUT = layout_of()

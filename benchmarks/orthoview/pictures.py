@@ -23,7 +23,7 @@ from benchmarks.harness.report import folder_or_temporary, start, table
 from benchmarks.orthoview import _sheets
 from benchmarks.orthoview._quality import Quality, Setting, Truth, compare, mean
 from benchmarks.orthoview._worlds import ALL, PICTURE, SIZE, World, forest, landscape, open_tree, tokyo
-from nearfar.orthoview._directions import directions_of, widest
+from nearfar.orthoview._grid import directions_of, widest
 
 SETS = (5, 9, 13, 26)
 VIEWS = (2, 3, 5)

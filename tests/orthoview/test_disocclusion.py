@@ -13,9 +13,8 @@ from numpy.typing import ArrayLike, NDArray
 import nearfar as nf
 from nearfar._base import progress
 from nearfar.orthoview import _disocclusion as measure, _sampling as sampling
-from nearfar.orthoview._directions import COUNTS, directions_of
 from nearfar.orthoview._disocclusion import choose_directions, disocclusion, nearest, smallest, viewers
-from nearfar.orthoview._grid import Grid, Place
+from nearfar.orthoview._grid import COUNTS, Grid, Place, directions_of
 from nearfar.orthoview._sampling import leaves
 from tests.support.orthoview_cases import boxes
 

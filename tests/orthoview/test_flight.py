@@ -11,7 +11,7 @@ import pytest
 import nearfar as nf
 from nearfar._camera.shot import Shot
 from nearfar.orthoview import _loader
-from nearfar.orthoview._parts import GEOMETRY, RECORD
+from nearfar.orthoview._cut import GEOMETRY, RECORD
 from tests.support import need
 from tests.support.flight_cases import CHANNELS, LONG, Gate, camera_at, gated, images_of, is_same, readers, there, whole
 from tests.support.waiting import wait_until

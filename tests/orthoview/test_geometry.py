@@ -18,7 +18,7 @@ import nearfar as nf
 from nearfar._base import glb
 from nearfar.orthoview._geometry import IMAGES, STEP, Images, cell_glb, moving_glb, step_of
 from nearfar.orthoview._grid import Grid
-from nearfar.orthoview._owned import owned
+from nearfar.orthoview._owners import owned
 from tests.support import printed_by_threads
 from tests.support.bundled_scenes import balls, farthest
 from tests.support.geometry_cases import keys, parts, standing, world_triangles

@@ -18,7 +18,7 @@ from nearfar.orthoview import _availability as availability
 from nearfar.orthoview._geometry import step_of
 from nearfar.orthoview._geometry_store import GeometryStore
 from nearfar.orthoview._grid import Grid, Place
-from nearfar.orthoview._owned import owned
+from nearfar.orthoview._owners import owned
 from tests.support import need, valid
 from tests.support.bundled_scenes import balls, farthest
 from tests.support.geometry_cases import parts, stored, world_triangles

@@ -10,8 +10,8 @@ import pytest
 
 import nearfar as nf
 from nearfar.orthoview import _loader
+from nearfar.orthoview._cut import GEOMETRY, RECORD, Part, kind
 from nearfar.orthoview._loader import BATCH, Loader
-from nearfar.orthoview._parts import GEOMETRY, RECORD, Part, kind
 from tests.support.flight_cases import readers
 from tests.support.waiting import wait_until
 

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from nearfar._camera.rotation import rotation
-from nearfar.orthoview._motion import FARTHEST_TURN, WINDOW, Motion
+from nearfar.orthoview._pilot import FARTHEST_TURN, WINDOW, Motion
 
 transforms = trimesh.transformations
 Turn = NDArray[np.float64]

@@ -10,9 +10,8 @@ import numpy as np
 import pytest
 
 import nearfar as nf
-from nearfar.orthoview._cut import Settings
+from nearfar.orthoview._cut import GEOMETRY, RECORD, Part, Settings
 from nearfar.orthoview._meter import HALF_LIFE, Meter, Received
-from nearfar.orthoview._parts import GEOMETRY, RECORD, Part
 from nearfar.orthoview._pilot import RENEWED_TURN, SHARE, SLACK, Ahead, Pilot
 from nearfar.orthoview._prefetch import queue
 from tests.support import need

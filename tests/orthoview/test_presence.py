@@ -16,7 +16,7 @@ import pytest
 import trimesh
 
 import nearfar as nf
-from nearfar.orthoview import _guests, _store
+from nearfar.orthoview import _owners, _store
 from nearfar.orthoview._cut import Cutter, OrthoCut, Settings
 from nearfar.orthoview._grid import Place
 from tests.support import need, valid
@@ -237,7 +237,7 @@ def test_records_without_views_are_named(wide: Tree, tmp_path: Path) -> None:
         nf.orthoview.open(store).cut(CAMERA)
 
 
-NO_GUESTS = _guests.encode_guests({})
+NO_GUESTS = _owners.encode_guests({})
 WRONG: dict[str, Any] = {
     f"views {name}": {"0_0_0_0": {"views": views, "guests": NO_GUESTS}} for name, views in DAMAGED.items()
 }

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 import nearfar as nf
 from nearfar import _core
 from nearfar.orthoview._codec import CONNECTED
-from nearfar.orthoview._directions import directions_of
+from nearfar.orthoview._grid import directions_of
 from tests.support import render_oracle, splat_oracle
 from tests.support.orthoview_cases import CORNER, SIDE, boxes
 from tests.support.orthoview_oracle import DIRECTIONS, Triple

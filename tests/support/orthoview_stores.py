@@ -20,8 +20,7 @@ from numpy.typing import ArrayLike, NDArray
 import nearfar as nf
 from nearfar import _core
 from nearfar.orthoview import _store
-from nearfar.orthoview._directions import directions_of
-from nearfar.orthoview._grid import Grid, Place
+from nearfar.orthoview._grid import Grid, Place, directions_of
 from tests.support import need
 from tests.support.orthoview_cases import CORNER, boxes
 from tests.support.shared_folders import make_once

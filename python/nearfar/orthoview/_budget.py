@@ -11,7 +11,8 @@ import numpy as np
 from nearfar import _core
 from nearfar._camera.camera import Camera
 from nearfar.orthoview._cut import Cutter, OrthoCut, Settings
-from nearfar.orthoview._views import ViewKey, Views
+from nearfar.orthoview._layout import ViewKey
+from nearfar.orthoview._views import Views
 
 MAX = 64.0
 """Greatest factor by which a budget may raise the given error."""

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from nearfar._base.errors import UnusableError
 from nearfar.orthoview import _shard
-from nearfar.orthoview._files import Files, Part
+from nearfar.orthoview._files import ByteRange, Files
 from nearfar.orthoview._grid import Place
 from nearfar.orthoview._layout import Key, Layout
 
@@ -81,13 +81,13 @@ class Chunks:
         """Lengths of chunks, bytes; 0 for missing ones."""
         return [0 if found is None else found[2] for found in self._locate(keys)]
 
-    def _locate(self, keys: Sequence[Key]) -> list[Part | None]:
+    def _locate(self, keys: Sequence[Key]) -> list[ByteRange | None]:
         """Byte ranges of chunks in files; None for missing ones."""
         with self._lock:
             return self._look_up(keys)
 
-    def _look_up(self, keys: Sequence[Key]) -> list[Part | None]:
-        found: dict[Key, Part | None] = {}
+    def _look_up(self, keys: Sequence[Key]) -> list[ByteRange | None]:
+        found: dict[Key, ByteRange | None] = {}
         for generation in self._generations:
             missing = {key: self._shard(generation, key) for key in keys if key not in found}
             self._load({name: self._layout.shard_side(key[0]) for key, name in missing.items() if name})
@@ -99,7 +99,7 @@ class Chunks:
                     continue
                 first, length = (int(number) for number in index[self._layout.shard_of(*key[:2])[1]])
                 if first != _shard.ABSENT:
-                    found[key] = (name, first, length) if length else None
+                    found[key] = ByteRange(name, first, length) if length else None
         while len(self._indexes) > MAX_INDEXES:
             self._indexes.popitem(last=False)
         return [found.get(key) for key in keys]
@@ -114,8 +114,7 @@ class Chunks:
         wanted = {name: side for name, side in sides.items() if name not in self._indexes}
         for name in sides.keys() - wanted.keys():
             self._indexes.move_to_end(name)
-        parts: Iterable[bytes | None] = self._files.parts(
-            [(name, -_shard.index_length(side), _shard.index_length(side)) for name, side in wanted.items()]
-        )
+        lengths = {name: _shard.index_length(side) for name, side in wanted.items()}
+        parts = self._files.parts([ByteRange(name, -length, length) for name, length in lengths.items()])
         for (name, side), end in zip(wanted.items(), parts, strict=True):
             self._indexes[name] = None if end is None else _shard.index_of(f"{self._files.place}/{name}", end, side)

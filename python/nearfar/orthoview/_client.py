@@ -9,8 +9,8 @@ from itertools import chain
 from typing import Protocol
 
 from nearfar._camera.camera import Camera
+from nearfar.orthoview._cut import GEOMETRY, Part, kind
 from nearfar.orthoview._meter import Received
-from nearfar.orthoview._parts import GEOMETRY, Part, kind
 from nearfar.orthoview._pilot import Plan
 from nearfar.stream._link import Link
 from nearfar.stream._transport import Transport

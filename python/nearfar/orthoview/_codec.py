@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from nearfar import _core
 from nearfar._base.errors import UnusableError
 from nearfar.orthoview import _webp
-from nearfar.orthoview._directions import Direction
+from nearfar.orthoview._grid import Direction
 from nearfar.orthoview._layout import BEHIND, CHANNELS, COMPRESSION, CONNECTION_BITS, Layout
 
 CONNECTED = (4.0, 0.5, 0.7)

@@ -1,4 +1,4 @@
-"""Copies a store's newest generation into a new store, which is plain Zarr."""
+"""Copies a store's newest generation into a new store, which is plain Zarr; compares stores with their records."""
 
 from __future__ import annotations
 
@@ -148,9 +148,30 @@ class _Copy:
                 return
             shutil.copyfile(self._store.folder / source, target)
             return
-        content = self._store.whole(source)
-        if content is None:
-            raise FormatError(f"{self._store.place}/{source}: expected a file that the store refers to, found none")
-        if (len(content), hashlib.sha256(content).hexdigest()) != self._known[source]:
-            raise FormatError(f"{self._store.place}/{source}: damaged: its size or its SHA-256 is not the recorded one")
-        files.write(target, content)
+        files.write(target, _read_checked(self._store, source, *self._known[source]))
+
+
+def verify(store: Files, newest: int) -> int:
+    """Check the size and the SHA-256 of all shards and geometry files; return their number."""
+    listed = [
+        (recorded.folder + path, *size_and_digest)
+        for recorded in _store.recorded(store, newest)
+        for path, size_and_digest in (*recorded.shards.items(), *recorded.geometry.items())
+    ]
+    with progress.bar("checking") as report:
+        for done, (name, size, digest) in enumerate(listed, 1):
+            _read_checked(store, name, size, digest)
+            report(done, len(listed))
+    return len(listed)
+
+
+def _read_checked(store: Files, name: str, size: int, digest: str) -> bytes:
+    """Read a file; FormatError if its size or SHA-256 is not the recorded one."""
+    content = store.whole(name)
+    if content is None:
+        raise FormatError(f"{store.place}/{name}: damaged orthoviews: the file is gone")
+    if len(content) != size:
+        raise FormatError(f"{store.place}/{name}: damaged orthoviews: expected {size} bytes, got {len(content)}")
+    if hashlib.sha256(content).hexdigest() != digest:
+        raise FormatError(f"{store.place}/{name}: damaged orthoviews: its SHA-256 is not {digest}")
+    return content

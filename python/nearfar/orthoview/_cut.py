@@ -1,4 +1,7 @@
-"""Cuts: the cells of a tree that a viewer sees, their levels and directions, and the leaves drawn as geometry."""
+"""Cuts: the cells of a tree that a viewer sees, their levels and directions, and the leaves drawn as geometry.
+
+The parts of a cut are read separately: views of cells, geometry of leaves, records of subtrees.
+"""
 
 from __future__ import annotations
 
@@ -14,10 +17,9 @@ from nearfar import _core
 from nearfar._base import check
 from nearfar._camera.camera import Camera
 from nearfar.lod._select.size import ACUITY_LIMIT_DEG, ACUITY_SLOPE
-from nearfar.orthoview._directions import widest
-from nearfar.orthoview._grid import Grid, Place
-from nearfar.orthoview._guests import Guests
-from nearfar.orthoview._layout import Layout
+from nearfar.orthoview._grid import Grid, Place, widest
+from nearfar.orthoview._layout import Layout, ViewKey
+from nearfar.orthoview._owners import Guests
 from nearfar.orthoview._store import Cells
 
 MAX_VIEWS = 8
@@ -199,3 +201,25 @@ def grid_of(samples: int) -> int:
 
 MAX_GRID = 8
 """Greatest number of samples along each axis of a pixel."""
+
+
+Part = ViewKey
+"""Level, place and direction of a view. The direction `GEOMETRY` stands for the geometry of a leaf, `RECORD` for the
+record of a subtree, whose tier and place come first."""
+
+GEOMETRY, RECORD = -1, -2
+
+
+def kind(part: Part) -> int:
+    """Kind of a part: `GEOMETRY`, `RECORD`, or 0 for a view."""
+    return min(part[2], 0)
+
+
+def records_of(cut: OrthoCut) -> list[Part]:
+    """Records of subtrees that a cut lacks."""
+    return [(tier, place, RECORD) for tier, place in cut.unknown]
+
+
+def leaf_parts(leaves: Sequence[Place], cutter: Cutter) -> list[Part]:
+    """Geometry of leaves and of their guests, as parts."""
+    return [(0, place, GEOMETRY) for place in cutter.with_guests(leaves)]

@@ -18,8 +18,7 @@ from nearfar._base import progress
 from nearfar._scene.scene import Scene
 from nearfar._source.protocol import SceneSource
 from nearfar._trace.rays import cast_rays
-from nearfar.orthoview._directions import COUNTS, directions_of
-from nearfar.orthoview._grid import Grid, Place
+from nearfar.orthoview._grid import COUNTS, Grid, Place, directions_of
 from nearfar.orthoview._sampling import leaves
 
 DRAWN = 3

@@ -6,12 +6,17 @@ import errno
 import os
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Protocol
+from typing import NamedTuple, Protocol
 
 from nearfar._base import files, remote
 
-Part = tuple[str, int, int]
-"""File name, first byte and length; a negative first byte means the last bytes of the file."""
+
+class ByteRange(NamedTuple):
+    """Part of a file; a negative first byte counts from the file's end."""
+
+    file: str
+    first: int
+    length: int
 
 
 class Files(Protocol):
@@ -23,7 +28,7 @@ class Files(Protocol):
     def whole(self, name: str) -> bytes | None:
         """Bytes of a file; None if it does not exist."""
 
-    def parts(self, wanted: Sequence[Part]) -> list[bytes | None]:
+    def parts(self, wanted: Sequence[ByteRange]) -> list[bytes | None]:
         """Parts of files, shorter where a file ends; None for files that do not exist."""
 
 
@@ -46,15 +51,15 @@ class Local:
         except (FileNotFoundError, NotADirectoryError):
             return None
 
-    def parts(self, wanted: Sequence[Part]) -> list[bytes | None]:
+    def parts(self, wanted: Sequence[ByteRange]) -> list[bytes | None]:
         """Read parts of files, one after the other."""
-        return [self._part(*part) for part in wanted]
+        return [self._part(part) for part in wanted]
 
-    def _part(self, name: str, first: int, length: int) -> bytes | None:
+    def _part(self, part: ByteRange) -> bytes | None:
         try:
-            with (self.folder / name).open("rb") as file:
-                file.seek(first if first >= 0 else max(file.seek(0, os.SEEK_END) + first, 0))
-                return file.read(length)
+            with (self.folder / part.file).open("rb") as file:
+                file.seek(part.first if part.first >= 0 else max(file.seek(0, os.SEEK_END) + part.first, 0))
+                return file.read(part.length)
         except (FileNotFoundError, NotADirectoryError):
             return None
 
@@ -74,7 +79,7 @@ class Remote:
             except FileNotFoundError:
                 return None
 
-    def parts(self, wanted: Sequence[Part]) -> list[bytes | None]:
+    def parts(self, wanted: Sequence[ByteRange]) -> list[bytes | None]:
         """Read parts of files."""
         if not wanted:
             return []
@@ -85,17 +90,16 @@ class Remote:
             return [_part_of(data, part) for data, part in zip(found, wanted, strict=True)]
 
 
-def _part_of(found: bytes | Exception, part: Part) -> bytes | None:
+def _part_of(found: bytes | Exception, part: ByteRange) -> bytes | None:
     """Extract the part from a server's response; some servers send the whole file."""
-    _, first, length = part
     if isinstance(found, FileNotFoundError):
         return None
     if isinstance(found, Exception):
         if getattr(found, "status", None) == 416:  # the file ends before the part
             return b""
         raise found
-    if len(found) > length:
-        return bytes(found[first:] if first < 0 else found[first : first + length])
+    if len(found) > part.length:
+        return bytes(found[part.first :] if part.first < 0 else found[part.first : part.first + part.length])
     return bytes(found)
 
 

@@ -24,11 +24,10 @@ from nearfar._render.renderable import Images, Renderable, Report
 from nearfar._render.renderer import Renderer
 from nearfar._render.settings import RenderKeywords, RenderSettings
 from nearfar._scene.scene import Scene
-from nearfar.orthoview._cut import Settings
+from nearfar.orthoview._cut import GEOMETRY, RECORD, Part, Settings, kind
 from nearfar.orthoview._loader import Loader
 from nearfar.orthoview._meter import Received
 from nearfar.orthoview._open import Opened
-from nearfar.orthoview._parts import GEOMETRY, RECORD, Part, kind
 from nearfar.orthoview._pictured import Pictured
 from nearfar.orthoview._pilot import Ahead, Pilot, Plan
 from nearfar.orthoview._standins import Cell, Piece, Shown, StandIns, Wanted

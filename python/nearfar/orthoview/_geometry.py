@@ -22,7 +22,7 @@ from nearfar._scene.moving_rows import rows_of
 from nearfar._scene.scene import Scene
 from nearfar._scene.texture_file import encode_texture
 from nearfar.orthoview._grid import Grid, Place
-from nearfar.orthoview._owned import owned
+from nearfar.orthoview._owners import owned
 
 STEP = 2.0**-10
 """Greatest step of positions, metres: meshes placed once are off by at most half a step, instances by one step."""

@@ -17,8 +17,7 @@ import numpy as np
 
 from nearfar import _core
 from nearfar._base import check
-from nearfar.orthoview._directions import Direction
-from nearfar.orthoview._grid import MAX_CELLS, Grid, Place
+from nearfar.orthoview._grid import MAX_CELLS, Direction, Grid, Place
 
 CHANNELS = ("color", "depth", "normal")
 

@@ -14,8 +14,8 @@ from nearfar._source.protocol import SceneSource, may_touch
 from nearfar.orthoview import _codec, _store
 from nearfar.orthoview._geometry_store import GeometryStore
 from nearfar.orthoview._grid import Place
-from nearfar.orthoview._guests import guests
 from nearfar.orthoview._layout import FOLDER, Layout
+from nearfar.orthoview._owners import guests
 from nearfar.orthoview._subtree import Outcome, Subtree
 
 MAX_FAILED_LEAVES = 1000

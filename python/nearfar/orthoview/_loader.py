@@ -8,7 +8,7 @@ from collections import deque
 from collections.abc import Callable, Sequence
 
 from nearfar._base.errors import FormatError
-from nearfar.orthoview._parts import Part, kind
+from nearfar.orthoview._cut import Part, kind
 
 BATCH = 8
 """Number of views that a thread reads at once."""

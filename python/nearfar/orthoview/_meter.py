@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from nearfar.orthoview._parts import GEOMETRY, Part, kind
+from nearfar.orthoview._cut import GEOMETRY, Part, kind
 
 HALF_LIFE = 1.0
 """Seconds of reading after which a measurement's weight is halved."""

@@ -14,13 +14,12 @@ from nearfar._base import formats
 from nearfar._base.errors import FormatError
 from nearfar.orthoview import _store
 from nearfar.orthoview._chunks import Chunks, Generation
-from nearfar.orthoview._cut import Cutter
+from nearfar.orthoview._cut import GEOMETRY, Cutter, Part
 from nearfar.orthoview._files import Files
 from nearfar.orthoview._geometry_store import names
 from nearfar.orthoview._grid import Grid, Place
 from nearfar.orthoview._layout import CHANNELS, Layout, ViewKey
 from nearfar.orthoview._near import Near
-from nearfar.orthoview._parts import GEOMETRY, Part
 from nearfar.orthoview._viewer import Viewer
 from nearfar.orthoview._views import Views
 

@@ -11,9 +11,8 @@ from numpy.typing import NDArray
 
 from nearfar._camera.camera import Camera, Fov
 from nearfar._camera.rotation import rotation
-from nearfar.orthoview._cut import Cutter, OrthoCut, Settings
+from nearfar.orthoview._cut import Cutter, OrthoCut, Part, Settings, leaf_parts, records_of
 from nearfar.orthoview._grid import Grid, Place
-from nearfar.orthoview._parts import Part, leaf_parts, records_of
 
 RENEWED_AFTER = 0.1
 """Share of the look-ahead distance that a viewer moves before the queue is renewed."""

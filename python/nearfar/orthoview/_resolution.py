@@ -6,7 +6,7 @@ import math
 from typing import SupportsFloat, SupportsIndex
 
 from nearfar._base import check
-from nearfar.orthoview._directions import directions_of, widest
+from nearfar.orthoview._grid import directions_of, widest
 
 _MAX = 4096
 """Greatest size of a view."""

@@ -9,8 +9,8 @@ from typing import Any, Literal, TypedDict, get_args
 from nearfar import _core
 from nearfar._base import check
 from nearfar.orthoview._cut import Settings
-from nearfar.orthoview._directions import COUNTS, directions_of
 from nearfar.orthoview._flown import MARGIN
+from nearfar.orthoview._grid import COUNTS, directions_of
 from nearfar.orthoview._pilot import Ahead
 from nearfar.orthoview._shown import settings_of
 

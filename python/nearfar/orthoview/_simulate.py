@@ -13,9 +13,8 @@ from nearfar._base import check, plot
 from nearfar._base.settings import gather
 from nearfar._camera.camera import Camera
 from nearfar.orthoview._client import Client
-from nearfar.orthoview._cut import Cutter
+from nearfar.orthoview._cut import RECORD, Cutter, Part, kind
 from nearfar.orthoview._meter import Received
-from nearfar.orthoview._parts import RECORD, Part, kind
 from nearfar.orthoview._pilot import Pilot, Plan
 from nearfar.orthoview._settings import FlightKeywords, FlightSettings
 from nearfar.orthoview._tree import OrthoTree

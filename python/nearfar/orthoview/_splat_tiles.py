@@ -22,8 +22,7 @@ from nearfar._base.version import __version__
 from nearfar.orthoview import _splat_gltf as gltf
 from nearfar.orthoview._availability import volume
 from nearfar.orthoview._codec import Encoded
-from nearfar.orthoview._directions import widest
-from nearfar.orthoview._grid import Place
+from nearfar.orthoview._grid import Place, widest
 from nearfar.orthoview._splat_cells import Cells
 
 TILESET = "tileset.json"

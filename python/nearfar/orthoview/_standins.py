@@ -8,8 +8,8 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
+from nearfar.orthoview._cut import GEOMETRY, Part
 from nearfar.orthoview._grid import Grid, Place
-from nearfar.orthoview._parts import GEOMETRY, Part
 
 Cell = tuple[int, Place]
 """Level and place."""

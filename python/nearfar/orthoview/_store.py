@@ -24,8 +24,8 @@ from nearfar.orthoview._chunks import Chunks, Generation
 from nearfar.orthoview._files import Files, Local, missing
 from nearfar.orthoview._geometry_store import FOLDER as GEOMETRY, IMAGES, MOVING, OTHERS, TILESET, GeometryStore
 from nearfar.orthoview._grid import Place
-from nearfar.orthoview._guests import Guests, guests_of
 from nearfar.orthoview._layout import FOLDER, Layout
+from nearfar.orthoview._owners import Guests, guests_of
 from nearfar.orthoview._presence import AS_BEFORE, Masks, masks_of, newest_of
 from nearfar.orthoview._subtree import DONE, RECORD, VERSION as RECORD_VERSION, Described, record_of, size_and_hash
 

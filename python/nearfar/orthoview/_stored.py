@@ -12,10 +12,9 @@ from nearfar import _core
 from nearfar._base import check, formats
 from nearfar.orthoview import _codec, _store
 from nearfar.orthoview._chunks import Chunks
-from nearfar.orthoview._directions import Direction
 from nearfar.orthoview._files import files_at
 from nearfar.orthoview._geometry_store import names
-from nearfar.orthoview._grid import Place
+from nearfar.orthoview._grid import Direction, Place
 from nearfar.orthoview._layout import BEHIND, CHANNELS, Layout, check_zarr
 from nearfar.orthoview._view import OrthoView
 

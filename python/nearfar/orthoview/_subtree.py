@@ -12,16 +12,15 @@ from typing import Protocol
 from nearfar import _core
 from nearfar._base import formats
 from nearfar._base.errors import FormatError
-from nearfar.orthoview import _codec, _guests
+from nearfar.orthoview import _codec
 from nearfar.orthoview._chunks import Chunks, Generation
 from nearfar.orthoview._files import Local
 from nearfar.orthoview._geometry_store import names
 from nearfar.orthoview._grid import Place
-from nearfar.orthoview._guests import Guests
-from nearfar.orthoview._journal import Journal
 from nearfar.orthoview._layout import FOLDER, Layout
+from nearfar.orthoview._owners import Guests, encode_guests
 from nearfar.orthoview._presence import Presence
-from nearfar.orthoview._shard import ShardWriter, holds
+from nearfar.orthoview._shard import Journal, ShardWriter, holds
 
 Views = _core.OrthoViews | None
 """Views of a cell; None for an empty cell."""
@@ -86,9 +85,9 @@ def write_record(
 ) -> None:
     """Write the record of a complete subtree."""
     path.parent.mkdir(parents=True, exist_ok=True)
-    own = {"shards": shards, "geometry": geometry, "held": held.counts(), "views": presence.to_json()}
-    own["guests"] = _guests.encode_guests(guests)
-    formats.write_json(path, formats.header(RECORD, VERSION) | own)
+    content = {"shards": shards, "geometry": geometry, "held": held.counts(), "views": presence.to_json()}
+    content["guests"] = encode_guests(guests)
+    formats.write_json(path, formats.header(RECORD, VERSION) | content)
 
 
 class Below(Protocol):

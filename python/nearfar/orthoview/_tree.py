@@ -10,10 +10,11 @@ from numpy.typing import ArrayLike, NDArray
 
 from nearfar._base import card, check
 from nearfar._source.protocol import SceneSource, source_of
-from nearfar.orthoview import _compact, _preview, _splat_export, _update, _verify
+from nearfar.orthoview import _compact, _splat_export, _update
 from nearfar.orthoview._files import Local
 from nearfar.orthoview._near_far import NearFarTree
 from nearfar.orthoview._shown import CACHE_BYTES
+from nearfar.orthoview._view import sheet
 
 
 class OrthoTree(NearFarTree):
@@ -55,9 +56,7 @@ class OrthoTree(NearFarTree):
         """
         number = self.levels - 1 if level is None else check.integer("level", level, 0, self.levels - 1)
         at = (0, 0, 0) if place is None else place
-        return _preview.sheet(
-            [self.view(number, at, direction) for direction in range(len(self.directions))], self.size
-        )
+        return sheet([self.view(number, at, direction) for direction in range(len(self.directions))], self.size)
 
     def update(self, aabb: ArrayLike, source: SceneSource) -> OrthoTree:
         """Write a new generation, in which a part of the world has changed.
@@ -212,7 +211,7 @@ class OrthoTree(NearFarTree):
             An incomplete store.
         """
         self._require_complete()
-        return _verify.verify(self._files, self.generation)
+        return _compact.verify(self._files, self.generation)
 
     @card.repr_html
     def _repr_html_(self) -> str:
