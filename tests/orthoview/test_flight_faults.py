@@ -266,8 +266,7 @@ def shard_of(tree: Tree, key: Any) -> str:
     """Path of the shard that contains a view."""
     layout = tree._open_store().layout
     level, place, direction = key
-    shard = layout.shard_of(level, place)[0]
-    return layout.shard_path(layout.array(level, direction, "color"), shard).as_posix()
+    return layout.shard_path((level, place, layout.array(level, direction, "color")))
 
 
 def test_a_damaged_part_is_read_again_after_an_update(small_shards: Tree, tmp_path: Path) -> None:

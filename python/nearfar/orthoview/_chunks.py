@@ -105,8 +105,7 @@ class Chunks:
         return [found.get(key) for key in keys]
 
     def _shard(self, generation: Generation, key: Key) -> str | None:
-        level, place, array = key
-        path = self._layout.shard_path(array, self._layout.shard_of(level, place)[0]).as_posix()
+        path = self._layout.shard_path(key)
         return generation.folder + path if generation.has_shard is None or generation.has_shard(path) else None
 
     def _load(self, sides: dict[str, int]) -> None:

@@ -19,7 +19,7 @@ from nearfar.orthoview._grid import Place, depth_first
 from nearfar.orthoview._layout import FOLDER, Layout
 from nearfar.orthoview._presence import Presence
 from nearfar.orthoview._shard import ShardWriter
-from nearfar.orthoview._subtree import Described, Held, record_of, size_and_hash, write_record
+from nearfar.orthoview._subtree import Described, record_of, size_and_hash, write_record
 
 
 def compact(store: Files, attributes: dict[str, Any], target: Path) -> None:
@@ -84,16 +84,14 @@ class _Copy:
 
     def write(self, subtree: Subtree, shards: dict[str, tuple[int, str] | None]) -> None:
         """Write a subtree's shards and its record."""
-        held, presence = Held(), Presence(self._layout, subtree[0])
+        presence = Presence(self._layout, subtree[0])
         written: dict[str, tuple[int, str]] = {}
         for path, known in sorted(shards.items()):
             level, array = int(path.partition("/")[0]), "/".join(path.split("/")[:3])
-            places = self._places(level, subtree[1])
-            keys = [(level, place, array) for place in places]
+            keys = [(level, place, array) for place in self._places(level, subtree[1])]
             with formats.guarded(self._store.place, "orthoviews"):
-                for place, length in zip(places, self._chunks.lengths(keys), strict=True):
-                    held.add(level, place, length)
-                    presence.add(level, place, array, length)
+                for key, length in zip(keys, self._chunks.lengths(keys), strict=True):
+                    presence.add(key, length)
                 if known is None:
                     known = self._merged(path, level, keys)
                 else:
@@ -101,7 +99,7 @@ class _Copy:
             if known is not None:
                 written[path] = known
         record, guests = record_of(self._folder, *subtree), self._read_cells(*subtree).guests
-        write_record(record, written, self._leaves(subtree), held, presence, guests)
+        write_record(record, written, self._leaves(subtree), presence, guests)
 
     def _leaves(self, subtree: Subtree) -> Described:
         """Copy the geometry of a subtree's leaves; return sizes and hashes."""

@@ -119,9 +119,11 @@ class Layout:
         """Name of an array."""
         return f"{level}/{self.names[direction]}/{channel}"
 
-    def shard_path(self, array: str, shard: Place) -> Path:
-        """Path of a shard's file below the store."""
-        return Path(array, "c", *map(str, shard), "0", "0", "0")
+    def shard_path(self, key: Key) -> str:
+        """Path of the shard that holds a chunk, below the store."""
+        level, place, array = key
+        shard, _ = self.shard_of(level, place)
+        return "/".join(map(str, (array, "c", *shard, 0, 0, 0)))
 
     def keys(self, level: int, place: Place, numbers: Iterable[int] | None = None) -> dict[tuple[int, str], Key]:
         """Keys of a cell's chunks by direction number (default all) and channel."""

@@ -86,8 +86,7 @@ def _changed_views(layout: Layout, overlays: list[Generation]) -> Callable[[View
 
     def changed(key: ViewKey) -> bool:
         level, place, direction = key
-        array = layout.array(level, direction, CHANNELS[0])
-        path = layout.shard_path(array, layout.shard_of(level, place)[0]).as_posix()
+        path = layout.shard_path((level, place, layout.array(level, direction, CHANNELS[0])))
         return any(overlay.has_shard is not None and overlay.has_shard(path) for overlay in overlays)
 
     return changed

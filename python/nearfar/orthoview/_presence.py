@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from nearfar._base.errors import UnusableError
 from nearfar.orthoview._grid import Place
-from nearfar.orthoview._layout import Layout
+from nearfar.orthoview._layout import Key, Layout
 
 AS_BEFORE = 1 << 31
 """Mask of a cell that is unchanged from older generations."""
@@ -22,11 +22,13 @@ Masks = list[NDArray[np.uint32]]
 
 
 class Presence:
-    """Collects the masks of a subtree from its chunks; at first all are `value`: 0 for empty, or `AS_BEFORE`."""
+    """Counts a subtree's chunks, and collects its masks; at first all are `value`: 0 for empty, or `AS_BEFORE`."""
 
     def __init__(self, layout: Layout, tier: int, value: int = 0) -> None:
         self._layout, self._lowest = layout, tier * layout.subtree
         self._masks = [np.full(shape, value, np.uint32) for shape in shapes(layout, tier)]
+        self._cells: set[tuple[int, Place]] = set()
+        self._chunks, self._bytes = 0, 0
 
     def computed(self, level: int, place: Place) -> None:
         """Record that a cell has been computed, so that its mask no longer is `AS_BEFORE`."""
@@ -35,13 +37,22 @@ class Presence:
         if mask[within] == AS_BEFORE:
             mask[within] = 0
 
-    def add(self, level: int, place: Place, array: str, length: int) -> None:
+    def add(self, key: Key, length: int) -> None:
         """Record a chunk of a computed cell; length 0 means that it is missing."""
-        _, within = self._layout.shard_of(level, place)
-        mask = self._masks[level - self._lowest]
+        if not length:
+            return
+        level, place, array = key
+        self._cells.add((level, place))
+        self._chunks, self._bytes = self._chunks + 1, self._bytes + length
         _, name, channel = array.split("/")
-        if length and channel == "depth":
-            mask[within] |= np.uint32(1 << self._layout.names.index(name))
+        if channel == "depth":
+            _, within = self._layout.shard_of(level, place)
+            self._masks[level - self._lowest][within] |= np.uint32(1 << self._layout.names.index(name))
+
+    def counts(self) -> dict[str, int]:
+        """Numbers of cells and leaves that are not empty, of their chunks and of the chunks' bytes."""
+        leaves = sum(level == 0 for level, _ in self._cells)
+        return {"cells": len(self._cells), "leaves": leaves, "chunks": self._chunks, "bytes": self._bytes}
 
     def to_json(self) -> list[str]:
         """Encode the masks as JSON."""

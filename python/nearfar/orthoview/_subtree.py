@@ -17,7 +17,7 @@ from nearfar.orthoview._chunks import Chunks, Generation
 from nearfar.orthoview._files import Local
 from nearfar.orthoview._geometry_store import names
 from nearfar.orthoview._grid import Place
-from nearfar.orthoview._layout import FOLDER, Layout
+from nearfar.orthoview._layout import FOLDER, Key, Layout
 from nearfar.orthoview._owners import Guests, encode_guests
 from nearfar.orthoview._presence import Presence
 from nearfar.orthoview._shard import Journal, ShardWriter, holds
@@ -54,38 +54,16 @@ def record_of(store: Path, tier: int, place: Place) -> Path:
     return store / FOLDER / DONE / f"{tier}_{'_'.join(map(str, place))}.json"
 
 
-class Held:
-    """Counts the content of shards."""
-
-    def __init__(self) -> None:
-        self._cells: set[tuple[int, Place]] = set()
-        self._chunks, self._bytes = 0, 0
-
-    def add(self, level: int, place: Place, length: int) -> None:
-        """Count a chunk of a cell; length 0 means that it is missing."""
-        if length:
-            self._cells.add((level, place))
-            self._chunks += 1
-            self._bytes += length
-
-    def counts(self) -> dict[str, int]:
-        """Numbers of cells and leaves that are not empty, of their chunks and of the chunks' bytes."""
-        leaves = sum(level == 0 for level, _ in self._cells)
-        return {"cells": len(self._cells), "leaves": leaves, "chunks": self._chunks, "bytes": self._bytes}
-
-
 def size_and_hash(path: Path) -> tuple[int, str]:
     """Size and SHA-256 of a file."""
     content = path.read_bytes()
     return len(content), hashlib.sha256(content).hexdigest()
 
 
-def write_record(
-    path: Path, shards: Described, geometry: Described, held: Held, presence: Presence, guests: Guests
-) -> None:
+def write_record(path: Path, shards: Described, geometry: Described, presence: Presence, guests: Guests) -> None:
     """Write the record of a complete subtree."""
     path.parent.mkdir(parents=True, exist_ok=True)
-    content = {"shards": shards, "geometry": geometry, "held": held.counts(), "views": presence.to_json()}
+    content = {"shards": shards, "geometry": geometry, "held": presence.counts(), "views": presence.to_json()}
     content["guests"] = encode_guests(guests)
     formats.write_json(path, formats.header(RECORD, VERSION) | content)
 
@@ -147,10 +125,8 @@ class Subtree:
 
     def _is_sound(self) -> bool:
         """Whether the shards have all bytes recorded in the journal."""
-        return all(
-            holds(self._store / self._layout.shard_path(array, self._layout.shard_of(level, place)[0]), size)
-            for (level, place, array), size in self._journal.sizes().items()
-        )
+        sizes = self._journal.sizes().items()
+        return all(holds(self._store / self._layout.shard_path(key), size) for key, size in sizes)
 
     def _views(self, level: int, place: Place) -> tuple[Views, bool]:
         """Views of a cell of this subtree, and whether everything below it is complete."""
@@ -201,31 +177,29 @@ class Subtree:
 
         Parents are composed of these, as in a build that resumes.
         """
-        shard, within = self._layout.shard_of(level, place)
-        encoded = _codec.encoded(views, self._layout)
-        gone = dict.fromkeys(self._below.chunks_before(level, place) - encoded.keys(), b"")
-        chunks = {}
-        for (direction, channel), chunk in (encoded | gone).items():
-            array = self._layout.array(level, direction, channel)
-            chunks[array] = self._writer(array, level, shard).append(within, chunk)
-        self._journal.add(level, place, chunks, guests)
+        _, within = self._layout.shard_of(level, place)
+        encoded, keys = _codec.encoded(views, self._layout), self._layout.keys(level, place)
+        removed = dict.fromkeys(self._below.chunks_before(level, place) - encoded.keys(), b"")
+        chunks = {keys[pair]: chunk for pair, chunk in (encoded | removed).items()}
+        written = {key[2]: self._writer(key).append(within, chunk) for key, chunk in chunks.items()}
+        self._journal.add(level, place, written, guests)
         return views if self._layout.quality is None else _codec.both(encoded, self._layout)
 
-    def _writer(self, array: str, level: int, shard: Place) -> ShardWriter:
+    def _writer(self, key: Key) -> ShardWriter:
+        """Writer of the shard that holds a chunk."""
+        level, _, array = key
         if array not in self._writers:
             done = [(self._layout.shard_of(level, place)[1], chunk) for place, chunk in self._journal.of_array(array)]
-            path = self._store / self._layout.shard_path(array, shard)
+            path = self._store / self._layout.shard_path(key)
             self._writers[array] = ShardWriter(path, self._layout.shard_side(level), done)
         return self._writers[array]
 
     def _reread(self, level: int, place: Place) -> Views:
         """Read the views of a cell that an interrupted build wrote."""
-        shard, within = self._layout.shard_of(level, place)
-        written = self._journal.cells[level, place]
-        arrays = {pair: key[2] for pair, key in self._layout.keys(level, place).items() if key[2] in written}
+        (_, within), written = self._layout.shard_of(level, place), self._journal.cells[level, place]
+        keys = {pair: key for pair, key in self._layout.keys(level, place).items() if key[2] in written}
         with formats.guarded(self._store, "orthoviews"):
-            chunks = {pair: self._writer(array, level, shard).read(within) for pair, array in arrays.items()}
-            return self._decode({pair: chunk for pair, chunk in chunks.items() if chunk})
+            return self._decode({pair: chunk for pair in keys if (chunk := self._writer(keys[pair]).read(within))})
 
     def _decode(self, chunks: _codec.Encoded) -> Views:
         """Decode a cell's views, and count their chunks."""
@@ -237,23 +211,18 @@ class Subtree:
 
         Shards of an incomplete subtree become `PART` again when it resumes; until then readers find its cells.
         """
-        shards = {}
-        for level, place, array in self._journal.sizes():
-            shard, _ = self._layout.shard_of(level, place)
-            path = self._layout.shard_path(array, shard).as_posix()
-            shards[path] = self._writer(array, level, shard).finish()
+        shards = {self._layout.shard_path(key): self._writer(key).finish() for key in self._journal.sizes()}
         self._writers.clear()
         return shards
 
     def _note(self, shards: Described) -> None:
         """Write the record of a complete subtree."""
-        held, presence = Held(), Presence(self._layout, self._tier, self._below.unchanged)
+        presence = Presence(self._layout, self._tier, self._below.unchanged)
         for (level, place), chunks in self._journal.cells.items():
             presence.computed(level, place)
             for array, (_, length) in chunks.items():
-                held.add(level, place, length)
-                presence.add(level, place, array, length)
-        write_record(self._record, shards, self._geometry(), held, presence, self._journal.guests)
+                presence.add((level, place, array), length)
+        write_record(self._record, shards, self._geometry(), presence, self._journal.guests)
         self._journal.remove()
 
     def _geometry(self) -> Described:
