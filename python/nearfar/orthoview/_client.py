@@ -6,7 +6,6 @@ from collections import OrderedDict
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from itertools import chain
-from typing import Protocol
 
 from nearfar._camera.camera import Camera
 from nearfar.orthoview._cut import GEOMETRY, Part, kind
@@ -19,21 +18,15 @@ AT_ONCE = 16
 """Concurrent requests of a client: two threads with eight views each."""
 
 
-class Planner(Protocol):
-    """Plans the parts that a client needs at the viewer's position, given the parts received until a time."""
-
-    def __call__(
-        self, camera: Camera, time: float, received: Received, busy: bool, held: Callable[[Part], bool]
-    ) -> Plan:
-        """Return the plan for a frame."""
+Planner = Callable[[Camera, float, Received, bool, Callable[[Part], bool]], Plan]
+"""Plans a frame's parts: from the camera, the time in seconds, what has been received until then, whether requests were
+outstanding since the frame before, and whether a part has been received."""
 
 
 @dataclass
 class Course:
     """Measures of a client, frame by frame."""
 
-    stalled: list[bool] = field(default_factory=list)
-    """Whether a frame lacks a part of its cut."""
     missing: list[int] = field(default_factory=list)
     """Number of parts that each frame lacks."""
     wanted: list[int] = field(default_factory=list)
@@ -69,7 +62,6 @@ class Client:
         wanted = list(chain(*plan.wanted.values()))
         missing = [part for part in wanted if part not in self._held]
         course = self.course
-        course.stalled.append(bool(missing))
         course.missing.append(len(missing))
         course.wanted.append(len(wanted))
         course.error_px.append(plan.error_px)
@@ -78,8 +70,7 @@ class Client:
             if part in self._held:
                 self._held.move_to_end(part)
         self._trim({*plan.order, *wanted})
-        self._queue = [part for part in plan.order if part not in self._held and part not in self._awaited]
-        self._queue.reverse()
+        self._queue = [part for part in plan.order[::-1] if part not in self._held and part not in self._awaited]
         self._ask()
 
     def _advance(self, time: float) -> None:

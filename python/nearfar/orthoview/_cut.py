@@ -8,7 +8,6 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -163,7 +162,15 @@ class Cutter:
             around=around,
             lift_deg=settings.lift_deg,
         )
-        return _cut_of(arrays, unknown, reach, settings.views)
+        return OrthoCut(
+            **{name: arrays[name] for name in ("level", "place", "distance", "in_picture", "partial")},
+            directions=np.ascontiguousarray(arrays["directions"][:, : settings.views]),
+            leaves=arrays["leaf_place"],
+            leaf_distance=arrays["leaf_distance"],
+            leaf_in_picture=arrays["leaf_in_picture"],
+            reach=reach,
+            unknown=[(tier, (x, y, z)) for tier, (x, y, z) in unknown],
+        )
 
     def whole(self, camera: Camera, settings: Settings, *, around: bool = False) -> OrthoCut:
         """Cut with all subtrees that the cut needs; missing ones are read."""
@@ -175,24 +182,8 @@ class Cutter:
                 return found
 
 
-def _cut_of(arrays: dict[str, Any], unknown: list[tuple[int, list[int]]], reach: float, views: int) -> OrthoCut:
-    return OrthoCut(
-        level=arrays["level"],
-        place=arrays["place"],
-        directions=np.ascontiguousarray(arrays["directions"][:, :views]),
-        distance=arrays["distance"],
-        in_picture=arrays["in_picture"],
-        partial=arrays["partial"],
-        leaves=arrays["leaf_place"],
-        leaf_distance=arrays["leaf_distance"],
-        leaf_in_picture=arrays["leaf_in_picture"],
-        reach=reach,
-        unknown=[(tier, (x, y, z)) for tier, (x, y, z) in unknown],
-    )
-
-
 def grid_of(samples: int) -> int:
-    """Return the samples along each axis of a pixel; ValueError unless `samples` is a square of at most MOST_GRID²."""
+    """Return the samples along each axis of a pixel; ValueError unless `samples` is a square of at most `MAX_GRID`²."""
     grid = math.isqrt(samples)
     if grid * grid != samples or grid > MAX_GRID:
         raise ValueError(f"samples: expected 1, 4, 9 … {MAX_GRID**2} for orthoviews, got {samples}")

@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterator
+from itertools import chain
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -118,16 +119,15 @@ class GeometryStore:
             return facts.box
 
         self._folder.mkdir(parents=True, exist_ok=True)
-        leaves = self._places(STANDS)
+        leaves = np.fromiter(chain.from_iterable(self._listed_leaves(STANDS)), np.int64).reshape(-1, 3)
         box = None
         if len(leaves):
             with files.atomic_folder(self._folder / SUBTREES, marker=_FIRST) as temporary:
                 box = availability.write(temporary, self._grid.levels, leaves, box_of)
-        movers = {self._name(MOVES, place): self._facts(MOVES, place) for place in self._listed_leaves(MOVES)}
+        movers = {_name(self._grid, MOVES, place): self._facts(MOVES, place) for place in self._listed_leaves(MOVES)}
         self._write_movers(movers)
         document = self._tileset(box, {name: facts.box for name, facts in movers.items()})
-        with files.atomic_file(self._folder / TILESET) as temporary:
-            temporary.write_text(formats.to_json(document), encoding="utf-8")
+        formats.write_json(self._folder / TILESET, document)
         moving = {
             "files": len(movers),
             "triangles": sum(facts.triangles for facts in movers.values()),
@@ -186,17 +186,8 @@ class GeometryStore:
         ]
         formats.write_json(self._folder / MOVING, formats.header(KIND, VERSION) | {"files": listed})
 
-    def _name(self, folder: str, place: Place) -> str:
-        return _name(self._grid, folder, place)
-
     def _path(self, folder: str, place: Place) -> Path:
-        return self._folder / self._name(folder, place)
-
-    def _places(self, folder: str) -> NDArray[np.int64]:
-        """Leaves (N, 3) that have a file in a folder."""
-        listed = np.fromiter((number for place in self._listed_leaves(folder) for number in place), np.int64)
-        places: NDArray[np.int64] = listed.reshape(-1, 3)
-        return places
+        return self._folder / _name(self._grid, folder, place)
 
     def _listed_leaves(self, folder: str) -> Iterator[Place]:
         """Leaves that have a file in a folder, in ascending order."""

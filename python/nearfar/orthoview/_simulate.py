@@ -13,7 +13,7 @@ from nearfar._base import check, plot
 from nearfar._base.settings import gather
 from nearfar._camera.camera import Camera
 from nearfar.orthoview._client import Client
-from nearfar.orthoview._cut import RECORD, Cutter, Part, kind
+from nearfar.orthoview._cut import RECORD, Part, kind
 from nearfar.orthoview._meter import Received
 from nearfar.orthoview._pilot import Pilot, Plan
 from nearfar.orthoview._settings import FlightKeywords, FlightSettings
@@ -146,9 +146,22 @@ def simulate(
     flight = gather(FlightSettings, settings, keywords)
     opened = own._open_store()
     cutter = opened.viewer.cutter
-    planner = _Planned(Pilot(cutter, flight.cut, flight.ahead), cutter)
+    pilot = Pilot(cutter, flight.cut, flight.ahead)
+
+    def plan(camera: Camera, time: float, received: Received, busy: bool, held: Callable[[Part], bool]) -> Plan:
+        """Plan a frame; all records are read at once, without the link."""
+        pilot.meter.note(time, received, busy=busy)
+        pilot.look(camera, time)
+        while True:
+            found = pilot.plan(held)
+            unknown = [part for part in found.order if kind(part) == RECORD]
+            if not unknown:
+                return found
+            for tier, place, _ in unknown:
+                cutter.learn(tier, place)
+
     kept = check.integer("cache_bytes", cache_bytes, 0, 1 << 62)
-    client = Client(planner, opened.sizes, link, kept, check.integer("seed", seed, 0, 2**63 - 1))
+    client = Client(plan, opened.sizes, link, kept, check.integer("seed", seed, 0, 2**63 - 1))
     return flown(client, several, frames)
 
 
@@ -165,23 +178,3 @@ def flown(client: Client, cameras: Sequence[Camera], rate: float) -> FlightLog:
         np.array(course.received, np.int64),
         course.asked,
     )
-
-
-class _Planned:
-    """Planner that reads all records at once, without the link."""
-
-    def __init__(self, pilot: Pilot, cutter: Cutter) -> None:
-        self._pilot, self._cutter = pilot, cutter
-
-    def __call__(
-        self, camera: Camera, time: float, received: Received, busy: bool, held: Callable[[Part], bool]
-    ) -> Plan:
-        self._pilot.meter.note(time, received, busy=busy)
-        self._pilot.look(camera, time)
-        while True:
-            plan = self._pilot.plan(held)
-            unknown = [part for part in plan.order if kind(part) == RECORD]
-            if not unknown:
-                return plan
-            for tier, place, _ in unknown:
-                self._cutter.learn(tier, place)

@@ -38,16 +38,13 @@ class _Gathered:
         self.extent = np.array([[np.inf] * 3, [-np.inf] * 3])
         """Least and greatest coordinates (2, 3) of the centres."""
 
-    def add(self, sections: Mapping[str, bytes], cell: Cell) -> None:
-        """Append the sections of a cell's Gaussians."""
+    def add(self, sections: Mapping[str, bytes], cell: Cell, extent: NDArray[np.float64]) -> None:
+        """Append the sections of a cell's Gaussians, whose centres have an extent (2, 3)."""
         for name, data in sections.items():
             self._files[name].write(data)
         self.cells += 1
         self.count += len(cell.gaussians)
         self.pixels += cell.pixels
-
-    def widen(self, extent: NDArray[np.float64]) -> None:
-        """Enlarge the extent by that of a cell's centres."""
         self.extent = np.array([np.minimum(self.extent[0], extent[0]), np.maximum(self.extent[1], extent[1])])
 
     def close(self) -> None:
@@ -101,7 +98,7 @@ def write(
             gathered = _gather(cells, level, center, folder, spz.SECTIONS, encode, most=spz.MAX)
             if gathered.count:
                 inner = folder / "spz" if is_gltf else path
-                _compress(inner, spz.Header(version, gathered.count, bits), gathered)
+                _compress(inner, spz.header(version, gathered.count, bits), gathered)
                 if is_gltf:
                     _wrap(inner, path, gathered, center, extras)
     size = path.stat().st_size
@@ -146,8 +143,7 @@ def _gather(
         with progress.bar("exporting") as report:
             for cell, sections, moved in side_by_side.results(jobs()):
                 if len(moved):
-                    gathered.add(sections, cell)
-                    gathered.widen(gltf.extent_of(moved))
+                    gathered.add(sections, cell, gltf.extent_of(moved))
                 if gathered.count > most:
                     raise ValueError(
                         f"level: expected one with at most {most:,} splats in the box, level {level} has more; "
@@ -160,9 +156,9 @@ def _gather(
     return gathered
 
 
-def _compress(path: Path, header: spz.Header, gathered: _Gathered) -> None:
+def _compress(path: Path, header: bytes, gathered: _Gathered) -> None:
     with path.open("wb") as file, gzip.GzipFile("", "wb", _LEVEL, file, mtime=0) as target:
-        target.write(header.packed())
+        target.write(header)
         gathered.pour(target)
 
 

@@ -87,30 +87,27 @@ class _Tree:
     def _apart(self, key: tuple[int, Place], node: dict[str, Any]) -> dict[str, Any]:
         """Write a tile and its descendants into a separate document; return a tile that refers to it."""
         name = _name("tilesets", *key, "json")
-        path = self._folder / name
-        path.parent.mkdir(parents=True, exist_ok=True)
-        document = self._document(_with_rewritten_uris(node), node["geometricError"])
-        files.write(path, formats.to_json(document, compact=True).encode())
+        self._write(name, _with_rewritten_uris(node), node["geometricError"])
         shared = {part: node[part] for part in ("boundingVolume", "geometricError", "refine")}
         return shared | {"content": {"uri": name}}
 
     def finish(self) -> None:
         """Write the root document, if there is any tile."""
         top = (self._grid.levels - 1, (0, 0, 0))
-        if top not in self._open:
-            return
-        document = self._document(self._open[top], math.sqrt(3.0) * self._grid.side(top[0]))
-        files.write(self._folder / TILESET, formats.to_json(document, compact=True).encode())
+        if top in self._open:
+            self._write(TILESET, self._open[top], math.sqrt(3.0) * self._grid.side(top[0]))
 
-    def _document(self, root: dict[str, Any], error: float) -> dict[str, Any]:
+    def _write(self, name: str, root: dict[str, Any], error: float) -> None:
+        """Write a document."""
         named = {"extensionsUsed": self._contents, "extensionsRequired": self._contents}
-        return {
+        document = {
             "asset": {"version": "1.1", "extras": {"generator": f"nearfar {__version__}"}},
             "extensionsUsed": ["3DTILES_content_gltf"],
             "extensions": {"3DTILES_content_gltf": named},
             "geometricError": error,
             "root": root,
         }
+        _write_file(self._folder / name, formats.to_json(document, compact=True).encode())
 
 
 def write(folder: Path, cells: Cells, finest: int, *, packed: bool, extras: Mapping[str, Any]) -> dict[str, int]:
@@ -134,9 +131,7 @@ def write(folder: Path, cells: Cells, finest: int, *, packed: bool, extras: Mapp
             total["pixels"] += tile.pixels
             if tile.data:
                 # Not in the jobs: those still running after Ctrl-C would write into a folder that is being removed.
-                path = folder / _name("content", tile.level, tile.place, "glb")
-                path.parent.mkdir(parents=True, exist_ok=True)
-                files.write(path, tile.data)
+                _write_file(folder / _name("content", tile.level, tile.place, "glb"), tile.data)
                 total["tiles"] += 1
                 total["splats"] += tile.splats
                 total["bytes"] += len(tile.data)
@@ -156,6 +151,11 @@ def _encode_tile(cells: Cells, chunks: Encoded, level: int, place: Place, encode
         return _Tile(level, place, None, cell.pixels, 0, b"")
     box = splats.box() + cell.center
     return _Tile(level, place, box, cell.pixels, len(splats), encode(splats, cell.center))
+
+
+def _write_file(path: Path, data: bytes) -> None:
+    path.parent.mkdir(parents=True, exist_ok=True)
+    files.write(path, data)
 
 
 def _name(folder: str, level: int, place: Place, suffix: str) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -83,7 +83,10 @@ class StandIns:
         below = self._below(before)
         for cell, parts in wanted.items():
             if all(map(self._held, parts)):
-                self._put(found, cell, parts)
+                if parts[0][2] == GEOMETRY:
+                    found.leaves[cell[1]] = parts
+                else:
+                    found.cells[cell] = [Piece(part) for part in parts]
                 continue
             missing += 1
             kept = self._keep(found, below.get(cell, ()), before)
@@ -95,12 +98,6 @@ class StandIns:
     def _can_draw(self, part: Part) -> bool:
         level, place, direction = part
         return direction in self._drawable((level, place))
-
-    def _put(self, found: Shown, cell: Cell, parts: Sequence[Part]) -> None:
-        if parts[0][2] == GEOMETRY:
-            found.leaves[cell[1]] = list(parts)
-        else:
-            found.cells[cell] = [Piece(part) for part in parts]
 
     def _below(self, before: Shown) -> dict[Cell, list[Cell]]:
         """Map each cell to its descendants, itself included, that were drawn before from their own parts.

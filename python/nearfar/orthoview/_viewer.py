@@ -77,34 +77,20 @@ class Viewer:
         else:
             passes = [(grid if sampled else 1, shot.channels)]
         images: Images = {}
-        for samples, channels in passes:
-            drawn = self._pass(camera, shot, channels, samples, parts, report, device)
-            images |= {"stats": drawn["stats"]} | {name: drawn[name] for name in channels}
-        return images
-
-    def _pass(
-        self,
-        camera: Camera,
-        shot: Shot,
-        channels: tuple[str, ...],
-        grid: int,
-        parts: Parts,
-        report: Report,
-        device: _core.GpuDevice | None,
-    ) -> dict[str, Any]:
         x, y, z = self.origin.tolist()
-        own = replace(shot, cameras=(camera,), channels=channels)
-        images = _core.splat_orthoviews(
-            parts.splats,
-            camera._core,
-            own.settings,
-            origin=(x, y, z),
-            grid=grid,
-            before=_geometry(parts, self.origin, camera, own, grid, device),
-            report=report,
-            device=device,
-        )
-        images["stats"] |= parts.counts
+        for samples, channels in passes:
+            request = replace(shot, cameras=(camera,), channels=channels)
+            drawn = _core.splat_orthoviews(
+                parts.splats,
+                camera._core,
+                request.settings,
+                origin=(x, y, z),
+                grid=samples,
+                before=_geometry(parts, self.origin, camera, request, samples, device),
+                report=report,
+                device=device,
+            )
+            images |= {"stats": drawn["stats"] | parts.counts} | {name: drawn[name] for name in channels}
         return images
 
     def _gathered(self, camera: Camera, settings: Settings, movers: Scene | None) -> Parts:
