@@ -9,13 +9,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
+from benchmarks.orthoview._splats import Pixels
 from nearfar._scene.srgb import to_linear
+from nearfar.orthoview._gaussians import MIN_COSINE, SUN, irradiance
 from nearfar.orthoview._view import OrthoView
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
-MIN_COSINE, BORDER, SQUARED_RADIUS = 0.25, 1.27, 0.5
+BORDER, SQUARED_RADIUS = 1.27, 0.5
 SHARPNESS = 4.0
 """Opacity at q within a splat is e^(−`SHARPNESS` |q|²); its edge is at |q|² = 1/2."""
 LAYER = 0.01
@@ -121,27 +123,16 @@ def _splats(tree: nf.orthoview.OrthoTree, camera: nf.Camera, views: int) -> _Spl
 
 def _of_view(view: OrthoView, weight: float) -> _Splats:
     shown = np.isfinite(view.depth)
-    normal, surfel = view.normal[shown].astype(float), view.surfel[shown][:, None]
-    x, y = view.extents[:2] / len(view.depth)
-    facing = np.maximum(normal @ view.toward, MIN_COSINE)[:, None]
-    u = x * (view.right - (normal @ view.right)[:, None] / facing * view.toward)
-    v = y * (view.up - (normal @ view.up)[:, None] / facing * view.toward)
-    half = np.hypot(x, y) / 2 / np.sqrt(SQUARED_RADIUS)
-    light = to_linear(view.color[shown] / 255) * irradiance(normal)
+    normal, surfel = view.normal[shown], view.surfel[shown][:, None]
+    axes, sides = np.stack([view.right, view.up, view.toward]), view.extents[:2] / len(view.depth)
+    pixels = Pixels(view.points()[shown], normal.astype(float), view.color[shown], axes, sides, shown)
+    u, v = pixels.tangents(MIN_COSINE)
+    half = np.hypot(*sides) / 2 / np.sqrt(SQUARED_RADIUS)
+    light = to_linear(pixels.color / 255) * irradiance(normal, SUN)
     return _Splats(
-        view.points()[shown],
+        pixels.middle,
         np.where(surfel, BORDER * u, half * view.right),
         np.where(surfel, BORDER * v, half * view.up),
         light,
         np.full(len(light), weight),
     )
-
-
-SUN_DIRECTION, SUN = np.array([10, 15, 6]) / 19, np.array([0.60, 0.56, 0.50])
-SKY_DIRECTION, SKY = np.array([-2, 9, 3]) / np.sqrt(94), np.array([[0.130, 0.135, 0.150], [0.380, 0.420, 0.480]])
-
-
-def irradiance(normal: Floats) -> Floats:
-    """Linear RGB reflected by a white surface."""
-    sky, sun = 0.5 + 0.5 * normal @ SKY_DIRECTION, np.maximum(normal @ SUN_DIRECTION, 0)
-    return np.asarray(SKY[0] + (SKY[1] - SKY[0]) * sky[:, None] + SUN * sun[:, None])

@@ -17,10 +17,9 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from benchmarks.orthoview._gate import Gate
+from benchmarks.orthoview.export import cells_of
 from nearfar.orthoview import _spz
 from nearfar.orthoview._grid import Place
-from nearfar.orthoview._splat_cells import Cells
-from nearfar.orthoview._splat_export import sun_of
 from nearfar.view._tree import tree_page
 from tests.support.page_pictures import camera
 from tests.support.reader_cases import FOLDER
@@ -30,7 +29,6 @@ LIGHT = Path(__file__).resolve().parents[2] / "web" / "src" / "shaders" / "light
 SIZE = (640, 480)
 ANGLE = 60.0
 """Vertical field of view, degrees: that of the page."""
-EVERYWHERE = np.array([[-np.inf] * 3, [np.inf] * 3])
 CLIENTS = {"nearfar": "&geometry=1", "nearfar, splats": "&geometry=0", "3d-tiles-renderer": "tiles", "Spark": "spark"}
 """Request of each viewer's address: the page with near leaves as geometry and without, and the other viewers."""
 QUIET = 5.0
@@ -148,7 +146,7 @@ def prepare(way: Way, folder: Path) -> dict[str, Path]:
         each.mkdir(exist_ok=True)
     for name, content in tree_page().items():
         (page / name).write_bytes(content)
-    cells = Cells(way.tree._files, way.tree._layout, way.tree.generation, EVERYWHERE, sun_of("sun"))
+    cells = cells_of(way.tree)
     centers: dict[str, list[float]] = {}
     for name in sorted({name for cut in way.cuts for name in cut["wanted"]}):
         level, *place = map(int, name.split("-"))

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -95,12 +96,11 @@ class World:
         (x, y, z), margin = self.low, (self.side - side) / 2
         return replace(self, name=f"{self.name} {side:g} m", low=(x + margin, y, z + margin), side=side)
 
-    def build(self, folder: Path, directions: int = ALL, layers: int = 1) -> Path:
+    def build(self, folder: Path, directions: int = ALL, layers: int = 1, **settings: Any) -> Path:
         """Build the tree, unless the folder contains it; return its path."""
         path = folder / f"{self.name.replace(' ', '-')}-{directions}-{layers}.zarr"
-        nf.orthoview.build(
-            self.scene, path, cell=self.cell, aabb=self.box, size=SIZE, directions=directions, layers=layers
-        )
+        settings |= {"aabb": self.box, "size": SIZE, "directions": directions, "layers": layers}
+        nf.orthoview.build(self.scene, path, cell=self.cell, **settings)
         return path
 
 

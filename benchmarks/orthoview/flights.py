@@ -84,7 +84,6 @@ def tiles(tree: nf.orthoview.OrthoTree, cameras: list[nf.Camera], link: nf.strea
 
 
 def stalls(tree: nf.orthoview.OrthoTree, out: Path | None) -> str:
-    del out
     rows = []
     for (way, (speed, height)), mbps in itertools.product(WAYS.items(), LINKS):
         cameras, link = flight(speed, height), nf.stream.Link(mbps=mbps, rtt_ms=RTT)
@@ -102,7 +101,6 @@ def stalls(tree: nf.orthoview.OrthoTree, out: Path | None) -> str:
 
 def speed(tree: nf.orthoview.OrthoTree, out: Path | None) -> str:
     """Increase the speed at one height, over a link that is too slow for the last speeds."""
-    del out
     rows, link = [], nf.stream.Link(mbps=20.0, rtt_ms=RTT)
     for metres in (50.0, 100.0, 200.0, 400.0):
         cameras = flight(metres, 120.0, 30)

@@ -69,7 +69,6 @@ def truths(world: World, cameras: list[nf.Camera], tree: nf.orthoview.OrthoTree)
 
 def by_sets(worlds: list[World], trees: Path, out: Path | None) -> None:
     """Table of sets of directions and numbers of views."""
-    del out
     rows = []
     for world in worlds:
         path = world.build(trees)
@@ -84,7 +83,6 @@ def by_sets(worlds: list[World], trees: Path, out: Path | None) -> None:
 
 def by_cuts(worlds: list[World], trees: Path, out: Path | None) -> None:
     """Table of sets of directions with equal cuts: sets whose widest view is wider are allowed as much more error."""
-    del out
     rows = []
     for world in worlds:
         path = world.build(trees)
@@ -116,7 +114,6 @@ def by_errors(worlds: list[World], trees: Path, out: Path | None) -> None:
 
 def by_geometry(worlds: list[World], trees: Path, out: Path | None) -> None:
     """Table of near leaves with and without geometry."""
-    del out
     rows = []
     for world in worlds:
         tree = open_tree(world.build(trees), DIRECTIONS)
@@ -129,7 +126,6 @@ def by_geometry(worlds: list[World], trees: Path, out: Path | None) -> None:
 
 def by_layers(worlds: list[World], trees: Path, out: Path | None) -> None:
     """Table of one and two layers, without geometry."""
-    del out
     rows = []
     for world in worlds:
         part = world.part(PARTS[world.name])

@@ -166,7 +166,6 @@ def flight(world: World, tree: Tree, out: Path, parts: int) -> None:
 
 def swaps(world: World, tree: Tree, out: Path, parts: int) -> None:
     """Table of the least similarity of consecutive pictures after the cut was swapped for a static camera."""
-    del out, parts
     rows = []
     for time in PLACES:
         camera = camera_at(world, time)
@@ -206,7 +205,6 @@ def bisector(tree: Tree, world: World, start: float) -> tuple[nf.Camera, nf.Came
 
 def speed(world: World, tree: Tree, out: Path, parts: int) -> None:
     """Table of the time of a picture of 640 × 480 pixels."""
-    del out, parts
     frames = [tree.render(camera_at(world, 12 + n / RATE, (640, 480))) for n in range(2)]
     steady, count = nf.orthoview.Steady(), iter(range(1000))
 
@@ -222,7 +220,6 @@ def speed(world: World, tree: Tree, out: Path, parts: int) -> None:
 
 def blends(world: World, tree: Tree, out: Path, parts: int) -> None:
     """Compare splats that blend where they overlap, without geometry."""
-    del out, parts
     blends = {
         "nearest splat": Blend(),
         "opacity": Blend(opacity=True),

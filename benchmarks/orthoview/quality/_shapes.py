@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from benchmarks.orthoview._splats import Pixels
+from nearfar._camera.rotation import rotation
 from nearfar.orthoview._gaussians import MIN_COSINE, SUN, shade
 
 BORDER = 1.27
@@ -25,14 +26,13 @@ Sides = tuple[Floats, Floats]
 def circle(pixels: Pixels, camera: nf.Camera) -> Sides:
     """Discs that face the viewer and enclose a pixel."""
     width = np.hypot(*pixels.sides) / np.sqrt(2)
-    ahead = np.broadcast_to(_ahead(camera), pixels.middle.shape)
+    ahead = np.broadcast_to(ahead_of(camera), pixels.middle.shape)
     right = _unit(np.cross(ahead, [0.0, 1.0, 0.0]))
     return width * right, width * np.cross(right, ahead)
 
 
 def warped_circle(pixels: Pixels, camera: nf.Camera) -> Sides:
     """Discs of the same radius on the tangent planes."""
-    del camera
     width = np.hypot(*pixels.sides) / np.sqrt(2)
     first = _unit(np.cross(pixels.normal, _other(pixels.normal)))
     return width * first, width * np.cross(pixels.normal, first)
@@ -40,7 +40,6 @@ def warped_circle(pixels: Pixels, camera: nf.Camera) -> Sides:
 
 def ellipse(pixels: Pixels, camera: nf.Camera) -> Sides:
     """Ellipses on the tangent planes through the corners of the pixels there."""
-    del camera
     return pixels.tangents(MIN_COSINE)
 
 
@@ -78,7 +77,7 @@ def rasterize(pixels: Pixels, sides: Sides, camera: nf.Camera) -> tuple[NDArray[
     half = np.sqrt((u * u + v * v) / 2)
     determinant = u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0]
     _, along = camera.rays()
-    along = along / (along @ _ahead(camera))[..., None]
+    along = along / (along @ ahead_of(camera))[..., None]
     low, high = (np.floor(middle[:, :2] + sign * half).astype(int) for sign in (-1, 1))
     nearest = np.full(width * height, np.iinfo(np.uint64).max, np.uint64)
     span = (high - low).max(axis=1)
@@ -128,9 +127,9 @@ def _reach(sides: Sides, splat: NDArray[np.int64]) -> Floats:
     return reach
 
 
-def _ahead(camera: nf.Camera) -> Floats:
-    x, y, z, w = camera.orientation
-    return -np.array([2 * (x * z + y * w), 2 * (y * z - x * w), 1 - 2 * (x * x + y * y)])
+def ahead_of(camera: nf.Camera) -> Floats:
+    """Unit vector in the direction of the camera's view."""
+    return -rotation(camera.orientation)[:, 2]
 
 
 def _other(normals: Floats) -> Floats:

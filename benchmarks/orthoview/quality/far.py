@@ -39,7 +39,8 @@ def main() -> None:
     half = SIDE / 2
     world = World("far forest", whole.query, (-half, -40.0, -half), SIDE, 120.0, CELL)
     with folder_or_temporary(given.trees) as folder:
-        tree = build(world, folder)
+        # Without geometry, since nothing is near.
+        tree = nf.orthoview.open(world.build(folder, 9, geometry=False))
         camera = nf.Camera.look_at(EYE, TARGET, fov=FOV, size=PICTURE)
         clip = nf.Clip(box=tree.bounds)
         print(f"{world.scene.triangle_count:,} triangles; {tree.held['bytes'] / 1e6:.0f} MB of views\n")
@@ -59,12 +60,6 @@ def main() -> None:
 
 
 SHOWN = ("geometry, 4 × 4 samples", f"geometry, {LARGE[0]} × {LARGE[1]} reduced", "orthoviews, one sample")
-
-
-def build(world: World, folder: Path) -> nf.orthoview.OrthoTree:
-    """Build the tree, unless the folder contains it, without geometry, since nothing is near."""
-    path = folder / "far-forest.zarr"
-    return nf.orthoview.build(world.scene, path, cell=CELL, aabb=world.box, size=256, directions=9, geometry=False)
 
 
 def methods(

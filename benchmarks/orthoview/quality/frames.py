@@ -107,10 +107,9 @@ def geometry(tiles: str, half: float, way: str) -> tuple[Callable[[nf.Camera], A
     low, high = source.bounds
     box = [(START[0] - half, low[1], START[1] - half), (START[0] + half, high[1], START[1] + half)]
     scene = source.query(box)
-    backends: dict[str, Backend] = {"rays": "cpu", "rasters": "gpu"}
-    backend = backends[way]
-    facts = {"triangles": scene.triangle_count}
-    return lambda camera: nf.render(scene, camera, channels=("color",), backend=backend), facts
+    backend: Backend = "cpu" if way == "rays" else "gpu"
+    draw = partial(nf.render, scene, channels=("color",), backend=backend)
+    return draw, {"triangles": scene.triangle_count}
 
 
 def orthoviews(path: str, half: float) -> tuple[Callable[[nf.Camera], Any], Row]:
@@ -125,8 +124,8 @@ def orthoviews(path: str, half: float) -> tuple[Callable[[nf.Camera], Any], Row]
 
     def draw(camera: nf.Camera) -> Any:
         cut = viewer.cutter.whole(camera, Settings())
-        several = cut.keys()
-        keys = [key for key in several if is_in_square(*key[:2])]
+        views = cut.keys()
+        keys = [key for key in views if is_in_square(*key[:2])]
         leaves = viewer.cutter.with_guests([leaf for leaf in cut.leaf_places() if is_in_square(0, leaf)])
         parts = Parts(viewer.views.get(keys), viewer.near.scene(leaves), None, {})
         return viewer.picture(camera, Shot(cameras=(camera,), channels=("color",)), parts)

@@ -200,8 +200,7 @@ class Truth:
         linear = to_linear(color / 255.0)
         picture = average(np.where(is_there[..., None], linear, self.sky))
         _, along = self.fine.rays()
-        middle = along[along.shape[0] // 2, along.shape[1] // 2]
-        truth = self.frame.require("range") * (along @ (middle / np.linalg.norm(middle)))
+        truth = self.frame.require("range") * (along @ _shapes.ahead_of(self.fine))
         with np.errstate(invalid="ignore"):
             beyond = depth - truth
         shares = (~is_there, is_there & (beyond > NEAR), beyond < -NEAR)
@@ -230,9 +229,8 @@ def kernel_picture(
     settings = Shot(cameras=(fine,), channels=("color", "range")).settings
     images = _core.splat_orthoviews([splats], fine._core, settings, origin=(0.0, 0.0, 0.0), grid=1)
     _, along = fine.rays()
-    middle = along[along.shape[0] // 2, along.shape[1] // 2]
     color = _core.encode_srgb(images["color"].ravel()).reshape(images["color"].shape)
-    return color, images["range"] * (along @ middle)
+    return color, images["range"] * (along @ _shapes.ahead_of(fine))
 
 
 def blocks(samples: NDArray[Any]) -> NDArray[Any]:

@@ -61,16 +61,8 @@ class FlownTree(ShownTree):
 
         Raises
         ------
-        ValueError
-            Values out of range, or an incomplete tree.
-        TypeError
-            Values of a wrong type.
-        FormatError, OSError
-            Damaged or unreadable documents of the store.
-
-        References
-        ----------
-        Chaudhuri et al. (2009), Image-Based Exploration of Massive Online Environments, section 4.
+        ValueError, TypeError, FormatError, OSError
+            As in `cut`.
         """
         settings = settings_of(views, error_px, geometry, lift_deg=lift_deg)
         margin = None if margin_deg is None else math.radians(check.in_range("margin_deg", margin_deg, 0.0, 180.0))
@@ -114,10 +106,6 @@ class FlownTree(ShownTree):
         ------
         ValueError, TypeError, FormatError, OSError
             As in `cut`.
-
-        References
-        ----------
-        Chaudhuri et al. (2009), Image-Based Exploration of Massive Online Environments, section 4.
         """
         settings = settings_of(views, error_px, geometry, lift_deg=lift_deg)
         eye = check.vector("position", position)

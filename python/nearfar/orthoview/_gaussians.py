@@ -134,11 +134,16 @@ def shade(color: NDArray[np.uint8], normal: Floats, sun: tuple[float, float, flo
     """Shade albedo (N, 3) with the light of all pictures and the given sun; sRGB in and out."""
     if sun is None:
         return color
-    sky = (0.5 + 0.5 * (normal @ _SKY))[:, None]
-    light = _SKY_COLORS[0] + (_SKY_COLORS[1] - _SKY_COLORS[0]) * sky
-    light = light + _SUN_COLOR * np.maximum(normal @ np.array(sun, np.float32), 0.0)[:, None]
-    linear = (_LINEAR[color] * light).astype(np.float32)
+    linear = (_LINEAR[color] * irradiance(normal, sun)).astype(np.float32)
     return _core.encode_srgb(linear.ravel()).reshape(linear.shape)
+
+
+def irradiance(normal: Floats, sun: tuple[float, float, float]) -> Floats:
+    """Linear RGB (N, 3) that white surfaces reflect in the light of all pictures with the given sun."""
+    sky = (0.5 + 0.5 * (normal @ _SKY))[:, None]
+    sunlight = _SUN_COLOR * np.maximum(normal @ np.array(sun, np.float32), 0.0)[:, None]
+    light: Floats = _SKY_COLORS[0] + (_SKY_COLORS[1] - _SKY_COLORS[0]) * sky + sunlight
+    return light
 
 
 def _quaternions(matrix: Floats) -> tuple[Floats, NDArray[np.int64]]:

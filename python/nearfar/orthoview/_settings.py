@@ -92,18 +92,12 @@ class ViewKeywords(TypedDict, total=False):
 
 @dataclass(frozen=True, kw_only=True)
 class FlightSettings:
-    """Settings of the flight that `simulate` simulates; as those of `OrthoTree.fly`.
+    """Settings of the flight that `simulate` simulates.
 
     Parameters
     ----------
-    views, error_px, geometry
-        As in `OrthoTree.cut`.
-    prefetch
-        Whether to read what the viewer needs soon, besides what the picture shows.
-    margin_deg
-        Margin around the picture for prefetching, degrees, 0 to 180; None for all directions.
-    adapt
-        Whether pictures become coarser when the viewer moves faster than views arrive.
+    views, error_px, geometry, prefetch, margin_deg, adapt
+        As in `OrthoTree.fly`.
 
     Raises
     ------

@@ -198,18 +198,10 @@ class ShownTree(StoredTree, Pictured):
 
         Raises
         ------
-        ValueError
-            Values out of range, or an incomplete tree.
-        TypeError
-            A value that is not a camera, or values of a wrong type.
+        ValueError, TypeError, FormatError, OSError
+            As in `cut`, also for other parts of the store.
         DeviceError
             As in `nearfar.render`, or a picture whose views do not fit into the adapter's memory.
-        FormatError, OSError
-            A damaged or unreadable part of the store.
-
-        References
-        ----------
-        Chaudhuri et al. (2009), Image-Based Exploration of Massive Online Environments, section 4.
         """
         shown = copy.copy(self)
         shown.__dict__["_viewer"] = self._viewer  # the views that it reads stay cached for the next picture

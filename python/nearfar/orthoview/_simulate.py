@@ -132,10 +132,6 @@ def simulate(
         Arguments of another type.
     FormatError, OSError
         Damaged or unreadable parts of the store.
-
-    References
-    ----------
-    Chaudhuri et al. (2009), Image-Based Exploration of Massive Online Environments, section 4.
     """
     own = check.instance("tree", tree, OrthoTree)
     several = check.items("cameras", cameras, Camera, "a sequence of Cameras")

@@ -37,6 +37,11 @@ class OrthoTree(NearFarTree):
         A URL that fsspec cannot open.
     ImportError
         The package zarr is missing.
+
+    References
+    ----------
+    Chaudhuri et al. (2009), Image-Based Exploration of Massive Online Environments, section 4: pictures, flights and
+    prefetching.
     """
 
     def preview(
