@@ -93,7 +93,7 @@ def picture(leaf: Leaf, views: _core.OrthoViews, layout: Layout, number: int) ->
 
 def splats(leaf: Leaf, views: _core.OrthoViews, layout: Layout, number: int, onto: nf.Camera) -> nf.Scene:
     found = pixels(leaf, views, layout, number)
-    is_surfel = _core.orthoview_surfels(views.connected(_codec.CONNECTED))[number, ..., 0][found.seen]
+    is_surfel = _core.orthoview_surfels(views.connected(_codec.CONNECTION_LIMITS))[number, ..., 0][found.seen]
     u, v = found.tangents(STEEPEST)
     _, along = onto.rays()
     side = np.cross(along[0, 0], found.axes[1])

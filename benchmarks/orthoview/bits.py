@@ -117,7 +117,7 @@ def stored(leaf: Leaf, bits: Format, size: int) -> Stored:
         {channel: float(np.mean(of_channel)) / 1e3 for channel, of_channel in lengths.items()},
         np.array(metres),
         views.vectors(),
-        _core.orthoview_surfels(views.connected(_codec.CONNECTED))[..., 0],
+        _core.orthoview_surfels(views.connected(_codec.CONNECTION_LIMITS))[..., 0],
         [_splats.picture(leaf, views, layout, number) for number in SHOWN],
     )
 

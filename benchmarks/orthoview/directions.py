@@ -13,7 +13,7 @@ import nearfar as nf
 from benchmarks.harness import scenes
 from benchmarks.harness.report import save_figure, start, subplots, table
 from benchmarks.harness.timing import timed
-from nearfar.orthoview._disocclusion import BOUND, Choice, choose_directions
+from nearfar.orthoview._disocclusion import GOOD_DISOCCLUSION, Choice, choose_directions
 from nearfar.orthoview._grid import COUNTS, Grid
 
 GRID = 28.5
@@ -113,7 +113,7 @@ def draw(choices: Mapping[str, Choice], by_angle: Sequence[Choice], path: Path) 
         line(axes[1], ANGLES[: len(shares)], shares, f"{count} directions", colormaps["viridis"](number / len(COUNTS)))
     axes[1].set(xticks=ANGLES, xlabel="degrees between Manhattan's streets and the axes")
     for axis in axes:
-        axis.axhline(100 * BOUND, color="black", ls=":", lw=1)
+        axis.axhline(100 * GOOD_DISOCCLUSION, color="black", ls=":", lw=1)
         axis.grid(alpha=0.3)
         axis.legend(fontsize=7)
     save_figure(figure, path)

@@ -227,7 +227,7 @@ def test_needed_leaves_stay_in_memory(tree: Tree, gate: Gate, monkeypatch: pytes
 
 def test_pictures_become_finer_when_the_viewer_stops(tree: Tree, flight: nf.orthoview.Flight) -> None:
     """Above the speed limit of the link, pictures are coarser; at rest they have the requested detail."""
-    flight._pilot.meter.note(1.0, flight._received(), busy=True)
+    flight._pilot.meter.note(1.0, flight._received(), had_requests=True)
     for step in range(30):
         camera = camera_at(tree, 120 - 2 * step)
         frame = flight.render(camera, time=2 + step / 100)

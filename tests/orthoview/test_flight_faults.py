@@ -78,7 +78,7 @@ def server(tree: Tree, monkeypatch: pytest.MonkeyPatch) -> Iterator[Server]:
     need("aiohttp")
     monkeypatch.setattr(ThreadingHTTPServer, "request_queue_size", 1024)
     monkeypatch.setattr(_loader, "FIRST_PAUSE", 0.01)
-    monkeypatch.setattr(_loader, "LONGEST_PAUSE", 0.02)
+    monkeypatch.setattr(_loader, "MAX_PAUSE", 0.02)
     with serving(Path(tree.path).parent) as server:
         yield server
 

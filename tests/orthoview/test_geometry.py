@@ -16,7 +16,7 @@ from PIL import Image
 
 import nearfar as nf
 from nearfar._base import glb
-from nearfar.orthoview._geometry import IMAGES, STEP, Images, cell_glb, moving_glb, step_of
+from nearfar.orthoview._geometry import IMAGES, MAX_STEP, Images, cell_glb, moving_glb, step_of
 from nearfar.orthoview._grid import Grid
 from nearfar.orthoview._owners import owned
 from tests.support import printed_by_threads
@@ -147,7 +147,7 @@ def test_shared_corners_are_rounded_equally_in_all_leaves(cell: float) -> None:
     world = nf.Scene.from_arrays(corners, faces)
     grid = Grid.from_bounds(world.bounds, cell)
     step = step_of(grid)
-    assert step == (STEP if cell == 16 else 2.0**-12)
+    assert step == (MAX_STEP if cell == 16 else 2.0**-12)
     files = [cell_glb(part, grid, place) for place, part in parts(world, grid)]
     found = np.concatenate([load_triangles(data) for data in files if data is not None]).reshape(-1, 3)
     expected = np.rint(corners / step) * step  # To the even step at ties.
@@ -254,7 +254,7 @@ def test_moving_objects_have_separate_files(tmp_path: Path) -> None:
         moving.append(world_triangles(scene))
     assert set(rows) == {"ball 0", "ball 1"}
     expected = world_triangles(world)[world._core.standing_triangle_count :]
-    assert farthest(np.concatenate(moving), expected) <= STEP
+    assert farthest(np.concatenate(moving), expected) <= MAX_STEP
 
 
 def test_bytes_do_not_depend_on_threads_or_runs() -> None:

@@ -137,7 +137,7 @@ def test_a_damaged_part_is_reported_once_and_others_are_read() -> None:
 
 def test_each_server_outage_is_reported_once(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(_loader, "FIRST_PAUSE", 1e-4)
-    monkeypatch.setattr(_loader, "LONGEST_PAUSE", 1e-3)
+    monkeypatch.setattr(_loader, "MAX_PAUSE", 1e-3)
     store = Store()
     with loading(store) as loader:
         for number, times in enumerate((5, 3)):

@@ -12,7 +12,7 @@ import pytest
 import nearfar as nf
 from nearfar.orthoview._cut import GEOMETRY, RECORD, Part, Settings
 from nearfar.orthoview._meter import HALF_LIFE, Meter, Received
-from nearfar.orthoview._pilot import RENEWED_TURN, SHARE, SLACK, Ahead, Pilot
+from nearfar.orthoview._pilot import HYSTERESIS, RATE_SHARE, RENEWED_TURN, Ahead, Pilot
 from nearfar.orthoview._prefetch import queue
 from tests.support import need
 from tests.support.flight_cases import FOV
@@ -56,8 +56,8 @@ def fly(pilot: Pilot, offset: Any, velocity: Any, time: float = 10.0) -> None:
 def measured(pilot: Pilot, rate: float, view: int = 1000, leaf: int = 5000) -> None:
     """The meter after a second in which views and leaves arrived."""
     count = round(rate) // (view + leaf)
-    pilot.meter.note(0.0, Received(), busy=False)
-    pilot.meter.note(1.0, Received(count, count * view, count, count * leaf), busy=True)
+    pilot.meter.note(0.0, Received(), had_requests=False)
+    pilot.meter.note(1.0, Received(count, count * view, count, count * leaf), had_requests=True)
     assert pilot.meter.rate == pytest.approx(count * (view + leaf))
 
 
@@ -155,7 +155,7 @@ def test_the_speed_limit_follows_from_the_link(tree: Tree, height: float) -> Non
     new = parts_around(tree, camera_at(offset + np.array([ahead, 0, 0]))) - parts_around(tree, camera)
     assert new
     size = sum(5000 if part[2] == GEOMETRY else 1000 for part in new)
-    assert pilot.limit == pytest.approx(SHARE * 60_000 * ahead / size)
+    assert pilot.limit == pytest.approx(RATE_SHARE * 60_000 * ahead / size)
 
 
 def test_the_speed_limit_grows_with_the_height(tree: Tree) -> None:
@@ -200,7 +200,7 @@ def test_a_fast_viewer_requests_a_coarser_picture(tree: Tree) -> None:
         error = 2.0 ** (step / 2)
         new = parts_around(tree, camera_at(offset + np.array([ahead, 0, 0])), error) - parts_around(tree, camera, error)
         size = sum(5000 if part[2] == GEOMETRY else 1000 for part in new)
-        limits.append(SHARE * 60_000 * ahead / size if size else math.inf)
+        limits.append(RATE_SHARE * 60_000 * ahead / size if size else math.inf)
     assert pilot.limit == pytest.approx(limits[0])
     assert limits[0] < 400
     step = next((n for n, limit in enumerate(limits) if limit >= 400), 10)
@@ -256,7 +256,7 @@ def test_a_picture_becomes_finer_with_slack_only(tree: Tree) -> None:
         pilot._error = pilot._wished = error_px
         fly(pilot, (0, 10, 0), (speed, 0, 0), 30.0)
         pilot.plan(nothing)
-        assert pilot._wished == 1.0 or speed < pilot.limit < SLACK * speed
+        assert pilot._wished == 1.0 or speed < pilot.limit < HYSTERESIS * speed
         assert (pilot._wished > 1.0) == is_coarse
         speed = pilot.limit / 1.2  # On a path of the same length, since it is longer than the smallest cell.
 
@@ -278,19 +278,19 @@ def test_meters_forget_old_measurements(tree: Tree) -> None:
     meter = Meter()
     assert meter.rate == math.inf
     assert meter.bytes_of((0, (0, 0, 0), 3)) == meter.bytes_of((0, (0, 0, 0), GEOMETRY)) == 0
-    meter.note(1.0, Received(), busy=True)
+    meter.note(1.0, Received(), had_requests=True)
     assert meter.rate == math.inf
     notes = [(1.5, 700, 1), (2.5, 700, 0), (3.0, 900, 1), (3.1, 900, 1), (5.1, 1900, 1)]
     weight, count, time, views, before = 1.0, 0.0, 1.0, 0, 0
     for now, received, busy in notes:
-        meter.note(now, Received(views := views + 1, received), busy=bool(busy))
+        meter.note(now, Received(views := views + 1, received), had_requests=bool(busy))
         if busy:
             fade = 0.5 ** ((now - time) / HALF_LIFE)
             weight, count = weight * fade + now - time, count * fade + received - before
         time, before = now, received
         assert meter.rate == pytest.approx(count / weight)
         assert meter.bytes_of((0, (0, 0, 0), 3)) == received / views
-    meter.note(5.1, Received(views, 5000), busy=True)
+    meter.note(5.1, Received(views, 5000), had_requests=True)
     assert meter.rate == pytest.approx(count / weight)
-    meter.note(6.1, Received(2, 1000, 4, 8000), busy=False)
+    meter.note(6.1, Received(2, 1000, 4, 8000), had_requests=False)
     assert meter.bytes_of((0, (0, 0, 0), GEOMETRY)) == 2000

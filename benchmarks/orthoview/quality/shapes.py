@@ -32,7 +32,7 @@ from nearfar.datasets._palette import material, materials
 from nearfar.datasets._shapes import quads
 from nearfar.datasets._stage import Stage
 from nearfar.orthoview import _codec
-from nearfar.orthoview._codec import CONNECTED
+from nearfar.orthoview._codec import CONNECTION_LIMITS
 from nearfar.orthoview._layout import Layout
 
 SIDE = 10.0
@@ -134,13 +134,13 @@ def camera(leaf: Leaf, layout: Layout) -> nf.Camera:
 
 def shapes(views: _core.OrthoViews, number: int) -> dict[str, Shape]:
     """The shapes by name."""
-    depth, slope, _ = CONNECTED
+    depth, slope, _ = CONNECTION_LIMITS
     found: dict[str, Shape] = {
         "circle": _shapes.circle,
         "warped circle": _shapes.warped_circle,
         "ellipse": _shapes.ellipse,
     }
-    for name, bounds in (("ours, no test of sphericity", (depth, slope, -1.0)), ("ours", CONNECTED)):
+    for name, bounds in (("ours, no test of sphericity", (depth, slope, -1.0)), ("ours", CONNECTION_LIMITS)):
         bits = views.connected(bounds)
         is_surfel = _core.orthoview_surfels(bits)[number, ..., 0]
         found[name] = _shapes.mixed(is_surfel, _shapes.inner(bits[number, ..., 0]))
@@ -225,7 +225,7 @@ def kernel_picture(
     leaf: Leaf, views: _core.OrthoViews, number: int, fine: nf.Camera
 ) -> tuple[NDArray[np.uint8], Floats]:
     """Picture of one view by the kernel of `tree.render`."""
-    splats = _core.OrthoSplats(views, number, views.connected(CONNECTED), (leaf.corner, leaf.side))
+    splats = _core.OrthoSplats(views, number, views.connected(CONNECTION_LIMITS), (leaf.corner, leaf.side))
     settings = Shot(cameras=(fine,), channels=("color", "range")).settings
     images = _core.splat_orthoviews([splats], fine._core, settings, origin=(0.0, 0.0, 0.0), grid=1)
     _, along = fine.rays()

@@ -14,20 +14,19 @@ from nearfar.orthoview._cut import Cutter, OrthoCut, Settings
 from nearfar.orthoview._layout import ViewKey
 from nearfar.orthoview._views import Views
 
-MAX = 64.0
+MAX_ERROR_FACTOR = 64.0
 """Greatest factor by which a budget may raise the given error."""
 
-STEPS = 12
+BISECTIONS = 12
 """Bisection steps for the error's logarithm: the last step is 0.1 %."""
 
-TRIES = 10
+MAX_CUTS = 10
 """Maximum number of cuts tried: a view's number of splats is known only once it is read."""
 
-CLOSE = 0.98
+MIN_FILL = 0.98
 """Share of the budget from which a continuous cut is accepted: where levels blend, counts are estimates at first."""
 
-
-FINEST = 1.002
+ERROR_RATIO = 1.002
 """Ratio of two errors below which the search between them ends."""
 
 
@@ -67,12 +66,12 @@ class Fitter:
         budget = settings.budget
         if budget is None:
             return self._fit_at(camera, settings)
-        low, high, best = settings.error_px, settings.error_px * MAX, None
+        low, high, best = settings.error_px, settings.error_px * MAX_ERROR_FACTOR, None
         error = self._least(camera, settings, budget)
-        for _ in range(TRIES):
-            found = replace(settings, error_px=error)
-            were_known = all(map(self._views.is_counted, self._cutter.whole(camera, found).keys()))
-            fitted = self._fit_at(camera, found)
+        for _ in range(MAX_CUTS):
+            candidate = replace(settings, error_px=error)
+            were_known = all(map(self._views.is_counted, self._cutter.whole(camera, candidate).keys()))
+            fitted = self._fit_at(camera, candidate)
             is_within = fitted.count <= budget
             best = fitted if is_within else best
             low, high = (low, error) if is_within else (error, high)
@@ -81,10 +80,11 @@ class Fitter:
                     break
                 error = self._least(camera, settings, budget)
                 continue
-            if (is_within and (fitted.count >= CLOSE * budget or error == settings.error_px)) or high <= low * FINEST:
+            is_filled = fitted.count >= MIN_FILL * budget or error == settings.error_px
+            if (is_within and is_filled) or high <= low * ERROR_RATIO:
                 break
             # The number of splats falls with the square of the error.
-            error *= math.sqrt(max(fitted.count, 1) / budget) * FINEST
+            error *= math.sqrt(max(fitted.count, 1) / budget) * ERROR_RATIO
             if not low < error < high:
                 error = math.sqrt(low * high)
         return best or _without_some(fitted, budget)
@@ -99,10 +99,10 @@ class Fitter:
 
     def _least(self, camera: Camera, settings: Settings, aim: int) -> float:
         """Least error at which at most `aim` splats are expected."""
-        low, high = math.log(settings.error_px), math.log(settings.error_px * MAX)
+        low, high = math.log(settings.error_px), math.log(settings.error_px * MAX_ERROR_FACTOR)
         if self._expected(camera, settings) <= aim:
             return settings.error_px
-        for _ in range(STEPS):
+        for _ in range(BISECTIONS):
             middle = (low + high) / 2
             is_enough = self._expected(camera, replace(settings, error_px=math.exp(middle))) <= aim
             low, high = (low, middle) if is_enough else (middle, high)
@@ -115,9 +115,9 @@ class Fitter:
         if not settings.continuous:
             return sum(map(self._views.expected, keys))
         rule = self._cutter.rule(camera, settings)
-        kept = [self._views.cached_layers(key) for key in keys]
-        share = _core.expected_orthoviews(_kernel_views(cut, keys, kept), rule)
-        return share + sum(self._views.expected(key) for key, layers in zip(keys, kept, strict=True) if not layers)
+        cached = [self._views.cached_layers(key) for key in keys]
+        count = _core.expected_orthoviews(_kernel_views(cut, keys, cached), rule)
+        return count + sum(self._views.expected(key) for key, layers in zip(keys, cached, strict=True) if not layers)
 
 
 def _kernel_views(
@@ -125,16 +125,16 @@ def _kernel_views(
 ) -> list[tuple[Sequence[_core.OrthoSplats], int, tuple[int, int, int], int, bool]]:
     """Views that have layers, in the form that the core takes."""
     rows = zip(keys, layers, cut.parts(), strict=True)
-    return [(own, level, place, direction, part) for (level, place, direction), own, part in rows if own]
+    return [(splats, level, place, n, is_partial) for (level, place, n), splats, is_partial in rows if splats]
 
 
 def _without_some(fitted: Fitted, budget: int) -> Fitted:
     """Keep the first views of all cells, then the second ones and so on, while the budget lasts."""
     ranks = np.argwhere(fitted.cut.directions >= 0)[:, 1]
-    left, kept = budget, []
+    remaining, numbers = budget, []
     for number in np.argsort(ranks, kind="stable").tolist():
-        left -= sum(layer.count for layer in fitted.layers[number])
-        if left < 0:
+        remaining -= sum(layer.count for layer in fitted.layers[number])
+        if remaining < 0:
             break
-        kept.append(number)
-    return replace(fitted, layers=[fitted.layers[number] for number in sorted(kept)])
+        numbers.append(number)
+    return replace(fitted, layers=[fitted.layers[number] for number in sorted(numbers)])

@@ -87,11 +87,11 @@ class Chunks:
             return self._look_up(keys)
 
     def _look_up(self, keys: Sequence[Key]) -> list[ByteRange | None]:
-        found: dict[Key, ByteRange | None] = {}
+        ranges: dict[Key, ByteRange | None] = {}
         for generation in self._generations:
-            missing = {key: self._shard(generation, key) for key in keys if key not in found}
-            self._load({name: self._layout.shard_side(key[0]) for key, name in missing.items() if name})
-            for key, name in missing.items():
+            files = {key: self._shard(generation, key) for key in keys if key not in ranges}
+            self._load({name: self._layout.shard_side(key[0]) for key, name in files.items() if name})
+            for key, name in files.items():
                 index = self._indexes[name] if name else None
                 if name and index is None and generation.has_shard is not None:
                     raise UnusableError(f"{name}: the shard is gone")
@@ -99,10 +99,10 @@ class Chunks:
                     continue
                 first, length = (int(number) for number in index[self._layout.shard_of(*key[:2])[1]])
                 if first != _shard.ABSENT:
-                    found[key] = ByteRange(name, first, length) if length else None
+                    ranges[key] = ByteRange(name, first, length) if length else None
         while len(self._indexes) > MAX_INDEXES:
             self._indexes.popitem(last=False)
-        return [found.get(key) for key in keys]
+        return [ranges.get(key) for key in keys]
 
     def _shard(self, generation: Generation, key: Key) -> str | None:
         path = self._layout.shard_path(key)
@@ -110,10 +110,10 @@ class Chunks:
 
     def _load(self, sides: dict[str, int]) -> None:
         """Read the shard indexes that are not cached, in one batch of requests."""
-        wanted = {name: side for name, side in sides.items() if name not in self._indexes}
-        for name in sides.keys() - wanted.keys():
+        uncached = {name: side for name, side in sides.items() if name not in self._indexes}
+        for name in sides.keys() - uncached.keys():
             self._indexes.move_to_end(name)
-        lengths = {name: _shard.index_length(side) for name, side in wanted.items()}
+        lengths = {name: _shard.index_length(side) for name, side in uncached.items()}
         parts = self._files.parts([ByteRange(name, -length, length) for name, length in lengths.items()])
-        for (name, side), end in zip(wanted.items(), parts, strict=True):
+        for (name, side), end in zip(uncached.items(), parts, strict=True):
             self._indexes[name] = None if end is None else _shard.index_of(f"{self._files.place}/{name}", end, side)

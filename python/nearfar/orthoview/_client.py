@@ -56,9 +56,9 @@ class Client:
 
     def frame(self, camera: Camera, time: float) -> None:
         """Advance to a frame."""
-        busy = bool(self._awaited)
+        had_requests = bool(self._awaited)
         self._advance(time)
-        plan = self._planner(camera, time, self._received, busy, self._held.__contains__)
+        plan = self._planner(camera, time, self._received, had_requests, self._held.__contains__)
         wanted = list(chain(*plan.wanted.values()))
         missing = [part for part in wanted if part not in self._held]
         course = self.course
@@ -98,11 +98,11 @@ class Client:
         self._awaited.discard(part)
         self._held[part] = size
         self._bytes += size
-        own = self._received
+        before = self._received
         if kind(part) == GEOMETRY:
-            self._received = Received(own.views, own.view_bytes, own.leaves + 1, own.leaf_bytes + size)
+            self._received = Received(before.views, before.view_bytes, before.leaves + 1, before.leaf_bytes + size)
         else:
-            self._received = Received(own.views + 1, own.view_bytes + size, own.leaves, own.leaf_bytes)
+            self._received = Received(before.views + 1, before.view_bytes + size, before.leaves, before.leaf_bytes)
 
     def _trim(self, needed: set[Part]) -> None:
         if self._bytes <= self._cache_bytes:

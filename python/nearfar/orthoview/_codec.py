@@ -15,7 +15,7 @@ from nearfar.orthoview import _webp
 from nearfar.orthoview._grid import Direction
 from nearfar.orthoview._layout import BEHIND, CHANNELS, COMPRESSION, CONNECTION_BITS, Layout
 
-CONNECTED = (4.0, 0.5, 0.7)
+CONNECTION_LIMITS = (4.0, 0.5, 0.7)
 """Thresholds for connected pixels: τ₁ in pixels (a plane at up to 70° from across the view), τ₂ = cos 60° between a
 normal and the vector to the neighbour, τ₃ = cos 46° between normals."""
 
@@ -23,7 +23,7 @@ Encoded = dict[tuple[int, str], bytes]
 """Compressed chunks of a cell by direction number and channel; empty views have none."""
 
 
-HIDDEN = 0.01
+MIN_UNSEEN_SHARE = 0.01
 """Least share of a view's pixels that only its second layer, and no first layer of any view, must show to be kept."""
 
 
@@ -31,7 +31,7 @@ def drop_unneeded_layers(views: _core.OrthoViews, layout: Layout) -> _core.Ortho
     """Drop second layers that show little that no first layer shows."""
     if layout.layers == 1:
         return views
-    return views.keep_behind([share > HIDDEN for share in views.unseen()])
+    return views.keep_behind([unseen_share > MIN_UNSEEN_SHARE for unseen_share in views.unseen()])
 
 
 def encoded(views: _core.OrthoViews | None, layout: Layout) -> Encoded:
@@ -52,17 +52,17 @@ def _encoded(views: _core.OrthoViews, layout: Layout) -> Encoded:
     compressor = Zstd(**COMPRESSION)
     of_channel = {
         "color": views.colors(),
-        "depth": views.depths().astype(layout.dtype("depth")) << CONNECTION_BITS | views.connected(CONNECTED),
+        "depth": views.depths().astype(layout.dtype("depth")) << CONNECTION_BITS | views.connected(CONNECTION_LIMITS),
         "normal": _packed(views.normals(), layout.normal_bits),
     }
-    shown = [number for number, is_empty in enumerate(views.empty()) if not is_empty]
-    pairs = [(number, channel) for number in shown for channel in CHANNELS]
-    seen = views.depths()[..., 0] > 0
+    non_empty = [number for number, is_empty in enumerate(views.empty()) if not is_empty]
+    pairs = [(number, channel) for number in non_empty for channel in CHANNELS]
+    has_surface = views.depths()[..., 0] > 0
 
     def chunk(number: int, channel: str) -> bytes:
         values = np.ascontiguousarray(of_channel[channel][number])
         if channel == "color" and layout.color == "webp":
-            return _summed(_webp.encode(values, layout.quality, seen[number]))
+            return _summed(_webp.encode(values, layout.quality, has_surface[number]))
         return bytes(compressor.encode(values))
 
     return dict(zip(pairs, side_by_side.results([partial(chunk, *pair) for pair in pairs]), strict=True))
@@ -112,14 +112,14 @@ def decoded(
     compressor, arrays = Zstd(), {}
     for channel in CHANNELS:
         shape = (layout.size, layout.size, layout.values(channel))
-        whole = np.zeros((len(numbers), *shape), layout.dtype(channel))
-        for at, number in enumerate(numbers):
+        values = np.zeros((len(numbers), *shape), layout.dtype(channel))
+        for row, number in enumerate(numbers):
             if (number, channel) in chunks:
                 if channel == "color" and layout.color == "webp":
-                    whole[at] = _webp.decode(_unsummed(chunks[number, channel]), layout.size)
+                    values[row] = _webp.decode(_unsummed(chunks[number, channel]), layout.size)
                     continue
-                _decompress(compressor, chunks[number, channel], whole[at])
-        arrays[channel] = whole
+                _decompress(compressor, chunks[number, channel], values[row])
+        arrays[channel] = values
     arrays["color"][arrays["depth"][..., 0] == 0] = 0  # lossy colours also fill pixels that show nothing
     directions = tuple(layout.directions[number] for number in numbers)
     return _from_stored(arrays["color"], arrays["depth"], arrays["normal"], layout, directions)

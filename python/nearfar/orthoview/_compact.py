@@ -37,7 +37,7 @@ def compact(store: Files, attributes: dict[str, Any], target: Path) -> None:
         _store.end(folder, failed={}, done=attributes["done"])
 
 
-_AT_ONCE = 64
+_BATCH = 64
 """Number of chunks read at once."""
 
 Subtree = tuple[int, Place]
@@ -54,29 +54,29 @@ class _Copy:
 
     def subtrees(self) -> dict[Subtree, dict[str, tuple[int, str] | None]]:
         """Shards of all subtrees by path, with size and hash if no update changed them, else None."""
-        found: defaultdict[Subtree, dict[str, tuple[int, str] | None]] = defaultdict(dict)
+        subtrees: defaultdict[Subtree, dict[str, tuple[int, str] | None]] = defaultdict(dict)
         for recorded in self._records:
             for path, known in recorded.shards.items():
-                found[self._subtree_of(path)][path] = None if recorded.folder else known
+                subtrees[self._subtree_of(path)][path] = None if recorded.folder else known
             if not recorded.folder and recorded.name and not recorded.shards:  # an empty subtree
                 tier, *place = map(int, recorded.name.split("_"))
-                found.setdefault((tier, (place[0], place[1], place[2])), {})
+                subtrees.setdefault((tier, (place[0], place[1], place[2])), {})
         for path in self._geometry:
             if path.endswith(".glb"):
                 x, y, z = (int(number) >> self._layout.subtree for number in path[:-4].split("/")[-3:])
-                found.setdefault((0, (x, y, z)), {})
-        return dict(sorted(found.items()))
+                subtrees.setdefault((0, (x, y, z)), {})
+        return dict(sorted(subtrees.items()))
 
     def _newest_geometry(self) -> dict[str, str]:
         """Map the names of geometry files in the copy to their paths below the store."""
-        found: dict[str, str] = {}
+        sources: dict[str, str] = {}
         for recorded in self._records:
             for path, (size, digest) in recorded.geometry.items():
-                found.pop(path, None)
+                sources.pop(path, None)
                 if size:
-                    found[path] = recorded.folder + path
+                    sources[path] = recorded.folder + path
                     self._known[recorded.folder + path] = size, digest
-        return found
+        return sources
 
     def _subtree_of(self, path: str) -> Subtree:
         level, _, _, _, x, y, z, *_ = PurePosixPath(path).parts
@@ -121,15 +121,15 @@ class _Copy:
     def _places(self, level: int, shard: Place) -> list[Place]:
         """Places of a shard's cells within the world, depth first."""
         side, counts = self._layout.shard_side(level), self._layout.grid.counts_at(level)
-        first = [number * side for number in shard]
-        places = (tuple(a + b for a, b in zip(first, within, strict=True)) for within in depth_first(side))
+        corner = [number * side for number in shard]
+        places = (tuple(a + b for a, b in zip(corner, within, strict=True)) for within in depth_first(side))
         return [(x, y, z) for x, y, z in places if x < counts[0] and y < counts[1] and z < counts[2]]
 
     def _merged(self, path: str, level: int, keys: list[tuple[int, Place, str]]) -> tuple[int, str] | None:
         """Write a shard of the newest chunks; None if there are none."""
         writer, is_empty = ShardWriter(self._folder / path, self._layout.shard_side(level)), True
-        for first in range(0, len(keys), _AT_ONCE):
-            batch = keys[first : first + _AT_ONCE]
+        for start in range(0, len(keys), _BATCH):
+            batch = keys[start : start + _BATCH]
             for (_, place, _), chunk in zip(batch, self._chunks.read(batch), strict=True):
                 if chunk is not None:
                     writer.append(self._layout.shard_of(level, place)[1], chunk)

@@ -91,8 +91,8 @@ class OrthoCut:
         rows = zip(self.level.tolist(), self.place.tolist(), self.directions.tolist(), self.in_picture, strict=True)
         return [
             (level, (x, y, z), direction)
-            for level, (x, y, z), directions, seen in rows
-            if seen or not in_picture
+            for level, (x, y, z), directions, is_visible in rows
+            if is_visible or not in_picture
             for direction in directions
             if direction >= 0
         ]
@@ -101,7 +101,7 @@ class OrthoCut:
         """Places of the leaves that are drawn as geometry; `in_picture` omits those outside the picture."""
         in_picture = check.flag("in_picture", in_picture)
         rows = zip(self.leaves.tolist(), self.leaf_in_picture, strict=True)
-        return [(x, y, z) for (x, y, z), seen in rows if seen or not in_picture]
+        return [(x, y, z) for (x, y, z), is_visible in rows if is_visible or not in_picture]
 
 
 class Cutter:
@@ -131,8 +131,8 @@ class Cutter:
 
     def with_guests(self, leaves: Sequence[Place]) -> list[Place]:
         """Return leaves and their guests: together their geometry has all triangles that reach into the leaves."""
-        several = [leaf for place in leaves for leaf in (place, *self._guests.get(place, []))]
-        return list(dict.fromkeys(several))
+        leaves_and_guests = [leaf for place in leaves for leaf in (place, *self._guests.get(place, []))]
+        return list(dict.fromkeys(leaves_and_guests))
 
     def learn(self, tier: int, place: Place) -> None:
         """Read a subtree."""
@@ -175,11 +175,11 @@ class Cutter:
     def whole(self, camera: Camera, settings: Settings, *, around: bool = False) -> OrthoCut:
         """Cut with all subtrees that the cut needs; missing ones are read."""
         while True:
-            found = self.cut(camera, settings, around=around)
-            for tier, place in found.unknown:
+            cut = self.cut(camera, settings, around=around)
+            for tier, place in cut.unknown:
                 self.learn(tier, place)
-            if not found.unknown:
-                return found
+            if not cut.unknown:
+                return cut
 
 
 def grid_of(samples: int) -> int:

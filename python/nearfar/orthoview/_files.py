@@ -86,21 +86,21 @@ class Remote:
         paths = [f"{self._path}/{name}" for name, _, _ in wanted]
         ends = [None if first < 0 else first + length for _, first, length in wanted]
         with remote.as_os_errors(self.place, "read"):
-            found = self._system.cat_ranges(paths, [first for _, first, _ in wanted], ends, on_error="return")
-            return [_part_of(data, part) for data, part in zip(found, wanted, strict=True)]
+            contents = self._system.cat_ranges(paths, [first for _, first, _ in wanted], ends, on_error="return")
+            return [_part_of(data, part) for data, part in zip(contents, wanted, strict=True)]
 
 
-def _part_of(found: bytes | Exception, part: ByteRange) -> bytes | None:
+def _part_of(content: bytes | Exception, part: ByteRange) -> bytes | None:
     """Extract the part from a server's response; some servers send the whole file."""
-    if isinstance(found, FileNotFoundError):
+    if isinstance(content, FileNotFoundError):
         return None
-    if isinstance(found, Exception):
-        if getattr(found, "status", None) == 416:  # the file ends before the part
+    if isinstance(content, Exception):
+        if getattr(content, "status", None) == 416:  # the file ends before the part
             return b""
-        raise found
-    if len(found) > part.length:
-        return bytes(found[part.first :] if part.first < 0 else found[part.first : part.first + part.length])
-    return bytes(found)
+        raise content
+    if len(content) > part.length:
+        return bytes(content[part.first :] if part.first < 0 else content[part.first : part.first + part.length])
+    return bytes(content)
 
 
 def missing(place: str, document: str) -> FileNotFoundError:

@@ -58,16 +58,16 @@ class Flight(Pictured):
         movers: Scene | None = None,
     ) -> None:
         self._opened = check.instance("opened", opened, Opened, "what OrthoTree.fly passes")
-        own = check.instance("settings", settings, Settings, "what OrthoTree.fly passes")
+        view_settings = check.instance("settings", settings, Settings, "what OrthoTree.fly passes")
         if on_error is not None and not callable(on_error):
             raise TypeError(f"on_error: expected a function or None, got {check.type_and_value(on_error)}")
         count = check.integer("threads", threads, 1, MAX_THREADS)
         self._on_error = on_error
         self._viewer: Viewer = opened.viewer
         self._pilot = Pilot(
-            self._viewer.cutter, own, check.instance("ahead", ahead, Ahead, "what OrthoTree.fly passes")
+            self._viewer.cutter, view_settings, check.instance("ahead", ahead, Ahead, "what OrthoTree.fly passes")
         )
-        self._stand_ins = StandIns(opened.grid, opened.units, self._has, self._drawable, own.views)
+        self._stand_ins = StandIns(opened.grid, opened.units, self._has, self._drawable, view_settings.views)
         self._movers = None if movers is None else check.instance("movers", movers, Scene)
         self._before: list[Shown] = []
         self._clipped: dict[Piece, list[_core.OrthoSplats]] = {}
@@ -134,10 +134,10 @@ class Flight(Pictured):
         ValueError, TypeError
             A value that is not a camera, or a time that is not finite.
         """
-        own = check.instance("camera", camera, Camera)
-        now = clock.monotonic() if time is None else check.number("time", time)
+        viewer_camera = check.instance("camera", camera, Camera)
+        seconds = clock.monotonic() if time is None else check.number("time", time)
         with self._lock:
-            self._trim(self._plan([own], now))
+            self._trim(self._plan([viewer_camera], seconds))
 
     def render(
         self,
@@ -172,9 +172,9 @@ class Flight(Pictured):
         ValueError, TypeError, DeviceError
             As in `OrthoTree.render`.
         """
-        now = None if time is None else check.number("time", time)
-        chosen = gather(RenderSettings, settings, keywords)
-        renderer = Renderer(_Moment(self, now, self._movers), chosen, argument="flight")
+        seconds = None if time is None else check.number("time", time)
+        render_settings = gather(RenderSettings, settings, keywords)
+        renderer = Renderer(_Moment(self, seconds, self._movers), render_settings, argument="flight")
         (frame,) = renderer.frames(renderer.shot([camera]), None, renderer.device(self))
         return frame
 
@@ -192,9 +192,9 @@ class Flight(Pictured):
     ) -> list[Images]:
         """Draw the pictures of a shot at a time, with moving objects."""
         self._device = device
-        now = clock.monotonic() if time is None else time
+        seconds = clock.monotonic() if time is None else time
         with self._lock:
-            plan = self._plan(shot.cameras, now)
+            plan = self._plan(shot.cameras, seconds)
             cells = zip(shot.cameras, (plan.wanted, *plan.beside), strict=True)
             views = [self._choose_parts(number, camera, wanted) for number, (camera, wanted) in enumerate(cells)]
             self._trim(plan)
@@ -219,9 +219,9 @@ class Flight(Pictured):
         bool
             False after a timeout, or if a part cannot be read now.
         """
-        longest = None if seconds is None else check.in_range("seconds", seconds, 0.0, 1e9)
-        ends = math.inf if longest is None else clock.monotonic() + longest
-        while self._loader.wait(max(ends - clock.monotonic(), 0.0) if longest is not None else None):
+        limit = None if seconds is None else check.in_range("seconds", seconds, 0.0, 1e9)
+        ends = math.inf if limit is None else clock.monotonic() + limit
+        while self._loader.wait(max(ends - clock.monotonic(), 0.0) if limit is not None else None):
             with self._lock:
                 camera = self._pilot.camera
                 if camera is None:
@@ -230,9 +230,9 @@ class Flight(Pictured):
                 plan = self._pilot.plan(self._has)
                 if all(map(self._has, plan.order)):
                     return True
-                before = self._loader.waiting
+                waiting = self._loader.waiting
                 self._loader.want(plan.order)
-                if not before and not self._loader.waiting:  # the remaining parts are damaged
+                if not waiting and not self._loader.waiting:  # the remaining parts are damaged
                     return False
         return False
 
@@ -260,7 +260,7 @@ class Flight(Pictured):
             return True
 
     def _plan(self, cameras: Sequence[Camera], time: float) -> Plan:
-        self._pilot.meter.note(time, self._received(), busy=self._busy)
+        self._pilot.meter.note(time, self._received(), had_requests=self._busy)
         self._pilot.look(cameras[0], time, cameras[1:])
         plan = self._pilot.plan(self._has)
         self._loader.want(plan.order)
@@ -276,7 +276,7 @@ class Flight(Pictured):
         return shown
 
     def _parts(self, shown: Shown, movers: Scene | None) -> Parts:
-        splats = [one for pieces in shown.cells.values() for piece in pieces for one in self._splats(piece)]
+        splats = [layer for pieces in shown.cells.values() for piece in pieces for layer in self._splats(piece)]
         leaves = {part[1] for parts in shown.leaves.values() for part in parts}
         views = sum(len(pieces) for pieces in shown.cells.values())
         counts: dict[str, float] = {"cells": len(shown.cells), "views": views, "leaves": len(shown.leaves)}
@@ -292,7 +292,7 @@ class Flight(Pictured):
             # Rounded depths may lie beyond the view's own sides, so these do not clip.
             low, high = np.where(low == sides[0], -np.inf, low), np.where(high == sides[1], np.inf, high)
             ends = low.tolist(), high.tolist()
-            self._clipped[piece] = [one.crop_to_box(*ends) for one in self._viewer.views.cached_layers(piece.part)]
+            self._clipped[piece] = [layer.crop_to_box(*ends) for layer in self._viewer.views.cached_layers(piece.part)]
         return self._clipped[piece]
 
     def _trim(self, plan: Plan) -> None:

@@ -112,15 +112,15 @@ class FlownTree(ShownTree):
         model = _paper(eye) if camera is None else check.instance("camera", camera, Camera)
         speed = np.zeros(3) if velocity is None else np.array(check.vector("velocity", velocity))
         length = float(np.linalg.norm(speed))
-        here, cutter = _camera_at(model, np.array(eye)), self._viewer.cutter
-        ahead = smallest(cutter.whole(here, settings, around=True), cutter.grid)
+        eye_camera, cutter = _camera_at(model, np.array(eye)), self._viewer.cutter
+        ahead = smallest(cutter.whole(eye_camera, settings, around=True), cutter.grid)
         places = np.array(eye) + offsets(ahead, speed / length if length > MIN_SPEED else None)
         cameras = [_camera_at(model, place) for place in places]
         while True:
-            found = queue(cutter, settings, here, cameras, Outlook([here], None))
-            if not found.unknown:
-                return found
-            for tier, place, _ in found.unknown:
+            parts = queue(cutter, settings, eye_camera, cameras, Outlook([eye_camera], None))
+            if not parts.unknown:
+                return parts
+            for tier, place, _ in parts.unknown:
                 cutter.learn(tier, place)
 
 

@@ -167,14 +167,14 @@ def _quaternion_with_greatest_w(matrix: Floats) -> Floats:
     axis_code = squares.argmax(axis=1)
     # A half turn about axis k negates the two other columns.
     signs = np.array([[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]], np.float32)[axis_code]
-    turned = matrix * signs[:, None, :]
+    rotated = matrix * signs[:, None, :]
     w = 0.5 * np.sqrt(np.maximum(squares.max(axis=1), 1.0))
     factor = 0.25 / w
     return np.stack(
         [
-            (turned[:, 2, 1] - turned[:, 1, 2]) * factor,
-            (turned[:, 0, 2] - turned[:, 2, 0]) * factor,
-            (turned[:, 1, 0] - turned[:, 0, 1]) * factor,
+            (rotated[:, 2, 1] - rotated[:, 1, 2]) * factor,
+            (rotated[:, 0, 2] - rotated[:, 2, 0]) * factor,
+            (rotated[:, 1, 0] - rotated[:, 0, 1]) * factor,
             w,
         ],
         axis=1,

@@ -24,10 +24,10 @@ from nearfar._scene.texture_file import encode_texture
 from nearfar.orthoview._grid import Grid, Place
 from nearfar.orthoview._owners import owned
 
-STEP = 2.0**-10
+MAX_STEP = 2.0**-10
 """Greatest step of positions, metres: meshes placed once are off by at most half a step, instances by one step."""
 
-SHARE = 2.0**-14
+STEP_SHARE = 2.0**-14
 """Greatest step of positions as a share of a leaf's side."""
 
 _WIDEST = 16383
@@ -48,7 +48,7 @@ IMAGES = "../../../../images"
 
 def step_of(grid: Grid) -> float:
     """Step of positions in the leaves of a grid, a power of two, metres."""
-    _, exponent = math.frexp(min(STEP, SHARE * grid.cell))
+    _, exponent = math.frexp(min(MAX_STEP, STEP_SHARE * grid.cell))
     return max(2.0 ** (exponent - 1), _MIN_STEP)
 
 
@@ -87,10 +87,10 @@ def cell_glb(part: Scene, grid: Grid, place: Place, images: Images | None = None
     The `extras` of the GLB's `asset` have the number of `triangles`, the greatest `error` of a position along an axis,
     and the `box` of all, metres. Triangles without area after their corners are rounded are left out.
     """
-    mine = _mine(part, grid, place, moving=False)
-    if not mine.any():
+    is_owned = _mine(part, grid, place, moving=False)
+    if not is_owned.any():
         return None
-    core = part._core if mine.all() else part._core.subset_of_triangles(mine)
+    core = part._core if is_owned.all() else part._core.subset_of_triangles(is_owned)
     middle = _middle(grid, place)
     return _encoded(_about(core, middle), step_of(grid), images, [])
 
@@ -101,12 +101,12 @@ def moving_glb(part: Scene, grid: Grid, place: Place, images: Images | None = No
     Each node is an instance with the name of its object. The `extras` also have `moving`, a row for each node in order:
     its `object`, and its load `transform` and its placement at `rest` if they are not the defaults.
     """
-    mine = _mine(part, grid, place, moving=True)
-    if not mine.any():
+    is_owned = _mine(part, grid, place, moving=True)
+    if not is_owned.any():
         return None
-    movers = part.subset(triangles=mine)
-    most = int(movers._core.moving_objects().max()) + 1
-    data = _encoded(_about(movers._core, None), step_of(grid), images, list(movers.object_names[:most]))
+    movers = part.subset(triangles=is_owned)
+    object_count = int(movers._core.moving_objects().max()) + 1
+    data = _encoded(_about(movers._core, None), step_of(grid), images, list(movers.object_names[:object_count]))
     if data is None:
         return None
     document, _ = glb.header(data)
@@ -116,12 +116,12 @@ def moving_glb(part: Scene, grid: Grid, place: Place, images: Images | None = No
 
 def _mine(part: Scene, grid: Grid, place: Place, *, moving: bool) -> NDArray[np.bool_]:
     """Mask (T,) of the moving, or of the static triangles that belong to a leaf; static ones come first."""
-    standing = part._core.standing_triangle_count
-    if moving and standing == part.triangle_count:
+    static_count = part._core.standing_triangle_count
+    if moving and static_count == part.triangle_count:
         return np.zeros(part.triangle_count, bool)
-    mine = owned(part, grid, place)
-    mine[slice(0, standing) if moving else slice(standing, None)] = False
-    return mine
+    is_owned = owned(part, grid, place)
+    is_owned[slice(0, static_count) if moving else slice(static_count, None)] = False
+    return is_owned
 
 
 def _middle(grid: Grid, place: Place) -> NDArray[np.float64]:
@@ -145,19 +145,19 @@ def _about(core: _core.Scene, origin: NDArray[np.float64] | None) -> _core.Scene
 def _prune(parts: dict[str, Any], meshes: NDArray[np.uint64]) -> None:
     """Remove textures of materials that no face uses."""
     _, rows = np.unique(meshes, return_index=True)
-    has = np.zeros(len(parts["material_colors"]) + 1, bool)
+    is_material_used = np.zeros(len(parts["material_colors"]) + 1, bool)
     for row in rows.tolist():
-        has[_core.mesh_parts(parts["meshes"][row])["materials"]] = True
+        is_material_used[_core.mesh_parts(parts["meshes"][row])["materials"]] = True
     # The last flag belongs to faces without a material, whose index is −1.
-    shown = np.zeros(len(parts["textures"]) + 1, bool)
+    is_used = np.zeros(len(parts["textures"]) + 1, bool)
     links = ("material_textures", "material_emission_textures")
     for name in links:
-        parts[name] = np.where(has[:-1], parts[name], -1).astype(np.int32)
-        shown[parts[name]] = True
-    numbers = np.append(np.cumsum(shown[:-1]) - 1, -1).astype(np.int32)
+        parts[name] = np.where(is_material_used[:-1], parts[name], -1).astype(np.int32)
+        is_used[parts[name]] = True
+    numbers = np.append(np.cumsum(is_used[:-1]) - 1, -1).astype(np.int32)
     for name in links:
         parts[name] = numbers[parts[name]]
-    parts["textures"] = [texels for texels, is_shown in zip(parts["textures"], shown, strict=False) if is_shown]
+    parts["textures"] = [texels for texels, is_shown in zip(parts["textures"], is_used, strict=False) if is_shown]
 
 
 def _encoded(core: _core.Scene, step: float, images: Images | None, names: list[str]) -> bytes | None:

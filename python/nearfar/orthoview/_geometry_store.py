@@ -32,10 +32,10 @@ TILESET, MOVING, SUBTREES = "tileset.json", "moving.json", "subtrees"
 IMAGES = "images"
 """Name of the folder of textures."""
 
-OTHERS = (SUBTREES, IMAGES)
+SHARED_FOLDERS = (SUBTREES, IMAGES)
 """Folders shared by all leaves."""
 
-STANDS, MOVES = "content", "moving"
+STATIC_FOLDER, MOVING_FOLDER = "content", "moving"
 """Folders of static and of moving triangles."""
 
 KIND, VERSION = "orthoview_moving", 1
@@ -60,8 +60,8 @@ class Facts(NamedTuple):
 
 def names(grid: Grid, place: Place) -> tuple[str, str]:
     """File names of a leaf's static and moving triangles, below the store."""
-    stands, moves = (f"{FOLDER}/{_name(grid, folder, place)}" for folder in (STANDS, MOVES))
-    return stands, moves
+    static, moving = (f"{FOLDER}/{_name(grid, folder, place)}" for folder in (STATIC_FOLDER, MOVING_FOLDER))
+    return static, moving
 
 
 def _name(grid: Grid, folder: str, place: Place) -> str:
@@ -82,7 +82,7 @@ class GeometryStore:
         Writing it again gives the same bytes.
         """
         written = 0
-        for folder, encode in ((STANDS, cell_glb), (MOVES, moving_glb)):
+        for folder, encode in ((STATIC_FOLDER, cell_glb), (MOVING_FOLDER, moving_glb)):
             data = encode(part, self._grid, place, self._images)
             if data is not None:
                 path = self._path(folder, place)
@@ -111,7 +111,7 @@ class GeometryStore:
         total = {"leaves": 0, "triangles": 0, "bytes": 0, "error": 0.0}
 
         def box_of(place: Place) -> NDArray[np.float64]:
-            facts = self._facts(STANDS, place)
+            facts = self._facts(STATIC_FOLDER, place)
             total["leaves"] += 1
             total["triangles"] += facts.triangles
             total["bytes"] += facts.bytes
@@ -119,12 +119,13 @@ class GeometryStore:
             return facts.box
 
         self._folder.mkdir(parents=True, exist_ok=True)
-        leaves = np.fromiter(chain.from_iterable(self._listed_leaves(STANDS)), np.int64).reshape(-1, 3)
+        leaves = np.fromiter(chain.from_iterable(self._listed_leaves(STATIC_FOLDER)), np.int64).reshape(-1, 3)
         box = None
         if len(leaves):
             with files.atomic_folder(self._folder / SUBTREES, marker=_FIRST) as temporary:
                 box = availability.write(temporary, self._grid.levels, leaves, box_of)
-        movers = {_name(self._grid, MOVES, place): self._facts(MOVES, place) for place in self._listed_leaves(MOVES)}
+        places = {_name(self._grid, MOVING_FOLDER, place): place for place in self._listed_leaves(MOVING_FOLDER)}
+        movers = {name: self._facts(MOVING_FOLDER, place) for name, place in places.items()}
         self._write_movers(movers)
         document = self._tileset(box, {name: facts.box for name, facts in movers.items()})
         formats.write_json(self._folder / TILESET, document)
@@ -149,7 +150,7 @@ class GeometryStore:
                     "boundingVolume": {"box": self._cube()},
                     "geometricError": error,
                     "refine": "ADD",
-                    "content": {"uri": f"{STANDS}/{_NAME}"},
+                    "content": {"uri": f"{STATIC_FOLDER}/{_NAME}"},
                     "implicitTiling": {
                         "subdivisionScheme": "OCTREE",
                         "subtreeLevels": availability.subtree_levels(levels),
@@ -158,14 +159,14 @@ class GeometryStore:
                     },
                 }
             )
-        for name, around in movers.items():
-            shown = {"boundingVolume": {"box": availability.volume(around)}, "geometricError": 0.0}
-            children.append({**shown, "content": {"uri": name}, "extras": {"moving": True}})
+        for name, box_of_file in movers.items():
+            tile = {"boundingVolume": {"box": availability.volume(box_of_file)}, "geometricError": 0.0}
+            children.append({**tile, "content": {"uri": name}, "extras": {"moving": True}})
         boxes = [*([] if box is None else [box]), *movers.values()]
-        whole = self._grid.box(levels - 1, (0, 0, 0))
+        root_box = self._grid.box(levels - 1, (0, 0, 0))
         if boxes:
-            whole = np.array([np.min(boxes, axis=0)[0], np.max(boxes, axis=0)[1]])
-        root = {"boundingVolume": {"box": availability.volume(whole)}, "geometricError": error, "refine": "ADD"}
+            root_box = np.array([np.min(boxes, axis=0)[0], np.max(boxes, axis=0)[1]])
+        root = {"boundingVolume": {"box": availability.volume(root_box)}, "geometricError": error, "refine": "ADD"}
         return {
             "asset": {"version": "1.1", "extras": {"generator": f"nearfar {__version__}"}},
             "geometricError": error,
@@ -180,11 +181,11 @@ class GeometryStore:
         return [x, 0.0 - z, y, half, 0.0, 0.0, 0.0, 0.0, half, 0.0, -half, 0.0]
 
     def _write_movers(self, movers: dict[str, Facts]) -> None:
-        listed = [
+        rows = [
             {"file": name, "triangles": facts.triangles, "box": facts.box.tolist(), "instances": facts.moving}
             for name, facts in movers.items()
         ]
-        formats.write_json(self._folder / MOVING, formats.header(KIND, VERSION) | {"files": listed})
+        formats.write_json(self._folder / MOVING, formats.header(KIND, VERSION) | {"files": rows})
 
     def _path(self, folder: str, place: Place) -> Path:
         return self._folder / _name(self._grid, folder, place)
@@ -208,7 +209,7 @@ class GeometryStore:
             extras = glb.header(head, formats.from_json)[0]["asset"]["extras"]
             if (stated := int.from_bytes(head[8:12], "little")) != size:
                 raise ValueError(f"expected {stated} bytes, got {size}")
-            rows = check.items("moving", extras["moving"], dict, "rows") if folder == MOVES else []
+            rows = check.items("moving", extras["moving"], dict, "rows") if folder == MOVING_FOLDER else []
             triangles = check.integer("triangles", extras["triangles"], 1, 1 << 40)
             error = check.at_least_zero("error", extras["error"])
             return Facts(size, triangles, error, check.box("box", extras["box"]), list(rows))

@@ -99,8 +99,8 @@ class Grid:
 
     def leaves(self, level: int, place: Place) -> int:
         """Number of the world's leaves in a cell."""
-        below = 1 << level
-        parts = (min((n + 1) * below, count) - n * below for n, count in zip(place, self.counts, strict=True))
+        side = 1 << level
+        parts = (min((n + 1) * side, count) - n * side for n, count in zip(place, self.counts, strict=True))
         return math.prod(max(part, 0) for part in parts)
 
     def children(self, level: int, place: Place) -> Iterator[tuple[Place, Place]]:

@@ -127,8 +127,8 @@ class Layout:
 
     def keys(self, level: int, place: Place, numbers: Iterable[int] | None = None) -> dict[tuple[int, str], Key]:
         """Keys of a cell's chunks by direction number (default all) and channel."""
-        wanted = range(len(self.directions)) if numbers is None else numbers
-        pairs = [(number, channel) for number in wanted for channel in self.channels]
+        directions = range(len(self.directions)) if numbers is None else numbers
+        pairs = [(number, channel) for number in directions for channel in self.channels]
         return {pair: (level, place, self.array(level, *pair)) for pair in pairs}
 
     def view_keys(self, views: Iterable[ViewKey]) -> list[Key]:

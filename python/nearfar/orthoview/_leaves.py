@@ -81,9 +81,9 @@ class Leaves:
         except Exception as error:  # a source may raise anything; the other leaves are still built
             return self.failure(place, error)
         self.write_geometry(part, place)
-        near = guests(part, self.layout.grid, place) if self.layout.geometry else []
+        leaf_guests = guests(part, self.layout.grid, place) if self.layout.geometry else []
         views = render_leaf(part, self.layout, place)
-        return Outcome(views, guests=near, counts=Counter(empty=views is None, drawn=views is not None))
+        return Outcome(views, guests=leaf_guests, counts=Counter(empty=views is None, drawn=views is not None))
 
     def write_geometry(self, part: Scene, place: Place) -> None:
         """Write the geometry of a leaf, if the store has any; call it before the journal records the leaf."""

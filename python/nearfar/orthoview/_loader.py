@@ -13,7 +13,7 @@ from nearfar.orthoview._cut import Part, kind
 BATCH = 8
 """Number of views that a thread reads at once."""
 
-FIRST_PAUSE, LONGEST_PAUSE = 0.5, 30.0
+FIRST_PAUSE, MAX_PAUSE = 0.5, 30.0
 """Seconds until a failed read is retried; each failure in a row doubles the pause, up to the second value."""
 
 
@@ -61,8 +61,8 @@ class Loader:
     def errors(self) -> list[Exception]:
         """Errors since the last call: one for each damaged part, and the first one of an outage."""
         with self._changed:
-            found, self._errors = self._errors, []
-            return found
+            errors, self._errors = self._errors, []
+            return errors
 
     def forget(self) -> None:
         """Allow damaged parts to be read again."""
@@ -125,11 +125,11 @@ class Loader:
     def _fail(self, batch: Sequence[Part], error: Exception) -> None:
         with self._changed:
             self._until = time.monotonic() + self._pause
-            self._pause = min(2.0 * self._pause, LONGEST_PAUSE)
-            news = not self._is_reported
+            self._pause = min(2.0 * self._pause, MAX_PAUSE)
+            is_new = not self._is_reported
             self._is_reported = True
             self._queue.extendleft(reversed(batch))
-        self._end(batch, error if news else None)
+        self._end(batch, error if is_new else None)
 
     def _end(self, batch: Sequence[Part], error: Exception | None) -> None:
         with self._changed:

@@ -50,24 +50,24 @@ def motion_blur(frame: Frame, before: Camera, *, shutter: SupportsFloat = 0.5, p
         A value that is not a frame or not a camera.
     """
     picture, earlier = ranged("frame", frame), check.instance("before", before, Camera)
-    share = check.in_range("shutter", shutter, 0.0, 1.0)
+    open_time = check.in_range("shutter", shutter, 0.0, 1.0)
     count = check.integer("poses", poses, 1, MAX_POSES)
-    cameras = [pose_between(frame.camera, earlier, share * (n + 0.5) / count) for n in range(count)]
+    cameras = [pose_between(frame.camera, earlier, open_time * (n + 0.5) / count) for n in range(count)]
     color = _core.blur_motion(picture, [camera._core for camera in cameras])
     return replace(frame, color=color)
 
 
-def pose_between(camera: Camera, other: Camera, share: float) -> Camera:
+def pose_between(camera: Camera, other: Camera, weight: float) -> Camera:
     """Interpolate between the poses of two cameras: a straight line, and an even turn (Shoemake 1985)."""
-    x, y, z = ((1 - share) * np.array(camera.position) + share * np.array(other.position)).tolist()
-    one, two = np.array(camera.orientation), np.array(other.orientation)
-    cosine = float(one @ two)
+    x, y, z = ((1 - weight) * np.array(camera.position) + weight * np.array(other.position)).tolist()
+    start, end = np.array(camera.orientation), np.array(other.orientation)
+    cosine = float(start @ end)
     if cosine < 0.0:
-        two, cosine = -two, -cosine
+        end, cosine = -end, -cosine
     angle = math.acos(min(cosine, 1.0))
     if angle < 1e-6:
-        mixed = (1 - share) * one + share * two
+        mixed = (1 - weight) * start + weight * end
     else:
-        mixed = (math.sin((1 - share) * angle) * one + math.sin(share * angle) * two) / math.sin(angle)
+        mixed = (math.sin((1 - weight) * angle) * start + math.sin(weight * angle) * end) / math.sin(angle)
     i, j, k, w = (mixed / np.linalg.norm(mixed)).tolist()
     return replace(camera, position=(x, y, z), orientation=(i, j, k, w))

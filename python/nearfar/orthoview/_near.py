@@ -68,11 +68,11 @@ class Near:
 
     def cached_scene(self, places: Sequence[Place]) -> Scene | None:
         """Geometry of cached leaves as one scene; None if all are empty."""
-        wanted = tuple(sorted(places))
-        leaves = [self._leaves.get(place, None) for place in wanted]
-        if wanted != self._last[0]:
+        leaf_places = tuple(sorted(places))
+        leaves = [self._leaves.get(place, None) for place in leaf_places]
+        if leaf_places != self._last[0]:
             parts = [leaf for leaf in leaves if leaf is not None]
-            self._last = wanted, join_scenes(parts) if parts else None
+            self._last = leaf_places, join_scenes(parts) if parts else None
         return self._last[1]
 
     def trim(self, needed: Collection[Place]) -> None:

@@ -48,9 +48,9 @@ class _FarParts:
         """Bake the geometry beyond the radius, `grid` samples along each axis of a texel; None without geometry."""
         if self.near is None:
             return None
-        how: dict[str, Any] = {"samples": 1, "channels": CHANNELS, "half": False, "device": None}
+        settings: dict[str, Any] = {"samples": 1, "channels": CHANNELS, "half": False, "device": None}
         size = self.cameras[0].size[0] * grid
-        env, _ = bake(self.near, self.cameras[0].position, self.radius, size=size, **how)
+        env, _ = bake(self.near, self.cameras[0].position, self.radius, size=size, **settings)
         return {"color": env.color, "range": np.asarray(env.range, np.float32)}
 
 
@@ -79,11 +79,11 @@ class NearFarTree(FlownTree, Divided):
         FormatError, OSError
             Damaged or unreadable files.
         """
-        at, reach = np.array(check.vector("center", center)), check.positive("radius", radius)
+        axis_point, reach = np.array(check.vector("center", center)), check.positive("radius", radius)
         if not self._layout.geometry:
             raise ValueError(f"{self.path}: expected a tree with geometry, see nearfar.orthoview.build")
         viewer = self._viewer
-        leaves = self._leaves_within(at, reach)
+        leaves = self._leaves_within(axis_point, reach)
         self._know(leaves)
         leaves = viewer.cutter.with_guests(leaves)
         parts = [scene for scene in (viewer.near.scene(leaves), self._movers) if scene is not None]
@@ -132,12 +132,12 @@ class NearFarTree(FlownTree, Divided):
         grid = grid_of(check.integer("samples", baking.samples, 1, 64))
         if unknown := set(channels) - set(CHANNELS):
             raise ValueError(f"channels: expected names of {', '.join(CHANNELS)}, got {', '.join(sorted(unknown))}")
-        shown, viewer = settings_of(views, error_px, True), self._viewer
+        view_settings, viewer = settings_of(views, error_px, True), self._viewer
         cameras = [Camera((x, y, z), fov=CubeFace(face), size=(size, size)) for face in range(FACES)]
-        cuts = [viewer.cutter.whole(camera, shown) for camera in cameras]
-        near = viewer.near.scene(viewer.cutter.with_guests([leaf for cut in cuts for leaf in cut.leaf_places()]))
+        cuts = [viewer.cutter.whole(camera, view_settings) for camera in cameras]
+        near_leaves = viewer.near.scene(viewer.cutter.with_guests([leaf for cut in cuts for leaf in cut.leaf_places()]))
         splats = [self._far_splats(camera, cut, reach) for camera, cut in zip(cameras, cuts, strict=True)]
-        parts = _FarParts(cameras, splats, near, reach)
+        parts = _FarParts(cameras, splats, near_leaves, reach)
         if grid == 1 or "range" not in channels:
             images = self._faces(parts, ("color", *({"range"} & {*channels})), grid)
         else:  # range is taken at the texels' centres
@@ -149,7 +149,7 @@ class NearFarTree(FlownTree, Divided):
     def _faces(self, parts: _FarParts, channels: tuple[str, ...], grid: int) -> dict[str, NDArray[Any]]:
         """Render images (6, S, S, …) of all faces, with `grid` samples along each axis of a texel."""
         origin = self.origin.tolist()
-        before = parts.baked(grid)
+        behind_splats = parts.baked(grid)
         faces = [
             _core.splat_orthoviews(
                 splats,
@@ -157,7 +157,7 @@ class NearFarTree(FlownTree, Divided):
                 Shot(cameras=(camera,), channels=channels).settings,
                 origin=(origin[0], origin[1], origin[2]),
                 grid=grid,
-                before=None if before is None else {name: image[face] for name, image in before.items()},
+                before=None if behind_splats is None else {name: image[face] for name, image in behind_splats.items()},
             )
             for face, (camera, splats) in enumerate(zip(parts.cameras, parts.splats, strict=True))
         ]
@@ -167,15 +167,15 @@ class NearFarTree(FlownTree, Divided):
         views, center = self._viewer.views, np.array(camera.position)
         keys = cut.keys()
         views.load(keys)
-        found: list[_core.OrthoSplats] = []
+        far_splats: list[_core.OrthoSplats] = []
         for key in keys:
             level, place, _ = key
-            own = views.cached_layers(key)
+            layers = views.cached_layers(key)
             if _from_axis(self._layout.grid.box(level, place), center) < radius:
-                own = tuple(splats.outside_cylinder(camera.position, radius) for splats in own)
-            found += own
+                layers = tuple(splats.outside_cylinder(camera.position, radius) for splats in layers)
+            far_splats += layers
         views.trim(set(keys))
-        return found
+        return far_splats
 
     def _know(self, leaves: list[Place]) -> None:
         """Read the records of the leaves' subtrees, which list guests, unless a cut has read them."""

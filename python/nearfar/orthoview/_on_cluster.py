@@ -19,7 +19,7 @@ from nearfar.orthoview._layout import FOLDER, Layout
 from nearfar.orthoview._leaves import Elsewhere, Leaves
 from nearfar.orthoview._subtree import Outcome, record_of
 
-AHEAD = 8
+SUBTREES_AHEAD = 8
 """Number of subtrees per cluster thread that may be finished before their parents use them."""
 
 
@@ -58,7 +58,7 @@ def subtrees(source: SceneSource, folder: Path, layout: Layout, client: Any) -> 
         _keep(source, pickled)
         job = _Job(folder.absolute(), layout, pickled, pickled.stat().st_mtime_ns)
         places = _places(source, folder, layout, layout.tiers - 1, (0, 0, 0))
-        with closing(cluster.in_order(partial(_built, job), places, client, ahead=AHEAD)) as results:
+        with closing(cluster.in_order(partial(_built, job), places, client, ahead=SUBTREES_AHEAD)) as results:
             yield _InTurn(results, layout)
     finally:
         pickled.unlink(missing_ok=True)
@@ -85,21 +85,21 @@ def _places(source: SceneSource, folder: Path, layout: Layout, tier: int, place:
         return
     lowest = tier * layout.subtree
 
-    def below(level: int, place: Place) -> Iterator[Place]:
+    def descend(level: int, place: Place) -> Iterator[Place]:
         for _, child in layout.grid.children(level, place):
             if not may_touch(source, layout.grid.box(level - 1, child)):
                 continue
             if level - 1 == lowest:
                 yield from _places(source, folder, layout, tier - 1, child)
             else:
-                yield from below(level - 1, child)
+                yield from descend(level - 1, child)
 
     top = lowest + layout.subtree
     root = layout.grid.levels - 1
     if root == lowest:  # the root is the only cell of its tier
         yield from _places(source, folder, layout, tier - 1, (0, 0, 0))
     else:
-        yield from below(min(top, root), place)
+        yield from descend(min(top, root), place)
 
 
 class _InTurn:

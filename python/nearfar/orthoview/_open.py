@@ -69,16 +69,16 @@ class Opened:
         attributes = _store.read(self.files)
         with formats.guarded(f"{self.files.place}/{_store.DOCUMENT}"):
             newest = int(attributes["generation"])
-            same = Layout.from_described(attributes["layout"]) == self.layout
+            is_same_layout = Layout.from_described(attributes["layout"]) == self.layout
         if newest <= self.generation:
             return None
-        if not same:
+        if not is_same_layout:
             raise FormatError(f"{self.files.place}: another tree was built in this place, open it anew")
-        made = Opened.from_files(self.files, self.layout, newest, self.cache_bytes)
+        opened = Opened.from_files(self.files, self.layout, newest, self.cache_bytes)
         overlays = _store.generations(self.files, newest)[: newest - self.generation]
-        made.viewer.views.take_over(self.viewer.views, _changed_views(self.layout, overlays))
-        made.viewer.near.take_over(self.viewer.near, _changed_leaves(self.grid, overlays))
-        return made
+        opened.viewer.views.take_over(self.viewer.views, _changed_views(self.layout, overlays))
+        opened.viewer.near.take_over(self.viewer.near, _changed_leaves(self.grid, overlays))
+        return opened
 
 
 def _changed_views(layout: Layout, overlays: list[Generation]) -> Callable[[ViewKey], bool]:

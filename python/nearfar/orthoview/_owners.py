@@ -33,9 +33,9 @@ def owned(part: Scene, grid: Grid, place: Place) -> NDArray[np.bool_]:
     anchors = _anchors(part.triangles(), *_sides(grid, (0, 0, 0), grid.counts, part))
     low, high = _sides(grid, place, (place[0] + 1, place[1] + 1, place[2] + 1), part)
     is_last = np.array(place) + 1 == grid.counts
-    within = (anchors >= low) & ((anchors < high) | (is_last & (anchors <= high)))
-    whole: NDArray[np.bool_] = within.all(axis=1)
-    return whole
+    is_within = (anchors >= low) & ((anchors < high) | (is_last & (anchors <= high)))
+    is_owned: NDArray[np.bool_] = is_within.all(axis=1)
+    return is_owned
 
 
 def owners(part: Scene, grid: Grid) -> NDArray[np.int64]:
@@ -58,10 +58,10 @@ def _sides(grid: Grid, first: Place, end: Place, part: Scene) -> tuple[Floats, F
 
 def _anchors(corners: NDArray[np.float32], low: Floats, high: Floats) -> Floats:
     """Point (T, 3) that decides a triangle's leaf; NaN for triangles outside the tree's box."""
-    inside = np.asarray(((corners >= low) & (corners <= high)).all(axis=2))
+    is_inside = np.asarray(((corners >= low) & (corners <= high)).all(axis=2))
     rows = np.arange(len(corners))
-    anchors: Floats = corners[rows, inside.argmax(axis=1)].astype(np.float64)
-    for row in np.flatnonzero(~inside.any(axis=1)).tolist():
+    anchors: Floats = corners[rows, is_inside.argmax(axis=1)].astype(np.float64)
+    for row in np.flatnonzero(~is_inside.any(axis=1)).tolist():
         anchors[row] = _middle(corners[row].astype(np.float64), low, high)
     return anchors
 
@@ -75,14 +75,14 @@ def _middle(triangle: Floats, low: Floats, high: Floats) -> Floats:
     for axis in range(3):
         for side, sign in ((low[axis], 1.0), (high[axis], -1.0)):
             cut: list[Floats] = []
-            for before, here in zip([*polygon[-1:], *polygon[:-1]], polygon, strict=True):
-                (p, q) = (sign * (point[axis] - side) for point in (before, here))
+            for start, end in zip([*polygon[-1:], *polygon[:-1]], polygon, strict=True):
+                (p, q) = (sign * (point[axis] - side) for point in (start, end))
                 if (p < 0) != (q < 0):
-                    crossing = before + (here - before) * (p / (p - q))
+                    crossing = start + (end - start) * (p / (p - q))
                     crossing[axis] = side
                     cut.append(crossing)
                 if q >= 0:
-                    cut.append(here)
+                    cut.append(end)
             polygon = cut
     if not polygon:
         return np.full(3, np.nan)
@@ -103,14 +103,14 @@ def guests(part: Scene, grid: Grid, place: Place) -> list[Place]:
     """Return the guests of a leaf from the query of its box."""
     if not part.triangle_count:
         return []
-    found = np.unique(owners(part, grid), axis=0)
-    rows = (tuple(row) for row in found[(found >= 0).all(axis=1)].tolist())
+    owner_places = np.unique(owners(part, grid), axis=0)
+    rows = (tuple(row) for row in owner_places[(owner_places >= 0).all(axis=1)].tolist())
     return [(x, y, z) for x, y, z in rows if (x, y, z) != place]
 
 
-def encode_guests(known: Mapping[Place, Sequence[Place]]) -> str:
+def encode_guests(guests_by_leaf: Mapping[Place, Sequence[Place]]) -> str:
     """Encode guests as text: base64 of zlib of rows of six int32, a leaf and one of its guests."""
-    rows = np.array([(*leaf, *guest) for leaf in sorted(known) for guest in known[leaf]], "<i4")
+    rows = np.array([(*leaf, *guest) for leaf in sorted(guests_by_leaf) for guest in guests_by_leaf[leaf]], "<i4")
     return pack(rows.tobytes())
 
 
@@ -120,12 +120,12 @@ def guests_of(text: str, layout: Layout, tier: int, place: Place) -> Guests:
     if len(content) % 24:
         raise UnusableError(f"guests: expected rows of 24 bytes, got {len(content)} bytes")
     rows = np.frombuffer(content, "<i4").reshape(-1, 6)
-    leaves, others = rows[:, :3], rows[:, 3:]
+    leaves, guest_places = rows[:, :3], rows[:, 3:]
     counts, side = np.array(layout.grid.counts), layout.shard_side(0)
-    is_wrong = (others < 0).any() or (others >= counts).any() or (leaves == others).all(axis=1).any()
+    is_wrong = (guest_places < 0).any() or (guest_places >= counts).any() or (leaves == guest_places).all(axis=1).any()
     if len(rows) and (tier or is_wrong or (leaves // side != place).any() or (leaves >= counts).any()):
         raise UnusableError("guests: expected leaves of the subtree, and others of the tree")
-    found: Guests = {}
+    guests_by_leaf: Guests = {}
     for a, b, c, x, y, z in rows.tolist():
-        found.setdefault((a, b, c), []).append((x, y, z))
-    return found
+        guests_by_leaf.setdefault((a, b, c), []).append((x, y, z))
+    return guests_by_leaf

@@ -21,7 +21,7 @@ from nearfar.orthoview._standins import Wanted
 WINDOW = 0.25
 """Seconds over which speed is measured."""
 
-FARTHEST_TURN = math.pi / 2
+MAX_TURN = math.pi / 2
 """Greatest extrapolated turn, radians."""
 
 
@@ -45,8 +45,8 @@ class Motion:
         if len(self._seen) < 2:
             return np.zeros(3)
         (begin, first), (end, last) = self._seen[0], self._seen[-1]
-        moved: NDArray[np.float64] = np.subtract(last.position, first.position) / (end - begin)
-        return moved
+        velocity: NDArray[np.float64] = np.subtract(last.position, first.position) / (end - begin)
+        return velocity
 
     @property
     def turn(self) -> NDArray[np.float64]:
@@ -66,9 +66,9 @@ class Motion:
         camera = self._seen[-1][1]
         turn = self.turn * seconds
         angle = float(np.linalg.norm(turn))
-        if angle > FARTHEST_TURN:
-            turn *= FARTHEST_TURN / angle
-            angle = FARTHEST_TURN
+        if angle > MAX_TURN:
+            turn *= MAX_TURN / angle
+            angle = MAX_TURN
         x, y, z = (turn * (math.sin(angle / 2.0) / angle)).tolist() if angle > 0.0 else (0.0, 0.0, 0.0)
         px, py, pz = (np.array(camera.position) + offset).tolist()
         return replace(
@@ -81,22 +81,22 @@ class Motion:
 RENEWED_TURN = math.radians(5.0)
 """Turn after which the queue is renewed; it is also renewed when the speed has doubled or halved."""
 
-LONGEST = 1.0
+MAX_TURN_SECONDS = 1.0
 """Maximum number of seconds for which a turn is extrapolated."""
 
-HORIZON = 1.0
+HORIZON_SECONDS = 1.0
 """Seconds of its course that a viewer looks ahead, at most the side of the smallest cell."""
 
 STEPS = 10
 """Number of steps, each a factor of √2, by which a picture becomes coarser when the viewer is too fast."""
 
-SLACK = 1.5
+HYSTERESIS = 1.5
 """Factor by which the speed limit must exceed the speed before the picture becomes finer again (hysteresis)."""
 
-SHARE = 0.8
+RATE_SHARE = 0.8
 """Share of the link's rate that the parts on a viewer's course may take."""
 
-MIN_SPEED, SLOW = 1e-3, 1.0
+MIN_SPEED, MIN_COMPARED_SPEED = 1e-3, 1.0
 """Metres a second below which a viewer counts as resting, and below which changes of speed are ignored."""
 
 
@@ -183,20 +183,20 @@ class Pilot:
         if not self._base:
             self._base = self._top(camera)
         # A finer picture is read last.
-        then = [*soon, *coming] if self._wished < self._error else [*coming, *soon]
-        others = [self._cutter.cut(other, self.settings) for other in self._beside]
-        beside = [self.parts_of_cut(other) for other in others]
-        records += [record for other in others for record in records_of(other)]
-        parts = [part for each in (wanted, *beside) for part in chain(*each.values())]
-        order = [*records_of(cut), *self._base, *records, *parts, *then]
+        later = [*soon, *coming] if self._wished < self._error else [*coming, *soon]
+        cuts_beside = [self._cutter.cut(cut_beside, self.settings) for cut_beside in self._beside]
+        beside = [self.parts_of_cut(cut_beside) for cut_beside in cuts_beside]
+        records += [record for cut_beside in cuts_beside for record in records_of(cut_beside)]
+        parts = [part for cells in (wanted, *beside) for part in chain(*cells.values())]
+        order = [*records_of(cut), *self._base, *records, *parts, *later]
         return Plan(wanted, list(dict.fromkeys(order)), self._error, beside)
 
     def parts_of_cut(self, cut: OrthoCut) -> Wanted:
         """Cells of a picture's cut with the parts of each: leaves as geometry, then cells as views, by distance."""
-        found: Wanted = {(0, leaf): leaf_parts([leaf], self._cutter) for leaf in cut.leaf_places(in_picture=True)}
+        parts: Wanted = {(0, leaf): leaf_parts([leaf], self._cutter) for leaf in cut.leaf_places(in_picture=True)}
         for level, place, direction in cut.keys(in_picture=True):
-            found.setdefault((level, place), []).append((level, place, direction))
-        return found
+            parts.setdefault((level, place), []).append((level, place, direction))
+        return parts
 
     def _cut(self, camera: Camera, held: Callable[[Part], bool]) -> tuple[OrthoCut, list[Part]]:
         """Return the cut at the error in force, and the parts of the cut at the wished error.
@@ -204,16 +204,16 @@ class Pilot:
         The wished error comes into force once all its parts are read; a coarser one also if parts of the finer cut are
         missing.
         """
-        now = self._cutter.cut(camera, self.settings)
+        current = self._cutter.cut(camera, self.settings)
         if self._wished == self._error:
-            return now, []
+            return current, []
         next_cut = self._cutter.cut(camera, replace(self._settings, error_px=self._wished))
         coming = [*chain(*self.parts_of_cut(next_cut).values())]
-        is_there = all(map(held, coming)) and not next_cut.unknown
-        if is_there or (self._wished > self._error and not all(map(held, chain(*self.parts_of_cut(now).values())))):
+        is_read = all(map(held, coming)) and not next_cut.unknown
+        if is_read or (self._wished > self._error and not all(map(held, chain(*self.parts_of_cut(current).values())))):
             self._error = self._wished
             return next_cut, []
-        return now, coming
+        return current, coming
 
     def _top(self, camera: Camera) -> list[Part]:
         """Coarsest views, parts of which stand in for all cells not yet read."""
@@ -237,37 +237,37 @@ class Pilot:
         settings = self.settings
         ahead = smallest(self._cutter.cut(camera, settings, around=True), self._cutter.grid)
         if course is not None:
-            ahead = min(ahead, speed * HORIZON)
-        seconds = min(ahead / speed, LONGEST) if speed > MIN_SPEED else LONGEST
+            ahead = min(ahead, speed * HORIZON_SECONDS)
+        seconds = min(ahead / speed, MAX_TURN_SECONDS) if speed > MIN_SPEED else MAX_TURN_SECONDS
         cameras = [self._motion.extrapolate(seconds, offset) for offset in offsets(ahead, course)]
         outlook = Outlook([camera, *cameras[:1]], self._ahead.margin)
-        made = queue(self._cutter, settings, camera, cameras, outlook)
-        self._renewed = _Renewed(made, camera, self._error, speed)
+        renewed = queue(self._cutter, settings, camera, cameras, outlook)
+        self._renewed = _Renewed(renewed, camera, self._error, speed)
         if self._ahead.adapt and course is not None:
             self._adapt(speed, (camera, self._motion.extrapolate(0.0, ahead * course)), ahead, outlook)
-        return made
+        return renewed
 
     def _is_near(self, old: _Renewed, camera: Camera, speed: float) -> bool:
-        moved = np.linalg.norm(np.subtract(camera.position, old.camera.position))
+        distance = np.linalg.norm(np.subtract(camera.position, old.camera.position))
         cosine = np.clip(rotation(camera.orientation)[:, 2] @ rotation(old.camera.orientation)[:, 2], -1.0, 1.0)
-        is_as_fast = 0.5 <= max(speed, SLOW) / max(old.speed, SLOW) <= 2.0
-        return bool(is_as_fast and moved <= old.queue.renewed_after and math.acos(cosine) <= RENEWED_TURN)
+        is_as_fast = 0.5 <= max(speed, MIN_COMPARED_SPEED) / max(old.speed, MIN_COMPARED_SPEED) <= 2.0
+        return bool(is_as_fast and distance <= old.queue.renewed_after and math.acos(cosine) <= RENEWED_TURN)
 
-    def _adapt(self, speed: float, way: tuple[Camera, Camera], metres: float, outlook: Outlook) -> None:
+    def _adapt(self, speed: float, ends: tuple[Camera, Camera], metres: float, outlook: Outlook) -> None:
         """Set the wished error: the least one at which the link keeps up with the viewer's course."""
-        own = self._settings.error_px
+        base_error = self._settings.error_px
         for step in range(STEPS + 1):
-            error = own * 2.0 ** (step / 2.0)
-            limit = self._limit(way, metres, outlook, replace(self._settings, error_px=error))
+            error = base_error * 2.0 ** (step / 2.0)
+            limit = self._limit(ends, metres, outlook, replace(self._settings, error_px=error))
             if step == 0:
                 self.limit = limit
-            if limit >= speed * (SLACK if error < self._error else 1.0):
+            if limit >= speed * (HYSTERESIS if error < self._error else 1.0):
                 break
         self._wished = error
 
-    def _limit(self, way: tuple[Camera, Camera], metres: float, outlook: Outlook, settings: Settings) -> float:
+    def _limit(self, ends: tuple[Camera, Camera], metres: float, outlook: Outlook, settings: Settings) -> float:
         """Speed at which the parts that come into sight on a way arrive as fast as they are needed."""
-        cutter = self._cutter
-        here, there = (seen_parts(cutter, cutter.cut(camera, settings, around=True), camera, outlook) for camera in way)
-        count = sum(self.meter.bytes_of(part) for part in there.keys() - here.keys())
-        return SHARE * self.meter.rate * metres / count if count > 0.0 else math.inf
+        cuts = (self._cutter.cut(camera, settings, around=True) for camera in ends)
+        now, ahead = (seen_parts(self._cutter, cut, camera, outlook) for cut, camera in zip(cuts, ends, strict=True))
+        size = sum(self.meter.bytes_of(part) for part in ahead.keys() - now.keys())
+        return RATE_SHARE * self.meter.rate * metres / size if size > 0.0 else math.inf

@@ -107,10 +107,10 @@ def _mask(text: str, shape: tuple[int, int, int]) -> NDArray[np.uint32]:
 
 def newest_of(generations: Sequence[Masks], layout: Layout, tier: int, unknown: int = 0) -> Masks:
     """Merge masks of generations, newest first: each cell takes the first one that is not `AS_BEFORE`."""
-    found = [np.full(shape, AS_BEFORE, np.uint32) for shape in shapes(layout, tier)]
+    merged = [np.full(shape, AS_BEFORE, np.uint32) for shape in shapes(layout, tier)]
     for masks in generations:
-        for mask, own in zip(found, masks, strict=True):
-            np.copyto(mask, own, where=mask == AS_BEFORE)
-    for mask in found:
+        for mask, newer in zip(merged, masks, strict=True):
+            np.copyto(mask, newer, where=mask == AS_BEFORE)
+    for mask in merged:
         mask[mask == AS_BEFORE] = unknown
-    return found
+    return merged

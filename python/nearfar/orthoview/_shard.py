@@ -107,8 +107,8 @@ class ShardWriter:
 def holds(path: Path, size: int) -> bool:
     """Whether a shard, finished or not, has at least `size` bytes."""
     part = path.with_name(path.name + PART)
-    found = part if part.exists() else path
-    return found.exists() and found.stat().st_size >= size
+    file = part if part.exists() else path
+    return file.exists() and file.stat().st_size >= size
 
 
 def index_length(side: int) -> int:
@@ -156,14 +156,14 @@ class Journal:
 
     def _read(self) -> None:
         """Read the lines up to the first invalid one, and truncate the file there: the writer was interrupted."""
-        whole = 0
+        valid_bytes = 0
         for line in self._path.read_bytes().splitlines(keepends=True):
             try:
                 self._take(json.loads(line if line.endswith(b"\n") else b""))
             except (KeyError, TypeError, ValueError):
                 break
-            whole += len(line)
-        os.truncate(self._path, whole)
+            valid_bytes += len(line)
+        os.truncate(self._path, valid_bytes)
 
     def _take(self, entry: dict[str, Any]) -> None:
         x, y, z = entry["place"]
@@ -190,12 +190,12 @@ class Journal:
 
     def sizes(self) -> dict[tuple[int, Place, str], int]:
         """Bytes that each array's shard must have, by level and place of one of its cells and by array."""
-        reached: dict[str, tuple[int, Place, int]] = {}
+        ends: dict[str, tuple[int, Place, int]] = {}
         for (level, place), chunks in self.cells.items():
             for array, (start, length) in chunks.items():
-                _, _, before = reached.get(array, (level, place, 0))
-                reached[array] = level, place, max(before, start + length)
-        return {(level, place, array): size for array, (level, place, size) in reached.items()}
+                _, _, end = ends.get(array, (level, place, 0))
+                ends[array] = level, place, max(end, start + length)
+        return {(level, place, array): size for array, (level, place, size) in ends.items()}
 
     def remove(self) -> None:
         """Forget all cells and delete the file."""

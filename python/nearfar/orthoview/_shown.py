@@ -86,10 +86,10 @@ class ShownTree(StoredTree, Pictured):
         return self._with_movers(self._movers.at(poses))
 
     def _with_movers(self, movers: Scene) -> Self:
-        shown = copy.copy(self)
-        shown.__dict__["_viewer"] = self._viewer  # the views that it reads stay cached for the next picture
-        shown._movers = movers
-        return shown
+        tree = copy.copy(self)
+        tree.__dict__["_viewer"] = self._viewer  # the views that it reads stay cached for the next picture
+        tree._movers = movers
+        return tree
 
     def cut(
         self,
@@ -150,8 +150,8 @@ class ShownTree(StoredTree, Pictured):
         Chaudhuri et al. (2009), Image-Based Exploration of Massive Online Environments, section 4.2.
         """
         settings = settings_of(views, error_px, geometry, continuous, gaze, lift_deg)
-        own = check.instance("camera", camera, Camera)
-        return self._viewer.cutter.whole(own, settings, around=check.flag("around", around))
+        checked_camera = check.instance("camera", camera, Camera)
+        return self._viewer.cutter.whole(checked_camera, settings, around=check.flag("around", around))
 
     def render(
         self,
@@ -203,13 +203,13 @@ class ShownTree(StoredTree, Pictured):
         DeviceError
             As in `nearfar.render`, or a picture whose views do not fit into the adapter's memory.
         """
-        shown = copy.copy(self)
-        shown.__dict__["_viewer"] = self._viewer  # the views that it reads stay cached for the next picture
-        shown._settings = replace(
+        tree = copy.copy(self)
+        tree.__dict__["_viewer"] = self._viewer  # the views that it reads stay cached for the next picture
+        tree._settings = replace(
             settings_of(views, error_px, geometry, continuous, gaze, lift_deg),
             budget=None if budget is None else check.integer("budget", budget, 1, MAX_SPLATS),
         )
-        renderer = Renderer(shown, gather(RenderSettings, settings, keywords), argument="tree")
+        renderer = Renderer(tree, gather(RenderSettings, settings, keywords), argument="tree")
         (frame,) = renderer.frames(renderer.shot([camera]), None, renderer.device(self))
         return frame
 
@@ -237,7 +237,7 @@ def settings_of(
 
 
 def _pixel(gaze: ArrayLike) -> tuple[float, float]:
-    place = check.array("gaze", gaze, columns=None, dtype=np.float64)
-    if place.shape != (2,):
-        raise ValueError(f"gaze: expected two numbers or None, got an array of shape {place.shape}")
-    return check.number("gaze", place[0]), check.number("gaze", place[1])
+    pixel = check.array("gaze", gaze, columns=None, dtype=np.float64)
+    if pixel.shape != (2,):
+        raise ValueError(f"gaze: expected two numbers or None, got an array of shape {pixel.shape}")
+    return check.number("gaze", pixel[0]), check.number("gaze", pixel[1])

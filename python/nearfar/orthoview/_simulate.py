@@ -133,32 +133,32 @@ def simulate(
     FormatError, OSError
         Damaged or unreadable parts of the store.
     """
-    own = check.instance("tree", tree, OrthoTree)
-    several = check.items("cameras", cameras, Camera, "a sequence of Cameras")
-    if not several:
+    checked_tree = check.instance("tree", tree, OrthoTree)
+    checked_cameras = check.items("cameras", cameras, Camera, "a sequence of Cameras")
+    if not checked_cameras:
         raise ValueError("cameras: expected at least one, got none")
     check.instance("link", link, Link)
     frames = check.in_range("rate", rate, 1.0, 1000.0)
     flight = gather(FlightSettings, settings, keywords)
-    opened = own._open_store()
+    opened = checked_tree._open_store()
     cutter = opened.viewer.cutter
     pilot = Pilot(cutter, flight.cut, flight.ahead)
 
     def plan(camera: Camera, time: float, received: Received, busy: bool, held: Callable[[Part], bool]) -> Plan:
         """Plan a frame; all records are read at once, without the link."""
-        pilot.meter.note(time, received, busy=busy)
+        pilot.meter.note(time, received, had_requests=busy)
         pilot.look(camera, time)
         while True:
-            found = pilot.plan(held)
-            unknown = [part for part in found.order if kind(part) == RECORD]
+            plan_of_frame = pilot.plan(held)
+            unknown = [part for part in plan_of_frame.order if kind(part) == RECORD]
             if not unknown:
-                return found
+                return plan_of_frame
             for tier, place, _ in unknown:
                 cutter.learn(tier, place)
 
-    kept = check.integer("cache_bytes", cache_bytes, 0, 1 << 62)
-    client = Client(plan, opened.sizes, link, kept, check.integer("seed", seed, 0, 2**63 - 1))
-    return flown(client, several, frames)
+    cache_size = check.integer("cache_bytes", cache_bytes, 0, 1 << 62)
+    client = Client(plan, opened.sizes, link, cache_size, check.integer("seed", seed, 0, 2**63 - 1))
+    return flown(client, checked_cameras, frames)
 
 
 def flown(client: Client, cameras: Sequence[Camera], rate: float) -> FlightLog:

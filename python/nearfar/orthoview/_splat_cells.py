@@ -51,16 +51,16 @@ class Cells:
 
     def bounds(self) -> NDArray[np.float64]:
         """World box (2, 3) of all centres, metres."""
-        whole = self.layout.grid.box(self.layout.grid.levels - 1, (0, 0, 0))
-        return np.array([np.maximum(whole[0], self._box[0]), np.minimum(whole[1], self._box[1])])
+        root = self.layout.grid.box(self.layout.grid.levels - 1, (0, 0, 0))
+        return np.array([np.maximum(root[0], self._box[0]), np.minimum(root[1], self._box[1])])
 
     def direction_mask(self, level: int, place: Place) -> int:
         """Mask of the directions from which a cell shows something, a bit for each; 0 for a cell outside the box."""
         if not self.layout.grid.touches(level, place, self._box):
             return 0
         shard, within = self.layout.shard_of(level, place)
-        tier, own = divmod(level, self.layout.subtree)
-        return int(self._cells(tier, shard).masks[own][within])
+        tier, level_of_subtree = divmod(level, self.layout.subtree)
+        return int(self._cells(tier, shard).masks[level_of_subtree][within])
 
     def below(self, finest: int) -> Iterator[tuple[int, Place]]:
         """Cells that show something, from the root down to level `finest`, each after its descendants."""
@@ -92,11 +92,11 @@ class Cells:
         low, high = ((corner - center).astype(np.float32) for corner in self._box)
         parts, pixels = [NO_GAUSSIANS], 0
         for number, picture in enumerate(pictures):
-            shown = picture.surfaces()
-            inside = ((low <= shown.middle) & (shown.middle <= high)).all(axis=1)
-            pixels += int(inside.sum())
-            inside[inside] = ~seen_better(pictures, number, np.flatnonzero(inside))
-            parts.append(gaussians_of(shown.select(inside), picture.axes, picture.pitch, self._sun))
+            surfaces = picture.surfaces()
+            is_inside = ((low <= surfaces.middle) & (surfaces.middle <= high)).all(axis=1)
+            pixels += int(is_inside.sum())
+            is_inside[is_inside] = ~seen_better(pictures, number, np.flatnonzero(is_inside))
+            parts.append(gaussians_of(surfaces.select(is_inside), picture.axes, picture.pitch, self._sun))
         return Cell(level, place, center, concatenate(parts), pixels)
 
     def read(self, level: int, place: Place) -> Cell:

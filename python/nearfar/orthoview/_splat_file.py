@@ -95,7 +95,7 @@ def write(
             bits = spz.fraction_bits(float(np.abs(bounds - center).max()), SIGMA * pitch)
             version = 2 if is_gltf else 3
             encode = partial(spz.sections, bits=bits, version=version)
-            gathered = _gather(cells, level, center, folder, spz.SECTIONS, encode, most=spz.MAX)
+            gathered = _gather(cells, level, center, folder, spz.SECTIONS, encode, limit=spz.MAX)
             if gathered.count:
                 inner = folder / "spz" if is_gltf else path
                 _compress(inner, spz.header(version, gathered.count, bits), gathered)
@@ -124,14 +124,14 @@ def _gather(
     folder: Path,
     names: tuple[str, ...],
     encode: Callable[[Gaussians], dict[str, bytes]],
-    most: int = (1 << 32) - 1,
+    limit: int = (1 << 32) - 1,
 ) -> _Gathered:
     """Gather the sections of all cells of a level, relative to a common centre."""
 
     def encode_cell(chunks: Any, place: Any) -> tuple[Cell, dict[str, bytes], Gaussians]:
         cell = cells.to_gaussians(level, place, chunks)
-        moved = cell.gaussians.translate(cell.center - center)
-        return cell, encode(moved), moved
+        gaussians = cell.gaussians.translate(cell.center - center)
+        return cell, encode(gaussians), gaussians
 
     def jobs() -> Iterator[Any]:
         for _, place in cells.cells_of_level(level):
@@ -144,9 +144,9 @@ def _gather(
             for cell, sections, moved in side_by_side.results(jobs()):
                 if len(moved):
                     gathered.add(sections, cell, gltf.extent_of(moved))
-                if gathered.count > most:
+                if gathered.count > limit:
                     raise ValueError(
-                        f"level: expected one with at most {most:,} splats in the box, level {level} has more; "
+                        f"level: expected one with at most {limit:,} splats in the box, level {level} has more; "
                         'take a higher one, a smaller aabb or format="tiles"'
                     )
                 done += grid.leaves(level, cell.place)

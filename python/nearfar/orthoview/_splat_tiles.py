@@ -66,8 +66,8 @@ class _Tree:
         key, children, boxes = (tile.level, tile.place), [], [] if tile.box is None else [tile.box]
         if tile.level > self._finest:
             for _, child in self._grid.children(*key):
-                if (below := self._open.pop((tile.level - 1, child), None)) is not None:
-                    children.append(below)
+                if (child_tile := self._open.pop((tile.level - 1, child), None)) is not None:
+                    children.append(child_tile)
                     boxes.append(self._boxes.pop((tile.level - 1, child)))
         if not boxes:
             return
@@ -165,9 +165,9 @@ def _name(folder: str, level: int, place: Place, suffix: str) -> str:
 
 def _with_rewritten_uris(node: dict[str, Any]) -> dict[str, Any]:
     """Copy a tile with URIs rewritten for a document in a subfolder."""
-    moved = dict(node)
+    copy = dict(node)
     if "content" in node:
-        moved["content"] = node["content"] | {"uri": _UP + node["content"]["uri"]}
+        copy["content"] = node["content"] | {"uri": _UP + node["content"]["uri"]}
     if "children" in node:
-        moved["children"] = [_with_rewritten_uris(child) for child in node["children"]]
-    return moved
+        copy["children"] = [_with_rewritten_uris(child) for child in node["children"]]
+    return copy

@@ -53,10 +53,10 @@ def fraction_bits(reach: float, finest: float) -> int:
     `finest` is the smallest standard deviation along a surface. Raises UnusableError if the integer part alone does not
     fit into 24 bits.
     """
-    held = math.floor(math.log2(_LIMIT / max(reach, 2.0**-_MAX_BITS)))
-    if held < 0:
+    max_bits = math.floor(math.log2(_LIMIT / max(reach, 2.0**-_MAX_BITS)))
+    if max_bits < 0:
         raise UnusableError(f"coordinates up to {reach:.3g} m do not fit into the whole numbers of an SPZ file")
-    return max(0, min(held, math.ceil(math.log2(_FINE / finest)), _MAX_BITS))
+    return max(0, min(max_bits, math.ceil(math.log2(_FINE / finest)), _MAX_BITS))
 
 
 def sections(gaussians: Gaussians, bits: int, version: int) -> dict[str, bytes]:

@@ -72,17 +72,17 @@ class Steady:
         TypeError
             A value that is not a frame or not a number.
         """
-        now, moment = ranged("frame", frame), check.number("time", time)
+        picture, moment = ranged("frame", frame), check.number("time", time)
         motion = motion_of("frame", frame) if "motion" in frame.channels else None
-        color, agreed = now[1], 0.0
+        color, agreed = picture[1], 0.0
         if self._past is not None:
-            before, past = self._past
-            if moment <= before:
-                raise ValueError(f"time: expected more than {before:g}, that of the picture before, got {moment:g}")
-            still, moving = ((moment - before) / seconds for seconds in self._times)
-            mixed, agrees = _core.blend_past(past, now, fade=(still, moving), motion=motion)
+            earlier, past = self._past
+            if moment <= earlier:
+                raise ValueError(f"time: expected more than {earlier:g}, that of the picture before, got {moment:g}")
+            still, moving = ((moment - earlier) / seconds for seconds in self._times)
+            mixed, agrees = _core.blend_past(past, picture, fade=(still, moving), motion=motion)
             agreed = float(agrees.mean())
             color = mixed if agreed >= self._least else color
         # Copies: the caller owns the arrays of a frame and may write into them.
-        self._past = moment, (now[0], color.copy() if color is now[1] else color, now[2].copy())
+        self._past = moment, (picture[0], color.copy() if color is picture[1] else color, picture[2].copy())
         return replace(frame, color=color, stats={**frame.stats, "agreed": agreed})

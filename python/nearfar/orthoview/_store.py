@@ -22,7 +22,7 @@ from nearfar._base import check, files, formats
 from nearfar._base.errors import FormatError
 from nearfar.orthoview._chunks import Chunks, Generation
 from nearfar.orthoview._files import Files, Local, missing
-from nearfar.orthoview._geometry_store import FOLDER as GEOMETRY, IMAGES, MOVING, OTHERS, TILESET, GeometryStore
+from nearfar.orthoview._geometry_store import FOLDER as GEOMETRY, IMAGES, MOVING, SHARED_FOLDERS, TILESET, GeometryStore
 from nearfar.orthoview._grid import Place
 from nearfar.orthoview._layout import FOLDER, Layout
 from nearfar.orthoview._owners import Guests, guests_of
@@ -93,11 +93,11 @@ def begin(path: Path, layout: Layout) -> None:
         except FileExistsError:
             if not (path / DOCUMENT).is_file():  # else another build has created it meanwhile
                 raise
-    attributes, wanted = read(Local(path)), layout.to_json()
+    attributes, described = read(Local(path)), layout.to_json()
     with formats.guarded(path / DOCUMENT):
         Layout.from_described(attributes["layout"])
-    if attributes["layout"] != wanted:
-        different = [key for key in wanted if attributes["layout"].get(key) != wanted[key]]
+    if attributes["layout"] != described:
+        different = [key for key in described if attributes["layout"].get(key) != described[key]]
         raise ValueError(f"path: {path} was begun with other values of {', '.join(different)}")
     if attributes["generation"]:
         raise ValueError(f"path: {path} was updated since it was built, expected a new folder")
@@ -118,18 +118,18 @@ def new_folder(path: Path) -> Iterator[Path]:
 
 def create(folder: Path, layout: Layout) -> None:
     """Create a store without chunks in an empty folder."""
-    held = {"cells": 0, "leaves": 0, "chunks": 0, "bytes": 0}
-    own = {"layout": layout.to_json(), "complete": False, "failed": {}, "held": held, "done": {}, "generation": 0}
-    own |= {"geometry": None}
-    layout.create(folder, {_KEY: formats.header(KIND, VERSION, color_space="sRGB") | own})
+    no_content = {"cells": 0, "leaves": 0, "chunks": 0, "bytes": 0}
+    attributes = {"layout": layout.to_json(), "complete": False, "failed": {}, "held": no_content, "done": {}}
+    attributes |= {"generation": 0, "geometry": None}
+    layout.create(folder, {_KEY: formats.header(KIND, VERSION, color_space="sRGB") | attributes})
 
 
 def end(path: Path, *, failed: Mapping[str, str], done: Mapping[str, int]) -> None:
     """Record the content of the store and the work of the build; a store without failures becomes complete."""
     if read(Local(path))["complete"]:
         return
-    own = {"failed": dict(failed), "held": dict(held_below(path)), "done": dict(done)}
-    change(path, complete=not failed, **own, **_end_files(path))
+    attributes = {"failed": dict(failed), "held": dict(held_below(path)), "done": dict(done)}
+    change(path, complete=not failed, **attributes, **_end_files(path))
 
 
 def _end_files(path: Path) -> dict[str, Any]:
@@ -138,11 +138,11 @@ def _end_files(path: Path) -> dict[str, Any]:
     facts = GeometryStore(path, layout.grid).finish() if layout.geometry else None
     digests = {record.name: hashlib.sha256(record.read_bytes()).hexdigest() for record in _records(path)}
     # Files of leaves are listed in the records of their subtrees.
-    others = [path / GEOMETRY / name for name in (TILESET, MOVING)]
-    others += sorted(file for folder in OTHERS for file in (path / GEOMETRY / folder).glob("*"))
-    listed = {file.relative_to(path).as_posix(): size_and_hash(file) for file in others if file.is_file()}
-    own = {"records": digests, "geometry": listed}
-    formats.write_json(path / _RECORDS_FILE, formats.header(_RECORDS, _RECORDS_VERSION) | own)
+    shared_files = [path / GEOMETRY / name for name in (TILESET, MOVING)]
+    shared_files += sorted(file for folder in SHARED_FOLDERS for file in (path / GEOMETRY / folder).glob("*"))
+    listed = {file.relative_to(path).as_posix(): size_and_hash(file) for file in shared_files if file.is_file()}
+    content = {"records": digests, "geometry": listed}
+    formats.write_json(path / _RECORDS_FILE, formats.header(_RECORDS, _RECORDS_VERSION) | content)
     return {"geometry": facts}
 
 
@@ -169,8 +169,8 @@ def change(path: Path, **attributes: Any) -> None:
 def read(store: Files) -> dict[str, Any]:
     """Return the attributes of a store; FormatError if it is not a store."""
     attributes = _document(store).get("attributes")
-    found = attributes.get(_KEY) if isinstance(attributes, dict) else None
-    return formats.check(found, KIND, VERSION, store.place)
+    described = attributes.get(_KEY) if isinstance(attributes, dict) else None
+    return formats.check(described, KIND, VERSION, store.place)
 
 
 def _document(store: Files) -> dict[str, Any]:
@@ -204,15 +204,15 @@ def end_generation(path: Path, number: int, aabb: NDArray[np.float64], held: Map
     images = sorted((folder / GEOMETRY / IMAGES).glob("*"))
     geometry |= {file.relative_to(folder).as_posix(): size_and_hash(file) for file in images}
     box = [[x if np.isfinite(x) else None for x in corner] for corner in aabb.tolist()]
-    own = {"aabb": box, "shards": shards, "geometry": geometry, "held": dict(held), "cells": cells}
-    formats.write_json(folder / _GENERATION_FILE, formats.header(_GENERATION, _GENERATION_VERSION) | own)
+    content = {"aabb": box, "shards": shards, "geometry": geometry, "held": dict(held), "cells": cells}
+    formats.write_json(folder / _GENERATION_FILE, formats.header(_GENERATION, _GENERATION_VERSION) | content)
 
 
 def generations(store: Files, newest: int) -> list[Generation]:
     """Generations of a store, newest first."""
-    overlays = (_generation(store, number) for number in range(newest, 0, -1))
-    known = (Generation(found.folder, found.shards.__contains__, found.geometry.__contains__) for found in overlays)
-    return [*known, Generation("", None, None)]
+    records = (_generation(store, number) for number in range(newest, 0, -1))
+    overlays = [Generation(read.folder, read.shards.__contains__, read.geometry.__contains__) for read in records]
+    return [*overlays, Generation("", None, None)]
 
 
 def _generation(store: Files, number: int) -> Recorded:
@@ -242,8 +242,8 @@ def recorded(store: Files, newest: int) -> Iterator[Recorded]:
         digests = dict(records["records"])
     yield from (_record(store, name, digest) for name, digest in digests.items())
     with formats.guarded(f"{store.place}/{_RECORDS_FILE}"):
-        others = _parse_listing(records["geometry"], _GEOMETRY_FILE)
-    yield Recorded("", "", {}, others, {})
+        geometry = _parse_listing(records["geometry"], _GEOMETRY_FILE)
+    yield Recorded("", "", {}, geometry, {})
     for number in range(1, newest + 1):
         yield _generation(store, number)
 
@@ -276,16 +276,16 @@ def _cells_of(store: Files, layout: Layout, newest: int, listed: Listed) -> Call
 
     def read(tier: int, place: Place) -> Cells:
         name = record_of(Path(), tier, place)
-        known = [(file, cells[name.stem]) for file, cells in overlays if name.stem in cells]
+        by_file = [(file, cells[name.stem]) for file, cells in overlays if name.stem in cells]
         if (record := listed.record(tier, place)) is not None:
-            known.append((name.as_posix(), record.cells))
+            by_file.append((name.as_posix(), record.cells))
         generations: list[Masks] = []
         guests: Guests = {}
-        for file, cells in known:
+        for file, cells in by_file:
             with formats.guarded(f"{store.place}/{file}"):
-                own = guests_of(cells["guests"], layout, tier, place)
+                in_file = guests_of(cells["guests"], layout, tier, place)
                 as_before = newest_of(generations, layout, tier, AS_BEFORE)[0] == AS_BEFORE
-                guests |= {leaf: own[leaf] for leaf in own if as_before[layout.shard_of(0, leaf)[1]]}
+                guests |= {leaf: found for leaf, found in in_file.items() if as_before[layout.shard_of(0, leaf)[1]]}
                 generations.append(masks_of(cells["views"], layout, tier))
         return Cells(newest_of(generations, layout, tier), guests)
 

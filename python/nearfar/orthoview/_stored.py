@@ -141,16 +141,17 @@ class StoredTree:
             A shard that cannot be read.
         """
         number = check.integer("level", level, 0, self.levels - 1)
-        at, seen = self._place(number, place), check.integer("direction", direction, 0, len(self.directions) - 1)
+        cell_place = self._place(number, place)
+        direction_number = check.integer("direction", direction, 0, len(self.directions) - 1)
         prefix = BEHIND if check.integer("layer", layer, 0, self.layers - 1) else ""
-        keys = [(number, at, self._layout.array(number, seen, prefix + name)) for name in CHANNELS]
+        keys = [(number, cell_place, self._layout.array(number, direction_number, prefix + name)) for name in CHANNELS]
         with formats.guarded(self.path, "orthoviews"):
             contents = zip(CHANNELS, self._chunks.read(keys), strict=True)
-            if chunks := {(seen, name): chunk for name, chunk in contents if chunk}:
-                views, bits = _codec.decoded(chunks, self._layout, (seen,))
-                return self._view(views, bits, number, at, self.directions[seen])
-        if (not prefix or self.view(level, place, direction) is None) and (reason := self._missing(number, at)):
-            raise ValueError(f"place: the cell {at} of level {number} is missing: {reason}")
+            if chunks := {(direction_number, name): chunk for name, chunk in contents if chunk}:
+                views, bits = _codec.decoded(chunks, self._layout, (direction_number,))
+                return self._view(views, bits, number, cell_place, self.directions[direction_number])
+        if (not prefix or self.view(level, place, direction) is None) and (reason := self._missing(number, cell_place)):
+            raise ValueError(f"place: the cell {cell_place} of level {number} is missing: {reason}")
         return None
 
     def _missing(self, level: int, place: Place) -> str:
@@ -182,8 +183,8 @@ class StoredTree:
 
         These are the numbers of the build; None for a tree without geometry.
         """
-        found = self._attributes["geometry"]
-        return None if found is None else dict(found)
+        facts = self._attributes["geometry"]
+        return None if facts is None else dict(facts)
 
     def leaf_glb(self, place: tuple[int, int, int], *, moving: bool = False) -> bytes | None:
         """Read the triangles that belong to a leaf.
@@ -210,11 +211,11 @@ class StoredTree:
         """
         if not self._layout.geometry:
             raise ValueError(f"{self.path}: expected a tree with geometry, see nearfar.orthoview.build")
-        at = self._place(0, place)
+        leaf = self._place(0, place)
         with formats.guarded(self.path, "orthoviews"):
-            content = self._chunks.geometry(names(self._layout.grid, at)[check.flag("moving", moving)])
-        if content is None and (reason := self._missing(0, at)):
-            raise ValueError(f"place: the leaf {at} is missing: {reason}")
+            content = self._chunks.geometry(names(self._layout.grid, leaf)[check.flag("moving", moving)])
+        if content is None and (reason := self._missing(0, leaf)):
+            raise ValueError(f"place: the leaf {leaf} is missing: {reason}")
         return content
 
     def _place(self, level: int, place: tuple[int, int, int]) -> Place:

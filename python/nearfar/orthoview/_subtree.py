@@ -133,15 +133,15 @@ class Subtree:
         if (level, place) in self._journal.cells:
             self._below.pass_over(level, place)
             return self._reread(level, place), True
-        if (known := self._below.finished_outcome(level, place)) is not None:
+        if (finished := self._below.finished_outcome(level, place)) is not None:
             self._below.pass_over(level, place)
-            self._outcome.counts += known.counts
-            return known.views, True
+            self._outcome.counts += finished.counts
+            return finished.views, True
         if level == self._lowest:
-            below = self._below.base(self._tier, place)
-            self._outcome.failed |= below.failed
-            self._outcome.counts += below.counts
-            views, is_complete, guests = below.views, below.is_complete, below.guests
+            outcome = self._below.base(self._tier, place)
+            self._outcome.failed |= outcome.failed
+            self._outcome.counts += outcome.counts
+            views, is_complete, guests = outcome.views, outcome.is_complete, outcome.guests
         else:
             (views, is_complete), guests = self._build_parent(level, place), []
         if is_complete:
@@ -189,9 +189,9 @@ class Subtree:
         """Writer of the shard that holds a chunk."""
         level, _, array = key
         if array not in self._writers:
-            done = [(self._layout.shard_of(level, place)[1], chunk) for place, chunk in self._journal.of_array(array)]
+            chunks = [(self._layout.shard_of(level, place)[1], chunk) for place, chunk in self._journal.of_array(array)]
             path = self._store / self._layout.shard_path(key)
-            self._writers[array] = ShardWriter(path, self._layout.shard_side(level), done)
+            self._writers[array] = ShardWriter(path, self._layout.shard_side(level), chunks)
         return self._writers[array]
 
     def _reread(self, level: int, place: Place) -> Views:

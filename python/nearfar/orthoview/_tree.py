@@ -60,8 +60,8 @@ class OrthoTree(NearFarTree):
             As in `view`.
         """
         number = self.levels - 1 if level is None else check.integer("level", level, 0, self.levels - 1)
-        at = (0, 0, 0) if place is None else place
-        return sheet([self.view(number, at, direction) for direction in range(len(self.directions))], self.size)
+        cell_place = (0, 0, 0) if place is None else place
+        return sheet([self.view(number, cell_place, direction) for direction in range(len(self.directions))], self.size)
 
     def update(self, aabb: ArrayLike, source: SceneSource) -> OrthoTree:
         """Write a new generation, in which a part of the world has changed.

@@ -61,9 +61,9 @@ def _check_reach(layout: Layout, aabb: NDArray[np.float64], source: SceneSource)
     part = np.array([np.maximum(aabb[0], bounds[0]), np.minimum(aabb[1], bounds[1])])
     margin = 1e-9 * grid.cell
     for axis in range(3):
-        below, above = part.copy(), part.copy()
-        below[1, axis], above[0, axis] = low[axis] - margin, high[axis] + margin
-        for slab in (below, above):
+        lower, upper = part.copy(), part.copy()
+        lower[1, axis], upper[0, axis] = low[axis] - margin, high[axis] + margin
+        for slab in (lower, upper):
             if (slab[0] <= slab[1]).all() and may_touch(source, slab):
                 raise ValueError(
                     f"aabb: expected a change within the tree's box {[low.tolist(), high.tolist()]}, "
@@ -114,16 +114,15 @@ class Changed(Leaves):
         """Whether leaves of a cell may have geometry in the store: some triangles are too small for any pixel."""
         if not self.layout.geometry or level >= self.layout.subtree:
             return self.layout.geometry
-        first = [number << level for number in place]
-        leaves = (tuple(a + b for a, b in zip(first, within, strict=True)) for within in depth_first(1 << level))
+        corner = [number << level for number in place]
+        leaves = (tuple(a + b for a, b in zip(corner, within, strict=True)) for within in depth_first(1 << level))
         return any(self._chunks.has_geometry(name) for x, y, z in leaves for name in names(self.layout.grid, (x, y, z)))
 
     def chunks_before(self, level: int, place: Place) -> AbstractSet[tuple[int, str]]:
         """Chunks of a cell in the store."""
         keys = self.layout.keys(level, place)
         lengths = dict(zip(keys, self._chunks.lengths(list(keys.values())), strict=True))
-        there = {pair for pair, length in lengths.items() if length}
-        self.replaced.update(
-            cells=bool(there), leaves=bool(there) and level == 0, chunks=len(there), bytes=sum(lengths.values())
-        )
-        return there
+        existing = {pair for pair, length in lengths.items() if length}
+        cells, size = int(bool(existing)), sum(lengths.values())
+        self.replaced.update(cells=cells, leaves=cells if level == 0 else 0, chunks=len(existing), bytes=size)
+        return existing

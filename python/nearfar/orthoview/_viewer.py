@@ -21,7 +21,7 @@ from nearfar.orthoview._cut import Cutter, Settings, grid_of
 from nearfar.orthoview._near import Near
 from nearfar.orthoview._views import Views
 
-SAMPLED = ("color", "coverage")
+AVERAGED = ("color", "coverage")
 """Channels averaged over all samples of a pixel; the others are taken at its centre."""
 
 Report = Callable[[int, int], None] | None
@@ -62,16 +62,16 @@ class Viewer:
         device: _core.GpuDevice | None = None,
     ) -> list[Images]:
         """Draw the pictures of a shot with moving objects, one for each camera."""
-        several = ((camera, self._gathered(camera, settings, movers)) for camera in shot.cameras)
-        return [self.picture(camera, shot, parts, report, device) for camera, parts in several]
+        parts_by_camera = ((camera, self._gathered(camera, settings, movers)) for camera in shot.cameras)
+        return [self.picture(camera, shot, parts, report, device) for camera, parts in parts_by_camera]
 
     def picture(
         self, camera: Camera, shot: Shot, parts: Parts, report: Report = None, device: _core.GpuDevice | None = None
     ) -> Images:
         """Draw the picture of one of a shot's cameras from given parts, on a device or on the CPU."""
         grid = grid_of(shot.samples)
-        sampled = tuple(name for name in shot.channels if name in SAMPLED)
-        middle = tuple(name for name in shot.channels if name not in SAMPLED)
+        sampled = tuple(name for name in shot.channels if name in AVERAGED)
+        middle = tuple(name for name in shot.channels if name not in AVERAGED)
         if sampled and middle and grid > 1:
             passes = [(1, middle), (grid, sampled)]  # the splat at a pixel's centre must not depend on `samples`
         else:
@@ -97,31 +97,31 @@ class Viewer:
         """Read a picture's parts, one picture at a time: threads may share the viewer."""
         with self._lock:
             fitted = self._fitter.fit(camera, settings)
-            near = self.near.scene(self.cutter.with_guests(fitted.cut.leaf_places()))
+            near_leaves = self.near.scene(self.cutter.with_guests(fitted.cut.leaf_places()))
             counts = {"cells": len(fitted.cut), "views": len(fitted.layers), "leaves": len(fitted.cut.leaves)}
-            return Parts(fitted.splats, near, movers, {**counts, "error_px": fitted.error_px})
+            return Parts(fitted.splats, near_leaves, movers, {**counts, "error_px": fitted.error_px})
 
 
 def _geometry(
     parts: Parts, origin: NDArray[np.float64], camera: Camera, shot: Shot, grid: int, device: _core.GpuDevice | None
 ) -> dict[str, Any] | None:
     """Render geometry and moving objects, with a pixel for each sample."""
-    several = [scene for scene in (parts.near, parts.movers) if scene is not None]
-    if not several:
+    scenes = [scene for scene in (parts.near, parts.movers) if scene is not None]
+    if not scenes:
         return None
-    scene = join_scenes(several) if len(several) > 1 else several[0]
+    scene = join_scenes(scenes) if len(scenes) > 1 else scenes[0]
     width, height = camera.size
     finer = replace(camera, size=(width * grid, height * grid))
     mask = None if shot.mask is None else np.repeat(np.repeat(shot.mask, grid, axis=0), grid, axis=1)
-    wanted = tuple(dict.fromkeys((*shot.channels, "range")))
-    own = replace(shot, cameras=(finer,), channels=wanted, samples=1, mask=mask)
-    (images,) = scene.trace(own) if device is None else [job.finish() for job in scene.begin(device, own)]
-    found = dict(images)
-    if "position" in found:
-        found["position"] += (scene.origin - origin).astype(np.float32)
-    if "object_id" in found and parts.movers is not None:
-        found["object_id"] = _numbered(scene, parts.movers)[found["object_id"]]
-    return found
+    channels = tuple(dict.fromkeys((*shot.channels, "range")))
+    request = replace(shot, cameras=(finer,), channels=channels, samples=1, mask=mask)
+    (images,) = scene.trace(request) if device is None else [job.finish() for job in scene.begin(device, request)]
+    result = dict(images)
+    if "position" in result:
+        result["position"] += (scene.origin - origin).astype(np.float32)
+    if "object_id" in result and parts.movers is not None:
+        result["object_id"] = _numbered(scene, parts.movers)[result["object_id"]]
+    return result
 
 
 def _numbered(scene: Scene, movers: Scene) -> NDArray[np.int32]:

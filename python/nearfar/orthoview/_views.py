@@ -18,13 +18,13 @@ from nearfar.orthoview._recent import Recent
 Splats = tuple[_core.OrthoSplats, ...]
 """Splats of a view, layer by layer."""
 
-_SHOWN = 0.125
+_ASSUMED_SHARE = 0.125
 """Assumed share of non-empty pixels before any view has been read."""
 
 _ALL = -1
 """Key of the totals over all levels."""
 
-_AT_ONCE = 64
+_BATCH = 64
 """Number of views whose chunks are read at once."""
 
 
@@ -61,16 +61,16 @@ class Views:
     def layers(self, keys: Sequence[ViewKey]) -> list[Splats]:
         """Splats of views layer by layer; views that are not cached are read."""
         self.load(keys)
-        found = [self.cached_layers(key) for key in keys]
+        splats = [self.cached_layers(key) for key in keys]
         self.trim(set(keys))
-        return found
+        return splats
 
     def expected(self, key: ViewKey) -> float:
         """Number of a view's splats; if it was never read, the mean of its level, else of all views."""
-        known = self._counts.get(key)
-        if known is not None:
-            return known
-        total, views = self._of_level.get(key[0]) or self._of_level.get(_ALL) or (self._layout.size**2 * _SHOWN, 1)
+        if key in self._counts:
+            return self._counts[key]
+        default = self._layout.size**2 * _ASSUMED_SHARE, 1
+        total, views = self._of_level.get(key[0]) or self._of_level.get(_ALL) or default
         return total / views
 
     def is_counted(self, key: ViewKey) -> bool:
@@ -80,8 +80,8 @@ class Views:
     def load(self, keys: Sequence[ViewKey]) -> None:
         """Read the views that are not cached; thread-safe."""
         missing = [key for key in keys if key not in self]
-        for first in range(0, len(missing), _AT_ONCE):
-            self._read(missing[first : first + _AT_ONCE])
+        for start in range(0, len(missing), _BATCH):
+            self._read(missing[start : start + _BATCH])
 
     def cached_layers(self, key: ViewKey) -> Splats:
         """Layers of a view, which becomes the most recently used; empty if it is not cached."""
