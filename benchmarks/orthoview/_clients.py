@@ -153,7 +153,7 @@ def prepare(way: Way, folder: Path) -> dict[str, Path]:
         key = (level, (place[0], place[1], place[2]))
         centers[name] = way.tree.box(*key).mean(axis=0).tolist()
         if not (splats / f"{name}.spz").is_file():
-            (splats / f"{name}.spz").write_bytes(_spz.encoded(cells.read(*key).gaussians))
+            (splats / f"{name}.spz").write_bytes(_spz.encode(cells.read(*key).gaussians))
     irradiance = LIGHT.read_text().split("/* glsl */ `")[1].split("`")[0]
     described = {
         "size": SIZE,

@@ -110,7 +110,7 @@ def stored(leaf: Leaf, bits: Format, size: int) -> Stored:
     layout = layout_of(*bits, size)
     views = leaf.views(layout)
     lengths: dict[str, list[int]] = {}
-    for (_, channel), chunk in _codec.encoded(views, layout).items():
+    for (_, channel), chunk in _codec.encode(views, layout).items():
         lengths.setdefault(channel, []).append(len(chunk))
     metres = [metres_of(views, number, layout, leaf.side, np.nan) for number in range(len(DIRECTIONS))]
     return Stored(

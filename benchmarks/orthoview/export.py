@@ -77,7 +77,7 @@ def sigma(tree: nf.orthoview.OrthoTree, given: argparse.Namespace) -> None:
                 _gaussians.SIGMA = width
                 cell = cells.read(*key)
                 path = Path(folder, f"{number}.spz")
-                path.write_bytes(_spz.encoded(cell.gaussians))
+                path.write_bytes(_spz.encode(cell.gaussians))
                 files.append((path, cell.center))
         finally:
             _gaussians.SIGMA = usual
@@ -136,7 +136,7 @@ def by_spark(tree: nf.orthoview.OrthoTree, look: Look, keys: list[tuple[int, tup
         for number, (level, (x, y, z)) in enumerate(keys):
             cell = cells.read(level, (x, y, z))
             path = Path(folder, f"{number}.spz")
-            path.write_bytes(_spz.encoded(cell.gaussians))
+            path.write_bytes(_spz.encode(cell.gaussians))
             files.append((path, cell.center))
             count += len(cell.gaussians)
         _, (picture,) = spark(files, [(look, range(len(files)))])

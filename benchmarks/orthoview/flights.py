@@ -22,7 +22,7 @@ from nearfar.orthoview._client import Client
 from nearfar.orthoview._cut import GEOMETRY, Cutter, Part, Settings
 from nearfar.orthoview._meter import Received
 from nearfar.orthoview._pilot import Plan
-from nearfar.orthoview._simulate import flown
+from nearfar.orthoview._simulate import fly_through
 
 RATE, SECONDS = 72, 60
 FOV, PICTURE = nf.Fov.symmetric(60, 4 / 3), (640, 480)
@@ -73,14 +73,14 @@ class Tiles:
         return self._plan
 
     def _look(self, camera: nf.Camera) -> Plan:
-        cut = self._cutter.whole(camera, Settings(error_px=FINEST))
+        cut = self._cutter.complete_cut(camera, Settings(error_px=FINEST))
         wanted = {(0, place): [(0, place, GEOMETRY)] for place in cut.leaf_places(in_picture=True)}
         return Plan(wanted, list(itertools.chain(*wanted.values())), FINEST)
 
 
 def tiles(tree: nf.orthoview.OrthoTree, cameras: list[nf.Camera], link: nf.stream.Link) -> nf.orthoview.FlightLog:
     opened = tree._open_store()
-    return flown(Client(Tiles(opened.viewer.cutter), opened.sizes, link, 1 << 40, 0), cameras, RATE)
+    return fly_through(Client(Tiles(opened.viewer.cutter), opened.sizes, link, 1 << 40, 0), cameras, RATE)
 
 
 def stalls(tree: nf.orthoview.OrthoTree, out: Path | None) -> str:
@@ -148,7 +148,7 @@ def _parts_per_metre(tree: nf.orthoview.OrthoTree, height: float) -> list[dict[P
     for metre in range(metres + 1):
         eye = np.array([START[0] - metres / 2 + metre, height, START[1]])
         camera = nf.Camera.look_at(eye, np.add(eye, [1.0, -0.15, 0.0]), fov=FOV, size=PICTURE)
-        cut = cutter.whole(camera, Settings())
+        cut = cutter.complete_cut(camera, Settings())
         leaves = cutter.with_guests(cut.leaf_places(in_picture=True))
         parts: list[Part] = [*((0, place, GEOMETRY) for place in leaves), *cut.keys(in_picture=True)]
         new = [part for part in parts if part not in facts]

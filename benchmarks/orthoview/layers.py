@@ -190,7 +190,7 @@ def lost_points(points: Floats, firsts: NDArray[np.uint16], drawn_ones: list[int
 
 def chunk_bytes(views: _core.OrthoViews | None) -> Floats:
     """Return the bytes of each direction's chunks."""
-    chunks = {} if views is None else _codec.encoded(views, LAYOUT)
+    chunks = {} if views is None else _codec.encode(views, LAYOUT)
     sizes = [sum(len(chunks.get((n, channel), b"")) for channel in CHANNELS) for n in range(len(DIRECTIONS))]
     return np.array(sizes, np.float64)
 

@@ -96,7 +96,7 @@ def measure(case: tuple[str, Any, float]) -> Leaf | None:
         return None
     place = (grid.corner(0, PLACE), side)
     views = _core.OrthoViews.of_cell(part._core, place, DIRECTIONS, LAYOUT.format)
-    chunks = sum(map(len, _codec.encoded(views, LAYOUT).values()))
+    chunks = sum(map(len, _codec.encode(views, LAYOUT).values()))
     whole = part._derived(part._core.of_mesh(part._core.merged()), part._rest[:0])
     merged = cell_glb(whole, grid, PLACE)
     assert merged is not None

@@ -110,7 +110,7 @@ def step_rows(views: _core.OrthoViews) -> list[list[object]]:
         "drawing a child into its parent": (lambda: parent.add(next(adds), views), pixels * (10 + 2 * 16)),
         "reducing a parent": (parent.finish, pixels * (4 * 16 + 10)),
         "connected pixels": (lambda: views.connected(_codec.CONNECTION_LIMITS), None),
-        "compressing and packing, connected pixels included": (lambda: _codec.encoded(views, LAYOUT), None),
+        "compressing and packing, connected pixels included": (lambda: _codec.encode(views, LAYOUT), None),
     }
     times = {name: best(job) for name, (job, _) in jobs.items()}
     return [

@@ -80,7 +80,7 @@ def ways() -> list[Way]:
 def leaf_rows(leaf: Leaf) -> Iterable[list[object]]:
     layout = layout_of()
     views = leaf.views(layout)
-    chunks = _codec.encoded(views, layout)
+    chunks = _codec.encode(views, layout)
     shown = sorted({number for number, _ in chunks})
     others = sum(len(chunk) for (_, channel), chunk in chunks.items() if channel != "color") / len(shown)
     pictures, seen = views.colors()[shown], views.depths()[shown, ..., 0] > 0

@@ -12,7 +12,7 @@ from nearfar._base.errors import UnusableError
 from nearfar.orthoview import _owners
 from nearfar.orthoview._grid import Grid, Place, directions_of
 from nearfar.orthoview._layout import Layout
-from nearfar.orthoview._owners import owned, owners
+from nearfar.orthoview._owners import owned_mask, owners
 from tests.support import need
 from tests.support.geometry_cases import parts, places
 from tests.support.orthoview_stores import box_about, of_subtrees, world_of
@@ -34,7 +34,8 @@ def of_tree(tree: nf.orthoview.OrthoTree) -> Guests:
 def by_hand(world: nf.Scene, grid: Grid) -> Guests:
     """Guests by definition: leaves that own triangles touching another leaf."""
     of_leaf = {place: {bytes(t) for t in part.triangles()} for place, part in parts(world, grid)}
-    mine = {place: {bytes(t) for t in part.triangles()[owned(part, grid, place)]} for place, part in parts(world, grid)}
+    masks = {place: owned_mask(part, grid, place) for place, part in parts(world, grid)}
+    mine = {place: {bytes(t) for t in part.triangles()[masks[place]]} for place, part in parts(world, grid)}
     found: Guests = {}
     for place, touching in of_leaf.items():
         others = {other for other, own in mine.items() if other != place and own & touching}
@@ -61,7 +62,7 @@ def test_owners_of_triangles_are_found(world: nf.Scene) -> None:
     grid = Grid.from_bounds(world.bounds, CELL)
     seen = 0
     for place, part in parts(world, grid):
-        np.testing.assert_array_equal((owners(part, grid) == place).all(axis=1), owned(part, grid, place))
+        np.testing.assert_array_equal((owners(part, grid) == place).all(axis=1), owned_mask(part, grid, place))
         seen += part.triangle_count
     assert seen > 100
     assert set(map(tuple, owners(world, grid).tolist())) <= set(places(grid))

@@ -43,7 +43,7 @@ def pilot_of(tree: Tree, settings: Settings | None = None, **ahead: Any) -> Pilo
     """A pilot that knows all records."""
     cutter = tree._open_store().viewer.cutter
     for height in (0.0, 500.0):
-        cutter.whole(camera_at((0, height, 0)), Settings(error_px=1e-3), around=True)
+        cutter.complete_cut(camera_at((0, height, 0)), Settings(error_px=1e-3), around=True)
     return Pilot(cutter, settings or Settings(), Ahead(**ahead))
 
 
@@ -138,7 +138,7 @@ def test_queues_are_renewed_after_movement_or_rotation(tree: Tree, monkeypatch: 
     assert count((0.101 * ahead, 0, 0)) == 1
     assert count((0.101 * ahead, 0, 0), 0.99 * RENEWED_TURN) == 0
     assert count((0.101 * ahead, 0, 0), 1.01 * RENEWED_TURN) == 1
-    pilot.take(tree._open_store().viewer.cutter)
+    pilot.switch_to(tree._open_store().viewer.cutter)
     assert count((0.101 * ahead, 0, 0), 1.01 * RENEWED_TURN) == 1
 
 

@@ -51,19 +51,19 @@ def check(got: Rows, right: Gaussians, bits: int, degrees: float) -> None:
 @pytest.mark.parametrize(("version", "degrees"), [(2, 1.6), (3, 0.3)])
 def test_values_are_restored_within_half_a_step(version: int, degrees: float) -> None:
     gaussians = some(400)
-    data = _spz.encoded(gaussians, version=version)
+    data = _spz.encode(gaussians, version=version)
     bits = gzip.decompress(data)[13]
     assert 10 <= bits <= 17  # A reach of 60 m needs 6 of 23 bits.
     check(spz_rows(data, version), gaussians, bits, degrees)
 
 
 def test_a_file_consists_of_header_and_sections() -> None:
-    data = _spz.encoded(some(3))
+    data = _spz.encode(some(3))
     content = gzip.decompress(data)
     assert struct.unpack_from("<III", content) == (0x5053474E, 3, 3)
     assert len(content) == 16 + 3 * (9 + 1 + 3 + 3 + 4)
     assert data[4:8] == bytes(4)  # No time stamp, so that the same splats give the same bytes.
-    assert data == _spz.encoded(some(3))
+    assert data == _spz.encode(some(3))
 
 
 def test_fraction_bits_cover_the_reach_and_are_as_few_as_needed() -> None:
@@ -78,7 +78,7 @@ def test_fraction_bits_cover_the_reach_and_are_as_few_as_needed() -> None:
 
 def test_a_file_may_be_empty() -> None:
     for version in (2, 3):
-        assert len(spz_rows(_spz.encoded(NO_GAUSSIANS, version=version), version).middle) == 0
+        assert len(spz_rows(_spz.encode(NO_GAUSSIANS, version=version), version).middle) == 0
 
 
 @pytest.mark.slow
@@ -87,7 +87,7 @@ def test_the_reference_implementation_agrees(tmp_path: Path) -> None:
     gaussians = some(200)
     versions = (2, 3)
     for version in versions:
-        (tmp_path / f"{version}.spz").write_bytes(_spz.encoded(gaussians, version=version))
+        (tmp_path / f"{version}.spz").write_bytes(_spz.encode(gaussians, version=version))
     (tmp_path / "profile").mkdir()
     job = {"files": [f"/bundles/a/{version}.spz" for version in versions]}
     answer = answer_of("spz.mjs", job, tmp_path / "profile", {"a": tmp_path})

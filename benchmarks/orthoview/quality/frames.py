@@ -123,7 +123,7 @@ def orthoviews(path: str, half: float) -> tuple[Callable[[nf.Camera], Any], Row]
         return float(np.abs(middle[[0, 2]]).max()) <= half
 
     def draw(camera: nf.Camera) -> Any:
-        cut = viewer.cutter.whole(camera, Settings())
+        cut = viewer.cutter.complete_cut(camera, Settings())
         views = cut.keys()
         keys = [key for key in views if is_in_square(*key[:2])]
         leaves = viewer.cutter.with_guests([leaf for leaf in cut.leaf_places() if is_in_square(0, leaf)])

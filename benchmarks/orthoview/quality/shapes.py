@@ -82,8 +82,8 @@ def tree_table(worlds: list[World], trees: Path) -> str:
         tree = open_tree(world.build(trees), len(layout_of().directions))
         shown = [seen.Truth(world, onto, tree.bounds) for onto in world.from_air()]
         for views in (1, 3):
-            for name, decoded in (("ours", _codec.decoded), ("ellipses", _surfels)):
-                with mock.patch.object(_codec, "decoded", decoded):
+            for name, decoded in (("ours", _codec.decode), ("ellipses", _surfels)):
+                with mock.patch.object(_codec, "decode", decoded):
                     found = seen.mean([seen.compare(truth, tree, seen.Setting(views)) for truth in shown])
                 shares = (100 * share for share in (found.holes, found.through, found.before, found.false))
                 rows.append([f"{world.name}, air", views, name, found.psnr, found.ssim, *shares])
@@ -91,7 +91,7 @@ def tree_table(worlds: list[World], trees: Path) -> str:
     return table("Pictures of trees", f"place | views | splats | {HEADER.replace('%', '% {:.2f}')}", rows)
 
 
-def _surfels(*arguments: Any, decoded: Callable[..., Any] = _codec.decoded) -> Any:
+def _surfels(*arguments: Any, decoded: Callable[..., Any] = _codec.decode) -> Any:
     """Decode views with all pixels connected."""
     views, bits = decoded(*arguments)
     return views, np.full_like(bits, 15)

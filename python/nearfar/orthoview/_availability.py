@@ -78,7 +78,7 @@ def write(folder: Path, levels: int, leaves: NDArray[np.int64], box_of: Callable
         of_roots = np.empty((len(starts), 2, 3))
         for number, rows in enumerate(np.split(order, starts[1:])):
             inner = np.array([box_of(_place(row)) for row in cells[rows]]) if boxes is None else boxes[rows]
-            data, of_roots[number] = _encoded(numbers[rows], depth, levels_of_subtree, inner, has_content=boxes is None)
+            data, of_roots[number] = _encode(numbers[rows], depth, levels_of_subtree, inner, has_content=boxes is None)
             x, y, z = _place(roots[rows[0]])
             files.write(folder / NAME.format(level=first_level, x=x, y=y, z=z), data)
         cells, boxes = roots[order[starts]], of_roots
@@ -108,7 +108,7 @@ def _place(row: NDArray[np.int64]) -> Place:
     return x, y, z
 
 
-def _encoded(
+def _encode(
     numbers: NDArray[np.int64], depth: int, levels: int, boxes: Floats, *, has_content: bool
 ) -> tuple[bytes, Floats]:
     """Encode a subtree; also return the bounding box of its content.

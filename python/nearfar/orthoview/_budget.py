@@ -31,7 +31,7 @@ ERROR_RATIO = 1.002
 
 
 @dataclass(frozen=True)
-class Fitted:
+class Fit:
     """A cut and its splats."""
 
     cut: OrthoCut
@@ -57,7 +57,7 @@ class Fitter:
     def __init__(self, cutter: Cutter, views: Views) -> None:
         self._cutter, self._views = cutter, views
 
-    def fit(self, camera: Camera, settings: Settings) -> Fitted:
+    def fit(self, camera: Camera, settings: Settings) -> Fit:
         """Find the cut of the least error, not below the settings' error, whose splats fit the budget.
 
         If even the greatest error exceeds the budget, views are left out: those of farther cells first, the third
@@ -67,10 +67,10 @@ class Fitter:
         if budget is None:
             return self._fit_at(camera, settings)
         low, high, best = settings.error_px, settings.error_px * MAX_ERROR_FACTOR, None
-        error = self._least(camera, settings, budget)
+        error = self._least_error(camera, settings, budget)
         for _ in range(MAX_CUTS):
             candidate = replace(settings, error_px=error)
-            were_known = all(map(self._views.is_counted, self._cutter.whole(camera, candidate).keys()))
+            were_known = all(map(self._views.is_counted, self._cutter.complete_cut(camera, candidate).keys()))
             fitted = self._fit_at(camera, candidate)
             is_within = fitted.count <= budget
             best = fitted if is_within else best
@@ -78,7 +78,7 @@ class Fitter:
             if not settings.continuous:
                 if were_known:
                     break
-                error = self._least(camera, settings, budget)
+                error = self._least_error(camera, settings, budget)
                 continue
             is_filled = fitted.count >= MIN_FILL * budget or error == settings.error_px
             if (is_within and is_filled) or high <= low * ERROR_RATIO:
@@ -87,17 +87,17 @@ class Fitter:
             error *= math.sqrt(max(fitted.count, 1) / budget) * ERROR_RATIO
             if not low < error < high:
                 error = math.sqrt(low * high)
-        return best or _without_some(fitted, budget)
+        return best or _drop_views(fitted, budget)
 
-    def _fit_at(self, camera: Camera, settings: Settings) -> Fitted:
-        cut = self._cutter.whole(camera, settings)
+    def _fit_at(self, camera: Camera, settings: Settings) -> Fit:
+        cut = self._cutter.complete_cut(camera, settings)
         layers: list[Sequence[_core.OrthoSplats]] = list(self._views.layers(cut.keys()))
         if settings.continuous:
             rule = self._cutter.rule(camera, settings)
             layers = list(_core.blend_orthoviews(_kernel_views(cut, cut.keys(), layers), rule))
-        return Fitted(cut, settings.error_px, layers)
+        return Fit(cut, settings.error_px, layers)
 
-    def _least(self, camera: Camera, settings: Settings, aim: int) -> float:
+    def _least_error(self, camera: Camera, settings: Settings, aim: int) -> float:
         """Least error at which at most `aim` splats are expected."""
         low, high = math.log(settings.error_px), math.log(settings.error_px * MAX_ERROR_FACTOR)
         if self._expected(camera, settings) <= aim:
@@ -110,7 +110,7 @@ class Fitter:
 
     def _expected(self, camera: Camera, settings: Settings) -> float:
         """Estimate the number of splats of a cut from the counts of views that are known so far."""
-        cut = self._cutter.whole(camera, settings)
+        cut = self._cutter.complete_cut(camera, settings)
         keys = cut.keys()
         if not settings.continuous:
             return sum(map(self._views.expected, keys))
@@ -128,7 +128,7 @@ def _kernel_views(
     return [(splats, level, place, n, is_partial) for (level, place, n), splats, is_partial in rows if splats]
 
 
-def _without_some(fitted: Fitted, budget: int) -> Fitted:
+def _drop_views(fitted: Fit, budget: int) -> Fit:
     """Keep the first views of all cells, then the second ones and so on, while the budget lasts."""
     ranks = np.argwhere(fitted.cut.directions >= 0)[:, 1]
     remaining, numbers = budget, []

@@ -118,12 +118,12 @@ def build(
     )
     _store.begin(target, layout)
     with locks.hold(target / FOLDER / "lock", f"another build writes into {target}"):
-        outcome = _built(world, target, layout, cluster)
-        _store.end(target, failed=outcome.failed, done=outcome.counts)
+        outcome = _build(world, target, layout, cluster)
+        _store.finish(target, failed=outcome.failed, done=outcome.counts)
     return OrthoTree(target)
 
 
-def _built(source: SceneSource, target: Path, layout: Layout, cluster: Any) -> Outcome:
+def _build(source: SceneSource, target: Path, layout: Layout, cluster: Any) -> Outcome:
     if cluster is None:
         with progress.bar("orthoviews") as report:
             return Leaves(source, target, layout).run(report)

@@ -51,8 +51,8 @@ class Chunks:
         read.
         """
         ranges = self._locate(keys)
-        parts = iter(self._files.parts([found for found in ranges if found is not None]))
-        return [None if found is None else _shard.complete(next(parts), found) for found in ranges]
+        parts = iter(self._files.read_parts([found for found in ranges if found is not None]))
+        return [None if found is None else _shard.check_complete(next(parts), found) for found in ranges]
 
     def read_views(
         self, level: int, place: Place, directions: Iterable[int] | None = None
@@ -66,7 +66,7 @@ class Chunks:
         """Read a geometry file; None if it does not exist, or if an update removed it."""
         for generation in self._generations:
             if generation.has_geometry is None or generation.has_geometry(name):
-                content = self._files.whole(generation.folder + name)
+                content = self._files.read(generation.folder + name)
                 if content is None and generation.has_geometry is not None:
                     raise UnusableError(f"{generation.folder}{name}: the file is gone")
                 return content or None
@@ -114,6 +114,6 @@ class Chunks:
         for name in sides.keys() - uncached.keys():
             self._indexes.move_to_end(name)
         lengths = {name: _shard.index_length(side) for name, side in uncached.items()}
-        parts = self._files.parts([ByteRange(name, -length, length) for name, length in lengths.items()])
+        parts = self._files.read_parts([ByteRange(name, -length, length) for name, length in lengths.items()])
         for (name, side), end in zip(uncached.items(), parts, strict=True):
             self._indexes[name] = None if end is None else _shard.index_of(f"{self._files.place}/{name}", end, side)

@@ -34,17 +34,17 @@ def drop_unneeded_layers(views: _core.OrthoViews, layout: Layout) -> _core.Ortho
     return views.keep_behind([unseen_share > MIN_UNSEEN_SHARE for unseen_share in views.unseen()])
 
 
-def encoded(views: _core.OrthoViews | None, layout: Layout) -> Encoded:
+def encode(views: _core.OrthoViews | None, layout: Layout) -> Encoded:
     """Compress both layers of a cell's views; an empty cell has none."""
     if views is None:
         return {}
     second = views.second_layer()
-    behind = {} if second is None else _encoded(second, layout)
+    behind = {} if second is None else _encode_layer(second, layout)
     named = {(number, BEHIND + channel): chunk for (number, channel), chunk in behind.items()}
-    return _encoded(views, layout) | named
+    return _encode_layer(views, layout) | named
 
 
-def _encoded(views: _core.OrthoViews, layout: Layout) -> Encoded:
+def _encode_layer(views: _core.OrthoViews, layout: Layout) -> Encoded:
     from numcodecs.zstd import Zstd
 
     from nearfar._base import side_by_side  # imported here: its threads import `logging`
@@ -53,7 +53,7 @@ def _encoded(views: _core.OrthoViews, layout: Layout) -> Encoded:
     of_channel = {
         "color": views.colors(),
         "depth": views.depths().astype(layout.dtype("depth")) << CONNECTION_BITS | views.connected(CONNECTION_LIMITS),
-        "normal": _packed(views.normals(), layout.normal_bits),
+        "normal": _pack_normals(views.normals(), layout.normal_bits),
     }
     non_empty = [number for number, is_empty in enumerate(views.empty()) if not is_empty]
     pairs = [(number, channel) for number in non_empty for channel in CHANNELS]
@@ -62,20 +62,20 @@ def _encoded(views: _core.OrthoViews, layout: Layout) -> Encoded:
     def chunk(number: int, channel: str) -> bytes:
         values = np.ascontiguousarray(of_channel[channel][number])
         if channel == "color" and layout.color == "webp":
-            return _summed(_webp.encode(values, layout.quality, has_surface[number]))
+            return _with_checksum(_webp.encode(values, layout.quality, has_surface[number]))
         return bytes(compressor.encode(values))
 
     return dict(zip(pairs, side_by_side.results([partial(chunk, *pair) for pair in pairs]), strict=True))
 
 
-def _summed(data: bytes) -> bytes:
+def _with_checksum(data: bytes) -> bytes:
     """Append the CRC32C of the bytes, as Zarr's codec `crc32c` does."""
     import google_crc32c
 
     return data + int(google_crc32c.value(data)).to_bytes(4, "little")
 
 
-def _unsummed(chunk: bytes) -> bytes:
+def _without_checksum(chunk: bytes) -> bytes:
     import google_crc32c
 
     data = chunk[:-4]
@@ -91,15 +91,15 @@ def split_layers(chunks: Encoded) -> list[Encoded]:
     return [first, second] if second else [first]
 
 
-def both(chunks: Encoded, layout: Layout) -> _core.OrthoViews | None:
+def decode_cell(chunks: Encoded, layout: Layout) -> _core.OrthoViews | None:
     """Decode both layers of a cell's views; None for an empty cell."""
     if not chunks:
         return None
-    first, *second = (decoded(layer, layout)[0] for layer in split_layers(chunks))
+    first, *second = (decode(layer, layout)[0] for layer in split_layers(chunks))
     return _core.OrthoViews.with_behind(first, *second) if second else first
 
 
-def decoded(
+def decode(
     chunks: Encoded, layout: Layout, numbers: Sequence[int] | None = None
 ) -> tuple[_core.OrthoViews, NDArray[np.uint8]]:
     """Decode the first layer of a cell's views, and the connections (D, size, size, 1) of their pixels.
@@ -116,7 +116,7 @@ def decoded(
         for row, number in enumerate(numbers):
             if (number, channel) in chunks:
                 if channel == "color" and layout.color == "webp":
-                    values[row] = _webp.decode(_unsummed(chunks[number, channel]), layout.size)
+                    values[row] = _webp.decode(_without_checksum(chunks[number, channel]), layout.size)
                     continue
                 _decompress(compressor, chunks[number, channel], values[row])
         arrays[channel] = values
@@ -146,11 +146,11 @@ def _from_stored(
     """Unpack views and connections from a store's arrays (D, size, size, values)."""
     depths = (depth >> CONNECTION_BITS).astype(np.uint16)
     bits = (depth & ((1 << CONNECTION_BITS) - 1)).astype(np.uint8)
-    normals = _unpacked(normal, layout.normal_bits)
+    normals = _unpack_normals(normal, layout.normal_bits)
     return _core.OrthoViews.from_arrays(directions, layout.format, color, depths, normals), bits
 
 
-def _packed(normals: NDArray[np.uint16], bits: int) -> NDArray[np.uint8]:
+def _pack_normals(normals: NDArray[np.uint16], bits: int) -> NDArray[np.uint8]:
     """Pack two 8-bit numbers into two bytes, or two 12-bit numbers into three."""
     if bits == 16:
         return normals.astype(np.uint8)
@@ -158,7 +158,7 @@ def _packed(normals: NDArray[np.uint16], bits: int) -> NDArray[np.uint8]:
     return np.stack([x >> 4, (x & 15) << 4 | y >> 8, y & 255], axis=-1).astype(np.uint8)
 
 
-def _unpacked(packed: NDArray[np.uint8], bits: int) -> NDArray[np.uint16]:
+def _unpack_normals(packed: NDArray[np.uint8], bits: int) -> NDArray[np.uint16]:
     numbers = packed.astype(np.uint16)
     if bits == 16:
         return numbers

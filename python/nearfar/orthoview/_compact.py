@@ -34,7 +34,7 @@ def compact(store: Files, attributes: dict[str, Any], target: Path) -> None:
             report(done, len(subtrees))
             copy.write(subtree, shards)
         copy.images()
-        _store.end(folder, failed={}, done=attributes["done"])
+        _store.finish(folder, failed={}, done=attributes["done"])
 
 
 _BATCH = 64
@@ -93,7 +93,7 @@ class _Copy:
                 for key, length in zip(keys, self._chunks.lengths(keys), strict=True):
                     presence.add(key, length)
                 if known is None:
-                    known = self._merged(path, level, keys)
+                    known = self._merge(path, level, keys)
                 else:
                     self._copy(path, path)
             if known is not None:
@@ -125,7 +125,7 @@ class _Copy:
         places = (tuple(a + b for a, b in zip(corner, within, strict=True)) for within in depth_first(side))
         return [(x, y, z) for x, y, z in places if x < counts[0] and y < counts[1] and z < counts[2]]
 
-    def _merged(self, path: str, level: int, keys: list[tuple[int, Place, str]]) -> tuple[int, str] | None:
+    def _merge(self, path: str, level: int, keys: list[tuple[int, Place, str]]) -> tuple[int, str] | None:
         """Write a shard of the newest chunks; None if there are none."""
         writer, is_empty = ShardWriter(self._folder / path, self._layout.shard_side(level)), True
         for start in range(0, len(keys), _BATCH):
@@ -165,7 +165,7 @@ def verify(store: Files, newest: int) -> int:
 
 def _read_checked(store: Files, name: str, size: int, digest: str) -> bytes:
     """Read a file; FormatError if its size or SHA-256 is not the recorded one."""
-    content = store.whole(name)
+    content = store.read(name)
     if content is None:
         raise FormatError(f"{store.place}/{name}: damaged orthoviews: the file is gone")
     if len(content) != size:

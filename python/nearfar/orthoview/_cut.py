@@ -172,7 +172,7 @@ class Cutter:
             unknown=[(tier, (x, y, z)) for tier, (x, y, z) in unknown],
         )
 
-    def whole(self, camera: Camera, settings: Settings, *, around: bool = False) -> OrthoCut:
+    def complete_cut(self, camera: Camera, settings: Settings, *, around: bool = False) -> OrthoCut:
         """Cut with all subtrees that the cut needs; missing ones are read."""
         while True:
             cut = self.cut(camera, settings, around=around)

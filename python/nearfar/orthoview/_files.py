@@ -25,10 +25,10 @@ class Files(Protocol):
     place: str
     """The folder or URL, for messages."""
 
-    def whole(self, name: str) -> bytes | None:
+    def read(self, name: str) -> bytes | None:
         """Bytes of a file; None if it does not exist."""
 
-    def parts(self, wanted: Sequence[ByteRange]) -> list[bytes | None]:
+    def read_parts(self, wanted: Sequence[ByteRange]) -> list[bytes | None]:
         """Parts of files, shorter where a file ends; None for files that do not exist."""
 
 
@@ -44,14 +44,14 @@ class Local:
         files.restore(path)
         self.folder, self.place = path, os.fspath(path)
 
-    def whole(self, name: str) -> bytes | None:
+    def read(self, name: str) -> bytes | None:
         """Bytes of a file; None if it does not exist."""
         try:
             return (self.folder / name).read_bytes()
         except (FileNotFoundError, NotADirectoryError):
             return None
 
-    def parts(self, wanted: Sequence[ByteRange]) -> list[bytes | None]:
+    def read_parts(self, wanted: Sequence[ByteRange]) -> list[bytes | None]:
         """Read parts of files, one after the other."""
         return [self._part(part) for part in wanted]
 
@@ -71,7 +71,7 @@ class Remote:
         self._system, self._path = remote.system(url)
         self.place = url
 
-    def whole(self, name: str) -> bytes | None:
+    def read(self, name: str) -> bytes | None:
         """Bytes of a file; None if it does not exist."""
         with remote.as_os_errors(f"{self.place}/{name}", "read"):
             try:
@@ -79,7 +79,7 @@ class Remote:
             except FileNotFoundError:
                 return None
 
-    def parts(self, wanted: Sequence[ByteRange]) -> list[bytes | None]:
+    def read_parts(self, wanted: Sequence[ByteRange]) -> list[bytes | None]:
         """Read parts of files."""
         if not wanted:
             return []

@@ -253,10 +253,10 @@ class Flight(Pictured):
             if newer is None:
                 return False
             if self._pilot.camera is not None:  # read the subtrees of the current picture before switching
-                newer.viewer.cutter.whole(self._pilot.camera, self._pilot.settings)
+                newer.viewer.cutter.complete_cut(self._pilot.camera, self._pilot.settings)
             self._opened = newer
             self._viewer = newer.viewer
-            self._pilot.take(newer.viewer.cutter)
+            self._pilot.switch_to(newer.viewer.cutter)
             return True
 
     def _plan(self, cameras: Sequence[Camera], time: float) -> Plan:
@@ -312,7 +312,7 @@ class Flight(Pictured):
     def _drawable(self, cell: Cell) -> frozenset[int]:
         level, place = cell
         views = self._viewer.views.of_cell(level, place)
-        return views | {GEOMETRY} if level == 0 and self._viewer.near.keeps(place) else views
+        return views | {GEOMETRY} if level == 0 and self._viewer.near.has_any_version(place) else views
 
     def _read(self, parts: Sequence[Part]) -> None:
         viewer = self._viewer
@@ -323,9 +323,9 @@ class Flight(Pictured):
                 viewer.cutter.learn(tier, place)
         else:
             viewer.views.load(parts)
-            self._bring(parts)
+            self._upload(parts)
 
-    def _bring(self, parts: Sequence[Part]) -> None:
+    def _upload(self, parts: Sequence[Part]) -> None:
         """Upload views to the drawing adapter before a picture shows them."""
         device = self._device
         if device is None:

@@ -113,7 +113,7 @@ class FlownTree(ShownTree):
         speed = np.zeros(3) if velocity is None else np.array(check.vector("velocity", velocity))
         length = float(np.linalg.norm(speed))
         eye_camera, cutter = _camera_at(model, np.array(eye)), self._viewer.cutter
-        ahead = smallest(cutter.whole(eye_camera, settings, around=True), cutter.grid)
+        ahead = smallest(cutter.complete_cut(eye_camera, settings, around=True), cutter.grid)
         places = np.array(eye) + offsets(ahead, speed / length if length > MIN_SPEED else None)
         cameras = [_camera_at(model, place) for place in places]
         while True:

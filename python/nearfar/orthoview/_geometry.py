@@ -22,7 +22,7 @@ from nearfar._scene.moving_rows import rows_of
 from nearfar._scene.scene import Scene
 from nearfar._scene.texture_file import encode_texture
 from nearfar.orthoview._grid import Grid, Place
-from nearfar.orthoview._owners import owned
+from nearfar.orthoview._owners import owned_mask
 
 MAX_STEP = 2.0**-10
 """Greatest step of positions, metres: meshes placed once are off by at most half a step, instances by one step."""
@@ -68,12 +68,12 @@ class Images:
         if name not in self._known and not path.exists():
             self._folder.mkdir(parents=True, exist_ok=True)
             with files.atomic_file(path) as temporary:
-                files.write(temporary, encode_texture(_fitting(texels), QUALITY))
+                files.write(temporary, encode_texture(_shrink_to_fit(texels), QUALITY))
         self._known.add(name)
         return name
 
 
-def _fitting(texels: NDArray[np.uint8]) -> NDArray[np.uint8]:
+def _shrink_to_fit(texels: NDArray[np.uint8]) -> NDArray[np.uint8]:
     """Halve a texture until it fits into a WebP image."""
     while max(texels.shape[:2]) > _WIDEST:
         texels = _core.halved_texture(texels, times=1, cutout=False)
@@ -87,12 +87,12 @@ def cell_glb(part: Scene, grid: Grid, place: Place, images: Images | None = None
     The `extras` of the GLB's `asset` have the number of `triangles`, the greatest `error` of a position along an axis,
     and the `box` of all, metres. Triangles without area after their corners are rounded are left out.
     """
-    is_owned = _mine(part, grid, place, moving=False)
+    is_owned = _owned_triangles(part, grid, place, moving=False)
     if not is_owned.any():
         return None
     core = part._core if is_owned.all() else part._core.subset_of_triangles(is_owned)
     middle = _middle(grid, place)
-    return _encoded(_about(core, middle), step_of(grid), images, [])
+    return _encode(_relative_to(core, middle), step_of(grid), images, [])
 
 
 def moving_glb(part: Scene, grid: Grid, place: Place, images: Images | None = None) -> bytes | None:
@@ -101,12 +101,12 @@ def moving_glb(part: Scene, grid: Grid, place: Place, images: Images | None = No
     Each node is an instance with the name of its object. The `extras` also have `moving`, a row for each node in order:
     its `object`, and its load `transform` and its placement at `rest` if they are not the defaults.
     """
-    is_owned = _mine(part, grid, place, moving=True)
+    is_owned = _owned_triangles(part, grid, place, moving=True)
     if not is_owned.any():
         return None
     movers = part.subset(triangles=is_owned)
     object_count = int(movers._core.moving_objects().max()) + 1
-    data = _encoded(_about(movers._core, None), step_of(grid), images, list(movers.object_names[:object_count]))
+    data = _encode(_relative_to(movers._core, None), step_of(grid), images, list(movers.object_names[:object_count]))
     if data is None:
         return None
     document, _ = glb.header(data)
@@ -114,12 +114,12 @@ def moving_glb(part: Scene, grid: Grid, place: Place, images: Images | None = No
     return glb.with_document(data, document)
 
 
-def _mine(part: Scene, grid: Grid, place: Place, *, moving: bool) -> NDArray[np.bool_]:
+def _owned_triangles(part: Scene, grid: Grid, place: Place, *, moving: bool) -> NDArray[np.bool_]:
     """Mask (T,) of the moving, or of the static triangles that belong to a leaf; static ones come first."""
     static_count = part._core.standing_triangle_count
     if moving and static_count == part.triangle_count:
         return np.zeros(part.triangle_count, bool)
-    is_owned = owned(part, grid, place)
+    is_owned = owned_mask(part, grid, place)
     is_owned[slice(0, static_count) if moving else slice(static_count, None)] = False
     return is_owned
 
@@ -131,7 +131,7 @@ def _middle(grid: Grid, place: Place) -> NDArray[np.float64]:
     return middle
 
 
-def _about(core: _core.Scene, origin: NDArray[np.float64] | None) -> _core.Scene:
+def _relative_to(core: _core.Scene, origin: NDArray[np.float64] | None) -> _core.Scene:
     """The same scene relative to another origin, without unused textures."""
     parts = _core.scene_parts(core)
     if origin is not None:
@@ -160,7 +160,7 @@ def _prune(parts: dict[str, Any], meshes: NDArray[np.uint64]) -> None:
     parts["textures"] = [texels for texels, is_shown in zip(parts["textures"], is_used, strict=False) if is_shown]
 
 
-def _encoded(core: _core.Scene, step: float, images: Images | None, names: list[str]) -> bytes | None:
+def _encode(core: _core.Scene, step: float, images: Images | None, names: list[str]) -> bytes | None:
     """Encode a scene as a GLB; None if rounding leaves no face with an area."""
     uris: list[str | None] = [None] * core.texture_count
     if images is not None and uris:

@@ -50,9 +50,9 @@ class Near:
         """Whether a leaf is cached in its newest version."""
         return place in self._leaves
 
-    def keeps(self, place: Place) -> bool:
+    def has_any_version(self, place: Place) -> bool:
         """Whether a leaf is cached, in any version."""
-        return self._leaves.keeps(place)
+        return self._leaves.has_any_version(place)
 
     def take_over(self, older: Near, changed: Callable[[Place], bool]) -> None:
         """Take the cached leaves of an older generation; changed ones serve until they are read again."""

@@ -84,7 +84,7 @@ class NearFarTree(FlownTree, Divided):
             raise ValueError(f"{self.path}: expected a tree with geometry, see nearfar.orthoview.build")
         viewer = self._viewer
         leaves = self._leaves_within(axis_point, reach)
-        self._know(leaves)
+        self._learn_records(leaves)
         leaves = viewer.cutter.with_guests(leaves)
         parts = [scene for scene in (viewer.near.scene(leaves), self._movers) if scene is not None]
         return join_scenes(parts) if parts else None
@@ -134,7 +134,7 @@ class NearFarTree(FlownTree, Divided):
             raise ValueError(f"channels: expected names of {', '.join(CHANNELS)}, got {', '.join(sorted(unknown))}")
         view_settings, viewer = settings_of(views, error_px, True), self._viewer
         cameras = [Camera((x, y, z), fov=CubeFace(face), size=(size, size)) for face in range(FACES)]
-        cuts = [viewer.cutter.whole(camera, view_settings) for camera in cameras]
+        cuts = [viewer.cutter.complete_cut(camera, view_settings) for camera in cameras]
         near_leaves = viewer.near.scene(viewer.cutter.with_guests([leaf for cut in cuts for leaf in cut.leaf_places()]))
         splats = [self._far_splats(camera, cut, reach) for camera, cut in zip(cameras, cuts, strict=True)]
         parts = _FarParts(cameras, splats, near_leaves, reach)
@@ -171,13 +171,13 @@ class NearFarTree(FlownTree, Divided):
         for key in keys:
             level, place, _ = key
             layers = views.cached_layers(key)
-            if _from_axis(self._layout.grid.box(level, place), center) < radius:
+            if _distance_from_axis(self._layout.grid.box(level, place), center) < radius:
                 layers = tuple(splats.outside_cylinder(camera.position, radius) for splats in layers)
             far_splats += layers
         views.trim(set(keys))
         return far_splats
 
-    def _know(self, leaves: list[Place]) -> None:
+    def _learn_records(self, leaves: list[Place]) -> None:
         """Read the records of the leaves' subtrees, which list guests, unless a cut has read them."""
         cutter, side = self._viewer.cutter, self._layout.shard_side(0)
         for x, y, z in dict.fromkeys((x // side, y // side, z // side) for x, y, z in leaves):
@@ -194,10 +194,10 @@ class NearFarTree(FlownTree, Divided):
             ranges.append(range(max(first, 0), min(last + 1, grid.counts[axis])))
         columns, rows = ranges
         places = itertools.product(columns, range(grid.counts[1]), rows)
-        return [place for place in places if _from_axis(grid.box(0, place), center) <= radius]
+        return [place for place in places if _distance_from_axis(grid.box(0, place), center) <= radius]
 
 
-def _from_axis(box: NDArray[np.float64], center: NDArray[np.float64]) -> float:
+def _distance_from_axis(box: NDArray[np.float64], center: NDArray[np.float64]) -> float:
     """Least distance of a box from the vertical axis through a point, metres."""
     nearest = np.clip(center, box[0], box[1]) - center
     return math.hypot(nearest[0], nearest[2])

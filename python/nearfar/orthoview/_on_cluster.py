@@ -55,16 +55,16 @@ def subtrees(source: SceneSource, folder: Path, layout: Layout, client: Any) -> 
     """
     pickled = (folder / FOLDER / "source.pickle").absolute()
     try:
-        _keep(source, pickled)
+        _write_source(source, pickled)
         job = _Job(folder.absolute(), layout, pickled, pickled.stat().st_mtime_ns)
         places = _places(source, folder, layout, layout.tiers - 1, (0, 0, 0))
-        with closing(cluster.in_order(partial(_built, job), places, client, ahead=SUBTREES_AHEAD)) as results:
-            yield _InTurn(results, layout)
+        with closing(cluster.in_order(partial(_build, job), places, client, ahead=SUBTREES_AHEAD)) as results:
+            yield _InOrder(results, layout)
     finally:
         pickled.unlink(missing_ok=True)
 
 
-def _keep(source: SceneSource, path: Path) -> None:
+def _write_source(source: SceneSource, path: Path) -> None:
     """Write the source to a file for the workers: as part of each task it would pass through the scheduler."""
     with files.atomic_file(path) as temporary, temporary.open("wb") as file:
         try:
@@ -102,7 +102,7 @@ def _places(source: SceneSource, folder: Path, layout: Layout, tier: int, place:
         yield from descend(min(top, root), place)
 
 
-class _InTurn:
+class _InOrder:
     """Returns the cluster's outcomes in order."""
 
     def __init__(self, results: Iterator[_Sent], layout: Layout) -> None:
@@ -115,14 +115,14 @@ class _InTurn:
         if self._next is None or self._next.place != place:
             return None
         sent, self._next = self._next, None
-        views = _codec.both(sent.chunks, self._layout.lossless)
+        views = _codec.decode_cell(sent.chunks, self._layout.lossless)
         return Outcome(views, sent.is_complete, sent.failed, counts=sent.counts)
 
 
-def _built(job: _Job, place: Place, report: progress.Report) -> _Sent:
+def _build(job: _Job, place: Place, report: progress.Report) -> _Sent:
     """Build a subtree in a worker."""
     outcome = Leaves(_source(job.source, job.changed), job.folder, job.layout).run_one(place, report)
-    chunks = _codec.encoded(outcome.views, job.layout.lossless)
+    chunks = _codec.encode(outcome.views, job.layout.lossless)
     counts = outcome.counts + Counter(sent=len(chunks))
     return _Sent(place, chunks, outcome.is_complete, outcome.failed, counts)
 

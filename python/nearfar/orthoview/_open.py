@@ -84,19 +84,19 @@ class Opened:
 def _changed_views(layout: Layout, overlays: list[Generation]) -> Callable[[ViewKey], bool]:
     """Return whether generations may have changed a view: one of them has a shard with its place."""
 
-    def changed(key: ViewKey) -> bool:
+    def is_changed(key: ViewKey) -> bool:
         level, place, direction = key
         path = layout.shard_path((level, place, layout.array(level, direction, CHANNELS[0])))
         return any(overlay.has_shard is not None and overlay.has_shard(path) for overlay in overlays)
 
-    return changed
+    return is_changed
 
 
 def _changed_leaves(grid: Grid, overlays: list[Generation]) -> Callable[[Place], bool]:
     """Return whether one of the generations has another file of a leaf."""
 
-    def changed(place: Place) -> bool:
+    def is_changed(place: Place) -> bool:
         checks = [overlay.has_geometry for overlay in overlays]
         return any(has_file is not None and any(map(has_file, names(grid, place))) for has_file in checks)
 
-    return changed
+    return is_changed

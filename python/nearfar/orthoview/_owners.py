@@ -28,7 +28,7 @@ from nearfar.orthoview._presence import pack, unpack
 Floats = NDArray[np.float64]
 
 
-def owned(part: Scene, grid: Grid, place: Place) -> NDArray[np.bool_]:
+def owned_mask(part: Scene, grid: Grid, place: Place) -> NDArray[np.bool_]:
     """Whether each triangle (T,) of the query of a leaf's box belongs to the leaf."""
     anchors = _anchors(part.triangles(), *_sides(grid, (0, 0, 0), grid.counts, part))
     low, high = _sides(grid, place, (place[0] + 1, place[1] + 1, place[2] + 1), part)

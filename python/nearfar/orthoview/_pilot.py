@@ -159,7 +159,7 @@ class Pilot:
         """Settings with the error now in force."""
         return replace(self._settings, error_px=self._error)
 
-    def take(self, cutter: Cutter) -> None:
+    def switch_to(self, cutter: Cutter) -> None:
         """Switch to a newer generation of the tree."""
         self._cutter, self._renewed = cutter, None
 
@@ -181,7 +181,7 @@ class Pilot:
         cut, coming = self._cut(camera, held)
         wanted = self.parts_of_cut(cut)
         if not self._base:
-            self._base = self._top(camera)
+            self._base = self._coarsest_views(camera)
         # A finer picture is read last.
         later = [*soon, *coming] if self._wished < self._error else [*coming, *soon]
         cuts_beside = [self._cutter.cut(cut_beside, self.settings) for cut_beside in self._beside]
@@ -215,7 +215,7 @@ class Pilot:
             return next_cut, []
         return current, coming
 
-    def _top(self, camera: Camera) -> list[Part]:
+    def _coarsest_views(self, camera: Camera) -> list[Part]:
         """Coarsest views, parts of which stand in for all cells not yet read."""
         coarsest = replace(self._settings, error_px=1e30, geometry=False)
         return self._cutter.cut(camera, coarsest, around=True).keys()

@@ -30,7 +30,7 @@ class Presence:
         self._cells: set[tuple[int, Place]] = set()
         self._chunks, self._bytes = 0, 0
 
-    def computed(self, level: int, place: Place) -> None:
+    def add_computed(self, level: int, place: Place) -> None:
         """Record that a cell has been computed, so that its mask no longer is `AS_BEFORE`."""
         _, within = self._layout.shard_of(level, place)
         mask = self._masks[level - self._lowest]

@@ -29,7 +29,7 @@ class Recent(Generic[Key, Value]):
         with self._lock:
             return key in self.values and key not in self._old
 
-    def keeps(self, key: Key) -> bool:
+    def has_any_version(self, key: Key) -> bool:
         """Whether a value is cached, in any version."""
         return key in self.values
 

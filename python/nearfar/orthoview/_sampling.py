@@ -48,9 +48,9 @@ def _candidates(source: SceneSource, grid: Grid) -> Iterator[Place]:
     if isinstance(source, Scene) and 0 < source.triangle_count <= _MAX_TRIANGLES:
         yield from _of_triangles(source, grid)
     if getattr(source, "touches", None) is None:
-        yield from _drawn_evenly(grid)
+        yield from _sample_evenly(grid)
     else:
-        yield from _descended(source, grid)
+        yield from _descend(source, grid)
 
 
 def _of_triangles(scene: Scene, grid: Grid) -> Iterator[Place]:
@@ -69,7 +69,7 @@ def _of_triangles(scene: Scene, grid: Grid) -> Iterator[Place]:
     yield from _as_places(places[is_inside].astype(np.int64))
 
 
-def _drawn_evenly(grid: Grid) -> Iterator[Place]:
+def _sample_evenly(grid: Grid) -> Iterator[Place]:
     """Leaves of the grid, sampled uniformly."""
     total = grid.leaves(grid.levels - 1, (0, 0, 0))
     luck = random.uniform(_SEED, _EVENLY, np.arange(min(total, UNIFORM_LEAVES)))
@@ -81,16 +81,16 @@ def _as_places(rows: NDArray[np.int64]) -> Iterator[Place]:
     return ((int(x), int(y), int(z)) for x, y, z in rows)
 
 
-def _descended(source: SceneSource, grid: Grid) -> list[Place]:
+def _descend(source: SceneSource, grid: Grid) -> list[Place]:
     """Leaves that a source may touch. `touches` is called for the children of `CELLS_PER_LEVEL` cells on each level."""
     places: list[Place] = [(0, 0, 0)]
     for level in reversed(range(grid.levels - 1)):
         children = [child for place in places for _, child in grid.children(level + 1, place)]
-        places = _shuffled([child for child in children if may_touch(source, grid.box(level, child))], grid, level)
+        places = _shuffle([child for child in children if may_touch(source, grid.box(level, child))], grid, level)
     return places
 
 
-def _shuffled(places: list[Place], grid: Grid, level: int) -> list[Place]:
+def _shuffle(places: list[Place], grid: Grid, level: int) -> list[Place]:
     """At most `CELLS_PER_LEVEL` cells of a level in random order; a cell's rank key does not depend on other cells."""
     numbers = np.array([np.ravel_multi_index(place, grid.counts_at(level)) for place in places], np.uint64)
     order = np.argsort(random.uniform(_SEED, _DESCENT + level, numbers), kind="stable")

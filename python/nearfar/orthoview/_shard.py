@@ -92,7 +92,7 @@ class ShardWriter:
             return None
         with self._part.open("rb") as file:
             file.seek(start)
-            return complete(file.read(length), ByteRange(str(self._path), start, length))
+            return check_complete(file.read(length), ByteRange(str(self._path), start, length))
 
     def finish(self) -> tuple[int, str]:
         """Write the index and rename the file; return its size and the SHA-256 of its bytes."""
@@ -104,7 +104,7 @@ class ShardWriter:
         return self._size, self._hash.hexdigest()
 
 
-def holds(path: Path, size: int) -> bool:
+def has_bytes(path: Path, size: int) -> bool:
     """Whether a shard, finished or not, has at least `size` bytes."""
     part = path.with_name(path.name + PART)
     file = part if part.exists() else path
@@ -131,7 +131,7 @@ def index_of(name: str, end: bytes, side: int) -> NDArray[np.uint64]:
     return np.frombuffer(index, "<u8").reshape(side, side, side, 2)
 
 
-def complete(chunk: bytes | None, listed: ByteRange) -> bytes:
+def check_complete(chunk: bytes | None, listed: ByteRange) -> bytes:
     """Return a chunk; UnusableError if it is missing, or shorter than the shard's index says."""
     (name, start, length), chunk = listed, chunk or b""
     if len(chunk) < length:

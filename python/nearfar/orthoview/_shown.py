@@ -151,7 +151,7 @@ class ShownTree(StoredTree, Pictured):
         """
         settings = settings_of(views, error_px, geometry, continuous, gaze, lift_deg)
         checked_camera = check.instance("camera", camera, Camera)
-        return self._viewer.cutter.whole(checked_camera, settings, around=check.flag("around", around))
+        return self._viewer.cutter.complete_cut(checked_camera, settings, around=check.flag("around", around))
 
     def render(
         self,

@@ -158,10 +158,10 @@ def simulate(
 
     cache_size = check.integer("cache_bytes", cache_bytes, 0, 1 << 62)
     client = Client(plan, opened.sizes, link, cache_size, check.integer("seed", seed, 0, 2**63 - 1))
-    return flown(client, checked_cameras, frames)
+    return fly_through(client, checked_cameras, frames)
 
 
-def flown(client: Client, cameras: Sequence[Camera], rate: float) -> FlightLog:
+def fly_through(client: Client, cameras: Sequence[Camera], rate: float) -> FlightLog:
     """Run a client through the frames of a flight."""
     for number, camera in enumerate(cameras):
         client.frame(camera, number / rate)

@@ -16,7 +16,7 @@ from nearfar.orthoview._files import Files
 from nearfar.orthoview._gaussians import NO_GAUSSIANS, Gaussians, concatenate, gaussians_of
 from nearfar.orthoview._grid import Place
 from nearfar.orthoview._layout import Layout
-from nearfar.orthoview._thinned import Picture, seen_better
+from nearfar.orthoview._thinned import Picture, is_duplicate
 
 Sun = tuple[float, float, float] | None
 
@@ -62,20 +62,20 @@ class Cells:
         tier, level_of_subtree = divmod(level, self.layout.subtree)
         return int(self._cells(tier, shard).masks[level_of_subtree][within])
 
-    def below(self, finest: int) -> Iterator[tuple[int, Place]]:
+    def cells_down_to(self, finest: int) -> Iterator[tuple[int, Place]]:
         """Cells that show something, from the root down to level `finest`, each after its descendants."""
-        yield from self._below(self.layout.grid.levels - 1, (0, 0, 0), finest)
+        yield from self._cells_below(self.layout.grid.levels - 1, (0, 0, 0), finest)
 
     def cells_of_level(self, level: int) -> Iterator[tuple[int, Place]]:
         """Cells of a level that show something."""
-        return (cell for cell in self.below(level) if cell[0] == level)
+        return (cell for cell in self.cells_down_to(level) if cell[0] == level)
 
-    def _below(self, level: int, place: Place, finest: int) -> Iterator[tuple[int, Place]]:
+    def _cells_below(self, level: int, place: Place, finest: int) -> Iterator[tuple[int, Place]]:
         if not self.direction_mask(level, place):
             return
         if level > finest:
             for _, child in self.layout.grid.children(level, place):
-                yield from self._below(level - 1, child, finest)
+                yield from self._cells_below(level - 1, child, finest)
         yield level, place
 
     def chunks(self, level: int, place: Place) -> _codec.Encoded:
@@ -95,7 +95,7 @@ class Cells:
             surfaces = picture.surfaces()
             is_inside = ((low <= surfaces.middle) & (surfaces.middle <= high)).all(axis=1)
             pixels += int(is_inside.sum())
-            is_inside[is_inside] = ~seen_better(pictures, number, np.flatnonzero(is_inside))
+            is_inside[is_inside] = ~is_duplicate(pictures, number, np.flatnonzero(is_inside))
             parts.append(gaussians_of(surfaces.select(is_inside), picture.axes, picture.pitch, self._sun))
         return Cell(level, place, center, concatenate(parts), pixels)
 
@@ -109,7 +109,7 @@ class Cells:
         with formats.guarded(self._place, "orthoviews"):
             for layer in _codec.split_layers(chunks):
                 for number in dict.fromkeys(number for number, _ in layer):
-                    views, bits = _codec.decoded(layer, self.layout, (number,))
+                    views, bits = _codec.decode(layer, self.layout, (number,))
                     axes, extents = _core.orthoview_axes(self.layout.directions[number])
                     pictures.append(Picture.from_views(views, bits, np.array(axes), side * np.array(extents), steps))
         return pictures

@@ -83,7 +83,7 @@ def write(
     """
     bounds = cells.bounds()
     center = np.rint(bounds.mean(axis=0)) if is_gltf else np.zeros(3)
-    with _beside(target) as folder:
+    with _folder_beside(target) as folder:
         if not packed:
             gathered = _gather(cells, level, center, folder, tuple(gltf.ATTRIBUTES), gltf.columns)
             if gathered.count:
@@ -106,7 +106,7 @@ def write(
 
 
 @contextmanager
-def _beside(target: Path) -> Iterator[Path]:
+def _folder_beside(target: Path) -> Iterator[Path]:
     """Temporary folder beside the target, on the same disk; first removes folders that killed processes left."""
     parts = target.with_name(f"{target.name[:100]}.parts")
     aside.clear(parts)

@@ -108,7 +108,7 @@ def packed_start(
 
 def packed(gaussians: Gaussians, center: NDArray[np.float64], extras: Mapping[str, Any]) -> bytes:
     """Encode Gaussians as a GLB with an SPZ file inside."""
-    data = _spz.encoded(gaussians, version=2)
+    data = _spz.encode(gaussians, version=2)
     start = packed_start(len(gaussians), len(data), extent_of(gaussians), center, extras)
     return start + data + bytes(padding(len(data)))
 

@@ -81,10 +81,10 @@ class _Tree:
             node["children"] = children
         is_top = tile.level == self._grid.levels - 1
         if not is_top and (tile.level - self._finest) % _LEVELS == _LEVELS - 1:
-            node = self._apart(key, node)
+            node = self._write_separately(key, node)
         self._open[key], self._boxes[key] = node, box
 
-    def _apart(self, key: tuple[int, Place], node: dict[str, Any]) -> dict[str, Any]:
+    def _write_separately(self, key: tuple[int, Place], node: dict[str, Any]) -> dict[str, Any]:
         """Write a tile and its descendants into a separate document; return a tile that refers to it."""
         name = _name("tilesets", *key, "json")
         self._write(name, _with_rewritten_uris(node), node["geometricError"])
@@ -123,7 +123,7 @@ def write(folder: Path, cells: Cells, finest: int, *, packed: bool, extras: Mapp
     size, done = cells.layout.grid.leaves(cells.layout.grid.levels - 1, (0, 0, 0)), 0
 
     def jobs() -> Iterator[Callable[[], _Tile]]:
-        for level, place in cells.below(finest):
+        for level, place in cells.cells_down_to(finest):
             yield partial(_encode_tile, cells, cells.chunks(level, place), level, place, encode)
 
     with progress.bar("exporting") as report:

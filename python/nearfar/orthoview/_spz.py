@@ -73,7 +73,7 @@ def sections(gaussians: Gaussians, bits: int, version: int) -> dict[str, bytes]:
     }
 
 
-def encoded(gaussians: Gaussians, *, version: int = 3) -> bytes:
+def encode(gaussians: Gaussians, *, version: int = 3) -> bytes:
     """Encode Gaussians as a file, relative to their frame's origin."""
     reach = float(np.abs(gaussians.middle).max(initial=0.0))
     bits = fraction_bits(reach, float(gaussians.scale[:, :2].min(initial=1.0)))

@@ -124,7 +124,7 @@ def create(folder: Path, layout: Layout) -> None:
     layout.create(folder, {_KEY: formats.header(KIND, VERSION, color_space="sRGB") | attributes})
 
 
-def end(path: Path, *, failed: Mapping[str, str], done: Mapping[str, int]) -> None:
+def finish(path: Path, *, failed: Mapping[str, str], done: Mapping[str, int]) -> None:
     """Record the content of the store and the work of the build; a store without failures becomes complete."""
     if read(Local(path))["complete"]:
         return
@@ -174,7 +174,7 @@ def read(store: Files) -> dict[str, Any]:
 
 
 def _document(store: Files) -> dict[str, Any]:
-    content = store.whole(DOCUMENT)
+    content = store.read(DOCUMENT)
     if content is None:
         raise missing(store.place, DOCUMENT)
     place = f"{store.place}/{DOCUMENT}"
@@ -185,14 +185,14 @@ def _document(store: Files) -> dict[str, Any]:
     return document
 
 
-def overlay(number: int) -> str:
+def overlay_folder(number: int) -> str:
     """Folder of a generation below the store, with a trailing slash."""
     return f"{FOLDER}/generations/{number}/"
 
 
-def end_generation(path: Path, number: int, aabb: NDArray[np.float64], held: Mapping[str, int]) -> None:
+def finish_generation(path: Path, number: int, aabb: NDArray[np.float64], held: Mapping[str, int]) -> None:
     """Write the record of a generation from those of its subtrees."""
-    folder = path / overlay(number)
+    folder = path / overlay_folder(number)
     shards: Described = {}
     geometry: Described = {}
     cells: dict[str, dict[str, Any]] = {}
@@ -216,7 +216,7 @@ def generations(store: Files, newest: int) -> list[Generation]:
 
 
 def _generation(store: Files, number: int) -> Recorded:
-    folder = overlay(number)
+    folder = overlay_folder(number)
     document = _json(store, folder + _GENERATION_FILE, _GENERATION, _GENERATION_VERSION)
     return _recorded(store, folder + _GENERATION_FILE, folder, document)
 
@@ -293,7 +293,7 @@ def _cells_of(store: Files, layout: Layout, newest: int, listed: Listed) -> Call
 
 
 def _json(store: Files, name: str, kind: str, version: int, digest: str | None = None) -> dict[str, Any]:
-    content, place = store.whole(name), f"{store.place}/{name}"
+    content, place = store.read(name), f"{store.place}/{name}"
     if content is None:
         raise FormatError(f"{place}: expected a file that the store refers to, found none")
     if digest is not None and hashlib.sha256(content).hexdigest() != digest:

@@ -148,13 +148,14 @@ class StoredTree:
         with formats.guarded(self.path, "orthoviews"):
             contents = zip(CHANNELS, self._chunks.read(keys), strict=True)
             if chunks := {(direction_number, name): chunk for name, chunk in contents if chunk}:
-                views, bits = _codec.decoded(chunks, self._layout, (direction_number,))
+                views, bits = _codec.decode(chunks, self._layout, (direction_number,))
                 return self._view(views, bits, number, cell_place, self.directions[direction_number])
-        if (not prefix or self.view(level, place, direction) is None) and (reason := self._missing(number, cell_place)):
+        is_empty = not prefix or self.view(level, place, direction) is None
+        if is_empty and (reason := self._missing_reason(number, cell_place)):
             raise ValueError(f"place: the cell {cell_place} of level {number} is missing: {reason}")
         return None
 
-    def _missing(self, level: int, place: Place) -> str:
+    def _missing_reason(self, level: int, place: Place) -> str:
         """Reason why an empty cell may be missing; empty text if the cell is really empty."""
         if not self._is_complete and not self._failed:
             return "the build has not ended"
@@ -214,7 +215,7 @@ class StoredTree:
         leaf = self._place(0, place)
         with formats.guarded(self.path, "orthoviews"):
             content = self._chunks.geometry(names(self._layout.grid, leaf)[check.flag("moving", moving)])
-        if content is None and (reason := self._missing(0, leaf)):
+        if content is None and (reason := self._missing_reason(0, leaf)):
             raise ValueError(f"place: the leaf {leaf} is missing: {reason}")
         return content
 

@@ -20,7 +20,7 @@ from nearfar.orthoview._grid import Place
 from nearfar.orthoview._layout import FOLDER, Key, Layout
 from nearfar.orthoview._owners import Guests, encode_guests
 from nearfar.orthoview._presence import Presence
-from nearfar.orthoview._shard import Journal, ShardWriter, holds
+from nearfar.orthoview._shard import Journal, ShardWriter, has_bytes
 
 Views = _core.OrthoViews | None
 """Views of a cell; None for an empty cell."""
@@ -68,7 +68,7 @@ def write_record(path: Path, shards: Described, geometry: Described, presence: P
     formats.write_json(path, formats.header(RECORD, VERSION) | content)
 
 
-class Below(Protocol):
+class LowerCells(Protocol):
     """Interface of a subtree to the world and to the subtrees below."""
 
     unchanged: int
@@ -94,7 +94,7 @@ class Subtree:
     leaves. `below` provides the cells of this subtree's lowest level.
     """
 
-    def __init__(self, layout: Layout, store: Path, tier: int, place: Place, below: Below) -> None:
+    def __init__(self, layout: Layout, store: Path, tier: int, place: Place, below: LowerCells) -> None:
         self._layout, self._store, self._tier, self._place, self._below = layout, store, tier, place, below
         self._lowest, self._top = tier * layout.subtree, (tier + 1) * layout.subtree
         self._record = record_of(store, tier, place)
@@ -107,7 +107,7 @@ class Subtree:
         if self._record.exists():
             self._journal.remove()  # an earlier build may have ended before this
             self._below.pass_over(min(self._top, self._root), self._place)
-            return self._reloaded()
+            return self._reload()
         if not self._is_sound():
             self._journal.remove()  # data lost after a system crash: start the subtree again
         if self._top > self._root:
@@ -116,7 +116,7 @@ class Subtree:
             self._outcome.views, self._outcome.is_complete = self._build_parent(self._top, self._place)
         shards = self._finish_shards()
         if self._outcome.is_complete:
-            self._note(shards)
+            self._write_record(shards)
         return self._outcome
 
     @property
@@ -126,7 +126,7 @@ class Subtree:
     def _is_sound(self) -> bool:
         """Whether the shards have all bytes recorded in the journal."""
         sizes = self._journal.sizes().items()
-        return all(holds(self._store / self._layout.shard_path(key), size) for key, size in sizes)
+        return all(has_bytes(self._store / self._layout.shard_path(key), size) for key, size in sizes)
 
     def _views(self, level: int, place: Place) -> tuple[Views, bool]:
         """Views of a cell of this subtree, and whether everything below it is complete."""
@@ -178,12 +178,12 @@ class Subtree:
         Parents are composed of these, as in a build that resumes.
         """
         _, within = self._layout.shard_of(level, place)
-        encoded, keys = _codec.encoded(views, self._layout), self._layout.keys(level, place)
+        encoded, keys = _codec.encode(views, self._layout), self._layout.keys(level, place)
         removed = dict.fromkeys(self._below.chunks_before(level, place) - encoded.keys(), b"")
         chunks = {keys[pair]: chunk for pair, chunk in (encoded | removed).items()}
         written = {key[2]: self._writer(key).append(within, chunk) for key, chunk in chunks.items()}
         self._journal.add(level, place, written, guests)
-        return views if self._layout.quality is None else _codec.both(encoded, self._layout)
+        return views if self._layout.quality is None else _codec.decode_cell(encoded, self._layout)
 
     def _writer(self, key: Key) -> ShardWriter:
         """Writer of the shard that holds a chunk."""
@@ -204,7 +204,7 @@ class Subtree:
     def _decode(self, chunks: _codec.Encoded) -> Views:
         """Decode a cell's views, and count their chunks."""
         self._outcome.counts["reloaded"] += len(chunks)
-        return _codec.both(chunks, self._layout)
+        return _codec.decode_cell(chunks, self._layout)
 
     def _finish_shards(self) -> Described:
         """Write the index of all shards and rename them; return sizes and SHA-256 by path.
@@ -215,11 +215,11 @@ class Subtree:
         self._writers.clear()
         return shards
 
-    def _note(self, shards: Described) -> None:
+    def _write_record(self, shards: Described) -> None:
         """Write the record of a complete subtree."""
         presence = Presence(self._layout, self._tier, self._below.unchanged)
         for (level, place), chunks in self._journal.cells.items():
-            presence.computed(level, place)
+            presence.add_computed(level, place)
             for array, (_, length) in chunks.items():
                 presence.add((level, place, array), length)
         write_record(self._record, shards, self._geometry(), presence, self._journal.guests)
@@ -233,7 +233,7 @@ class Subtree:
         paths = [name for place in leaves for name in names(self._layout.grid, place)]
         return {path: size_and_hash(self._store / path) for path in paths if (self._store / path).exists()}
 
-    def _reloaded(self) -> Outcome:
+    def _reload(self) -> Outcome:
         """Outcome of a complete subtree: its views are composed again from those of its highest level."""
         if self._top > self._root:
             return self._outcome

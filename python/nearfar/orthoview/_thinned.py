@@ -106,7 +106,7 @@ class Picture:
         )
 
 
-def seen_better(pictures: list[Picture], number: int, rows: NDArray[np.int64]) -> NDArray[np.bool_]:
+def is_duplicate(pictures: list[Picture], number: int, rows: NDArray[np.int64]) -> NDArray[np.bool_]:
     """Whether other pictures of a cell show pixels of one of them better; `rows` are indices in its `surfaces()`."""
     picture_of_rows = pictures[number]
     surfaces = picture_of_rows.surfaces()

@@ -38,7 +38,7 @@ def update(path: Path, aabb: NDArray[np.float64], source: SceneSource) -> None:
         layout = Layout.from_described(attributes["layout"])
         _check_reach(layout, aabb, source)
         newest = int(attributes["generation"])
-        folder = path / _store.overlay(newest + 1)
+        folder = path / _store.overlay_folder(newest + 1)
         shutil.rmtree(folder, ignore_errors=True)  # left by an interrupted update
         chunks, _ = _store.open_generation(store, layout, newest)
         changed = Changed(source, folder, layout, chunks, aabb)
@@ -48,7 +48,7 @@ def update(path: Path, aabb: NDArray[np.float64], source: SceneSource) -> None:
         held.subtract(changed.replaced)
         written = _store.held_below(folder)
         held.update(written)
-        _store.end_generation(path, newest + 1, aabb, written)
+        _store.finish_generation(path, newest + 1, aabb, written)
         shutil.rmtree(folder / FOLDER)
         _store.change(path, generation=newest + 1, held=dict(held), done=dict(outcome.counts))
 
@@ -104,7 +104,7 @@ class Changed(Leaves):
         with formats.guarded(self.folder, "orthoviews"):
             if not self.layout.grid.touches(level, place, self._aabb):
                 chunks = self._chunks.read_views(level, place)
-                return Outcome(_codec.both(chunks, self.layout), counts=Counter(reloaded=len(chunks)))
+                return Outcome(_codec.decode_cell(chunks, self.layout), counts=Counter(reloaded=len(chunks)))
             had_views = any(self._chunks.lengths([*self.layout.keys(level, place).values()]))
         if had_views or self._had_geometry(level, place):
             return None

@@ -62,7 +62,7 @@ class Viewer:
         device: _core.GpuDevice | None = None,
     ) -> list[Images]:
         """Draw the pictures of a shot with moving objects, one for each camera."""
-        parts_by_camera = ((camera, self._gathered(camera, settings, movers)) for camera in shot.cameras)
+        parts_by_camera = ((camera, self._gather(camera, settings, movers)) for camera in shot.cameras)
         return [self.picture(camera, shot, parts, report, device) for camera, parts in parts_by_camera]
 
     def picture(
@@ -93,7 +93,7 @@ class Viewer:
             images |= {"stats": drawn["stats"] | parts.counts} | {name: drawn[name] for name in channels}
         return images
 
-    def _gathered(self, camera: Camera, settings: Settings, movers: Scene | None) -> Parts:
+    def _gather(self, camera: Camera, settings: Settings, movers: Scene | None) -> Parts:
         """Read a picture's parts, one picture at a time: threads may share the viewer."""
         with self._lock:
             fitted = self._fitter.fit(camera, settings)
@@ -120,11 +120,11 @@ def _geometry(
     if "position" in result:
         result["position"] += (scene.origin - origin).astype(np.float32)
     if "object_id" in result and parts.movers is not None:
-        result["object_id"] = _numbered(scene, parts.movers)[result["object_id"]]
+        result["object_id"] = _object_numbers(scene, parts.movers)[result["object_id"]]
     return result
 
 
-def _numbered(scene: Scene, movers: Scene) -> NDArray[np.int32]:
+def _object_numbers(scene: Scene, movers: Scene) -> NDArray[np.int32]:
     """Map a scene's object numbers to those of the moving objects, −1 for others; the last entry is for misses."""
     numbers = {name: number for number, name in enumerate(movers.object_names)}
     return np.array([*(numbers.get(name, -1) for name in scene.object_names), -1], np.int32)

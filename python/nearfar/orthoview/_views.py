@@ -89,8 +89,8 @@ class Views:
 
     def of_cell(self, level: int, place: Place) -> frozenset[int]:
         """Directions of a cell's cached views, of any version."""
-        count = len(self._layout.directions)
-        return frozenset(direction for direction in range(count) if self._kept.keeps((level, place, direction)))
+        keys = ((level, place, direction) for direction in range(len(self._layout.directions)))
+        return frozenset(key[2] for key in keys if self._kept.has_any_version(key))
 
     def take_over(self, older: Views, changed: Callable[[ViewKey], bool]) -> None:
         """Take the cached views of an older generation; changed ones serve until they are read again."""
@@ -133,5 +133,5 @@ class Views:
     def _decode(self, key: ViewKey, chunks: _codec.Encoded) -> Splats:
         level, place, direction = key
         cell = self._layout.grid.corner(level, place), self._layout.grid.side(level)
-        layers = (_codec.decoded(layer, self._layout, (direction,)) for layer in _codec.split_layers(chunks))
+        layers = (_codec.decode(layer, self._layout, (direction,)) for layer in _codec.split_layers(chunks))
         return tuple(_core.OrthoSplats(views, 0, bits, cell) for views, bits in layers)
