@@ -98,9 +98,9 @@ class Quality:
 def compare(truth: Truth, tree: nf.orthoview.OrthoTree, setting: Setting) -> Quality:
     """Draw a tree, and compare the picture with the truth."""
     viewer = tree._viewer
-    viewer.views._kept.trim((), 0)
+    viewer.views._cache.trim((), 0)
     viewer.near._leaves.trim((), 0)
-    viewer.near._last = (), None
+    viewer.near._joined = (), None
     before = viewer.views.read_bytes, viewer.near.read_bytes
     frame = setting.render(tree, truth.camera, samples=1)
     views, geometry = viewer.views.read_bytes - before[0], viewer.near.read_bytes - before[1]

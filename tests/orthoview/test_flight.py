@@ -118,7 +118,7 @@ def test_pictures_have_no_holes_while_views_arrive(tree: Tree, gate: Gate, monke
     with tree.fly(threads=1, prefetch=False) as flight:
         wait_until(lambda: flight.render(camera).stats["missing"] > 20)
         missing = []
-        coarsest = flight._pilot._base
+        coarsest = flight._pilot._coarsest
         while flight.waiting:
             gate.pass_some(1)
             frame = flight.render(camera)
@@ -137,14 +137,14 @@ def test_pictures_keep_parts_until_replacements_arrive(tree: Tree, flight: nf.or
     """Cells are wanted from another direction or level while nothing is read; forward and back."""
     camera = camera_at(tree, 60)
     first = whole(flight, lambda: flight.render(camera, time=0.0, channels=CHANNELS))
-    held = flight._before[0].parts()
+    held = flight._previous[0].parts()
     gate.close()
     for time, (distance, angle) in enumerate([(60, 0.9), (75, 0.3), (90, 0.3), (200, 0.3)], 1):
         moved = camera_at(tree, distance, angle)
         frame = flight.render(moved, time=time, channels=CHANNELS)
         right = tree.render(moved, channels=CHANNELS)
         assert frame.stats["missing"] > 0 == frame.stats["empty"]
-        assert len(flight._before[0].parts() & held) > len(held) / 4
+        assert len(flight._previous[0].parts() & held) > len(held) / 4
         assert (there(right) & ~there(frame)).sum() <= 0.05 * there(right).sum()
         both = there(right) & there(frame)
         off = np.abs(frame.require("range")[both] - right.require("range")[both])
@@ -196,10 +196,10 @@ def test_memory_keeps_needed_parts_and_little_else(tree: Tree) -> None:
                 flight.render(camera, time=time + 0.3)
                 plan = flight._pilot.plan(flight._has)
                 needed = {part for part in plan.order if part[2] not in (GEOMETRY, RECORD)}
-                assert needed <= set(views._kept.values)
-                own = sum(layer.bytes for key in needed for layer in views._kept.values[key])
+                assert needed <= set(views._cache.values)
+                own = sum(layer.bytes for key in needed for layer in views._cache.values[key])
                 assert views.cached_bytes == sum(
-                    layer.bytes for layers in views._kept.values.values() for layer in layers
+                    layer.bytes for layers in views._cache.values.values() for layer in layers
                 )
                 assert views.cached_bytes <= max(cache_bytes, own)
                 assert views.reads > reads

@@ -205,21 +205,21 @@ def test_a_fast_viewer_requests_a_coarser_picture(tree: Tree) -> None:
     assert limits[0] < 400
     step = next((n for n, limit in enumerate(limits) if limit >= 400), 10)
     assert step > 0
-    assert pilot._wished == pytest.approx(2.0 ** (step / 2))
+    assert pilot._target_error == pytest.approx(2.0 ** (step / 2))
 
 
 def test_a_coarser_picture_is_shown_when_loaded_or_when_the_finer_one_is_missing(tree: Tree) -> None:
     for held, is_coarse in ((everything, True), (nothing, True)):
         pilot, plan = fast(tree, held)
         assert (plan.error_px > 1.0) == is_coarse
-        assert plan.error_px == pilot._wished
+        assert plan.error_px == pilot._target_error
     # While only the finer picture is loaded, it stays; the coarser one is read before parts ahead.
     own = set(tree.cut(camera_at((0, 10, 0))).keys(in_picture=True))
     leaves = tree.cut(camera_at((0, 10, 0))).leaf_places(in_picture=True)
     own |= {(0, place, GEOMETRY) for place in tree._viewer.cutter.with_guests(leaves)}
     pilot, plan = fast(tree, own.__contains__)
-    assert plan.error_px == 1.0 < pilot._wished
-    coming = tree.cut(camera_at((0, 10, 0)), error_px=pilot._wished).keys(in_picture=True)
+    assert plan.error_px == 1.0 < pilot._target_error
+    coming = tree.cut(camera_at((0, 10, 0)), error_px=pilot._target_error).keys(in_picture=True)
     assert set(chain(*plan.wanted.values())) <= own
     assert set(coming) <= set(plan.order)
     wanted = [*chain(*plan.wanted.values())]
@@ -238,7 +238,7 @@ def test_a_finer_picture_is_shown_when_loaded(tree: Tree) -> None:
         pilot.look(camera_at((0, 10, 0)), time)
         plan = pilot.plan(held.__contains__)
         assert plan.error_px == coarse
-        assert pilot._wished == 1.0
+        assert pilot._target_error == 1.0
     fine = tree.cut(camera_at((0, 10, 0))).keys(in_picture=True)
     assert set(fine) <= set(plan.order)
     pilot.look(camera_at((0, 10, 0)), 14.0)
@@ -253,11 +253,11 @@ def test_a_picture_becomes_finer_with_slack_only(tree: Tree) -> None:
     for error_px, is_coarse in ((1.0, False), (4.0, True), (1.0, False)):
         pilot = pilot_of(tree, margin=None)
         measured(pilot, 6_000_000)
-        pilot._error = pilot._wished = error_px
+        pilot._error = pilot._target_error = error_px
         fly(pilot, (0, 10, 0), (speed, 0, 0), 30.0)
         pilot.plan(nothing)
-        assert pilot._wished == 1.0 or speed < pilot.limit < HYSTERESIS * speed
-        assert (pilot._wished > 1.0) == is_coarse
+        assert pilot._target_error == 1.0 or speed < pilot.limit < HYSTERESIS * speed
+        assert (pilot._target_error > 1.0) == is_coarse
         speed = pilot.limit / 1.2  # On a path of the same length, since it is longer than the smallest cell.
 
 

@@ -116,4 +116,4 @@ class Chunks:
         lengths = {name: _shard.index_length(side) for name, side in uncached.items()}
         parts = self._files.read_parts([ByteRange(name, -length, length) for name, length in lengths.items()])
         for (name, side), end in zip(uncached.items(), parts, strict=True):
-            self._indexes[name] = None if end is None else _shard.index_of(f"{self._files.place}/{name}", end, side)
+            self._indexes[name] = None if end is None else _shard.index_of(f"{self._files.address}/{name}", end, side)

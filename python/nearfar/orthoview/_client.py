@@ -46,9 +46,9 @@ class Client:
     ) -> None:
         self._planner, self._sizes, self._cache_bytes = planner, sizes, cache_bytes
         self._transport = Transport(link, seed=seed, at_once=AT_ONCE)
-        self._held: OrderedDict[Part, int] = OrderedDict()
-        self._asked: dict[str, tuple[Part, int]] = {}
-        self._awaited: set[Part] = set()
+        self._cache: OrderedDict[Part, int] = OrderedDict()
+        self._requests: dict[str, tuple[Part, int]] = {}
+        self._outstanding: set[Part] = set()
         self._queue: list[Part] = []
         self._bytes = 0
         self._received = Received()
@@ -56,47 +56,47 @@ class Client:
 
     def frame(self, camera: Camera, time: float) -> None:
         """Advance to a frame."""
-        had_requests = bool(self._awaited)
+        had_requests = bool(self._outstanding)
         self._advance(time)
-        plan = self._planner(camera, time, self._received, had_requests, self._held.__contains__)
+        plan = self._planner(camera, time, self._received, had_requests, self._cache.__contains__)
         wanted = list(chain(*plan.wanted.values()))
-        missing = [part for part in wanted if part not in self._held]
+        missing = [part for part in wanted if part not in self._cache]
         course = self.course
         course.missing.append(len(missing))
         course.wanted.append(len(wanted))
         course.error_px.append(plan.error_px)
         course.received.append(self._received.bytes)
         for part in wanted:
-            if part in self._held:
-                self._held.move_to_end(part)
+            if part in self._cache:
+                self._cache.move_to_end(part)
         self._trim({*plan.order, *wanted})
-        self._queue = [part for part in plan.order[::-1] if part not in self._held and part not in self._awaited]
-        self._ask()
+        self._queue = [part for part in plan.order[::-1] if part not in self._cache and part not in self._outstanding]
+        self._request()
 
     def _advance(self, time: float) -> None:
         """Receive what arrives until a time; each request slot that becomes free is used at once."""
         while (moment := self._transport.next_time()) <= time:
             for name in self._transport.advance(moment):
-                self._take(name)
-            self._ask()
+                self._receive(name)
+            self._request()
         self._transport.advance(time)
 
-    def _ask(self) -> None:
+    def _request(self) -> None:
         count = min(self._transport.free, len(self._queue))
         if not count:
             return
         parts = [self._queue.pop() for _ in range(count)]
         for part, size in zip(parts, self._sizes(parts), strict=True):
-            name = str(len(self._asked))
-            self._asked[name] = part, size
-            self._awaited.add(part)
+            name = str(len(self._requests))
+            self._requests[name] = part, size
+            self._outstanding.add(part)
             self.course.asked += size
             self._transport.ask(name, size)
 
-    def _take(self, name: str) -> None:
-        part, size = self._asked[name]
-        self._awaited.discard(part)
-        self._held[part] = size
+    def _receive(self, name: str) -> None:
+        part, size = self._requests[name]
+        self._outstanding.discard(part)
+        self._cache[part] = size
         self._bytes += size
         before = self._received
         if kind(part) == GEOMETRY:
@@ -107,7 +107,7 @@ class Client:
     def _trim(self, needed: set[Part]) -> None:
         if self._bytes <= self._cache_bytes:
             return
-        for part in [part for part in self._held if part not in needed]:
-            self._bytes -= self._held.pop(part)
+        for part in [part for part in self._cache if part not in needed]:
+            self._bytes -= self._cache.pop(part)
             if self._bytes <= self._cache_bytes:
                 return

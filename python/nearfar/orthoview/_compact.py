@@ -49,7 +49,7 @@ class _Copy:
         self._store, self._layout, self._folder = store, layout, folder
         self._chunks, self._read_cells = _store.open_generation(store, layout, newest)
         self._records = list(_store.recorded(store, newest))
-        self._known = {path: known for recorded in self._records for path, known in recorded.shards.items()}
+        self._size_and_digest = {path: known for recorded in self._records for path, known in recorded.shards.items()}
         self._geometry = self._newest_geometry()
 
     def subtrees(self) -> dict[Subtree, dict[str, tuple[int, str] | None]]:
@@ -75,7 +75,7 @@ class _Copy:
                 sources.pop(path, None)
                 if size:
                     sources[path] = recorded.folder + path
-                    self._known[recorded.folder + path] = size, digest
+                    self._size_and_digest[recorded.folder + path] = size, digest
         return sources
 
     def _subtree_of(self, path: str) -> Subtree:
@@ -89,7 +89,7 @@ class _Copy:
         for path, known in sorted(shards.items()):
             level, array = int(path.partition("/")[0]), "/".join(path.split("/")[:3])
             keys = [(level, place, array) for place in self._places(level, subtree[1])]
-            with formats.guarded(self._store.place, "orthoviews"):
+            with formats.guarded(self._store.address, "orthoviews"):
                 for key, length in zip(keys, self._chunks.lengths(keys), strict=True):
                     presence.add(key, length)
                 if known is None:
@@ -146,7 +146,7 @@ class _Copy:
                 return
             shutil.copyfile(self._store.folder / source, target)
             return
-        files.write(target, _read_checked(self._store, source, *self._known[source]))
+        files.write(target, _read_checked(self._store, source, *self._size_and_digest[source]))
 
 
 def verify(store: Files, newest: int) -> int:
@@ -167,9 +167,9 @@ def _read_checked(store: Files, name: str, size: int, digest: str) -> bytes:
     """Read a file; FormatError if its size or SHA-256 is not the recorded one."""
     content = store.read(name)
     if content is None:
-        raise FormatError(f"{store.place}/{name}: damaged orthoviews: the file is gone")
+        raise FormatError(f"{store.address}/{name}: damaged orthoviews: the file is gone")
     if len(content) != size:
-        raise FormatError(f"{store.place}/{name}: damaged orthoviews: expected {size} bytes, got {len(content)}")
+        raise FormatError(f"{store.address}/{name}: damaged orthoviews: expected {size} bytes, got {len(content)}")
     if hashlib.sha256(content).hexdigest() != digest:
-        raise FormatError(f"{store.place}/{name}: damaged orthoviews: its SHA-256 is not {digest}")
+        raise FormatError(f"{store.address}/{name}: damaged orthoviews: its SHA-256 is not {digest}")
     return content

@@ -22,7 +22,7 @@ class ByteRange(NamedTuple):
 class Files(Protocol):
     """Reader of a store's files."""
 
-    place: str
+    address: str
     """The folder or URL, for messages."""
 
     def read(self, name: str) -> bytes | None:
@@ -42,7 +42,7 @@ class Local:
 
     def __init__(self, path: Path) -> None:
         files.restore(path)
-        self.folder, self.place = path, os.fspath(path)
+        self.folder, self.address = path, os.fspath(path)
 
     def read(self, name: str) -> bytes | None:
         """Bytes of a file; None if it does not exist."""
@@ -69,11 +69,11 @@ class Remote:
 
     def __init__(self, url: str) -> None:
         self._system, self._path = remote.system(url)
-        self.place = url
+        self.address = url
 
     def read(self, name: str) -> bytes | None:
         """Bytes of a file; None if it does not exist."""
-        with remote.as_os_errors(f"{self.place}/{name}", "read"):
+        with remote.as_os_errors(f"{self.address}/{name}", "read"):
             try:
                 return bytes(self._system.cat_file(f"{self._path}/{name}"))
             except FileNotFoundError:
@@ -85,7 +85,7 @@ class Remote:
             return []
         paths = [f"{self._path}/{name}" for name, _, _ in wanted]
         ends = [None if first < 0 else first + length for _, first, length in wanted]
-        with remote.as_os_errors(self.place, "read"):
+        with remote.as_os_errors(self.address, "read"):
             contents = self._system.cat_ranges(paths, [first for _, first, _ in wanted], ends, on_error="return")
             return [_part_of(data, part) for data, part in zip(contents, wanted, strict=True)]
 
@@ -103,6 +103,6 @@ def _part_of(content: bytes | Exception, part: ByteRange) -> bytes | None:
     return bytes(content)
 
 
-def missing(place: str, document: str) -> FileNotFoundError:
+def missing(address: str, document: str) -> FileNotFoundError:
     """Return the error for a place without a store."""
-    return FileNotFoundError(errno.ENOENT, f"no store of orthoviews (no {document})", place)
+    return FileNotFoundError(errno.ENOENT, f"no store of orthoviews (no {document})", address)

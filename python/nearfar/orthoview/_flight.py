@@ -69,12 +69,12 @@ class Flight(Pictured):
         )
         self._stand_ins = StandIns(opened.grid, opened.units, self._has, self._drawable, view_settings.views)
         self._movers = None if movers is None else check.instance("movers", movers, Scene)
-        self._before: list[Shown] = []
+        self._previous: list[Shown] = []
         self._clipped: dict[Piece, list[_core.OrthoSplats]] = {}
         self._device: _core.GpuDevice | None = None
         """Adapter that draws; threads upload views to it as soon as they arrive."""
         self._lock = threading.RLock()
-        self._busy = False
+        self._had_requests = False
         self._errors: list[Exception] = []
         self._loader = Loader(self._read, self._has, count)
 
@@ -260,19 +260,19 @@ class Flight(Pictured):
             return True
 
     def _plan(self, cameras: Sequence[Camera], time: float) -> Plan:
-        self._pilot.meter.note(time, self._received(), had_requests=self._busy)
+        self._pilot.meter.note(time, self._received(), had_requests=self._had_requests)
         self._pilot.look(cameras[0], time, cameras[1:])
         plan = self._pilot.plan(self._has)
         self._loader.want(plan.order)
-        self._busy = self._loader.waiting > 0
+        self._had_requests = self._loader.waiting > 0
         return plan
 
     def _choose_parts(self, number: int, camera: Camera, wanted: Wanted) -> Shown:
         """Parts that one of a shot's pictures is drawn from."""
-        while len(self._before) <= number:
-            self._before.append(Shown())
-        shown = self._stand_ins.choose_pieces(wanted, self._before[number], np.array(camera.position))
-        self._before[number] = shown
+        while len(self._previous) <= number:
+            self._previous.append(Shown())
+        shown = self._stand_ins.choose_pieces(wanted, self._previous[number], np.array(camera.position))
+        self._previous[number] = shown
         return shown
 
     def _parts(self, shown: Shown, movers: Scene | None) -> Parts:
@@ -297,9 +297,9 @@ class Flight(Pictured):
 
     def _trim(self, plan: Plan) -> None:
         """Evict views that no picture uses if memory is short; drop clipped pieces as soon as they are not drawn."""
-        pieces = {piece for shown in self._before for parts in shown.cells.values() for piece in parts}
+        pieces = {piece for shown in self._previous for parts in shown.cells.values() for piece in parts}
         self._clipped = {piece: splats for piece, splats in self._clipped.items() if piece in pieces}
-        needed = {*plan.order, *(part for shown in self._before for part in shown.parts())}
+        needed = {*plan.order, *(part for shown in self._previous for part in shown.parts())}
         self._viewer.views.trim(needed)
         self._viewer.near.trim({place for _, place, direction in needed if direction == GEOMETRY})
 

@@ -57,7 +57,7 @@ class Images:
 
     def __init__(self, folder: Path) -> None:
         self._folder = folder
-        self._known: set[str] = set()
+        self._written: set[str] = set()
 
     def add(self, texels: NDArray[np.uint8]) -> str:
         """Write a texture (H, W, 4), sRGB with alpha, unless its file exists; return the file's name."""
@@ -65,11 +65,11 @@ class Images:
         # 64 bits of a SHA-256: no two textures share a name by chance.
         name = f"{hashlib.sha256(shape + texels.tobytes()).hexdigest()[:16]}.webp"
         path = self._folder / name
-        if name not in self._known and not path.exists():
+        if name not in self._written and not path.exists():
             self._folder.mkdir(parents=True, exist_ok=True)
             with files.atomic_file(path) as temporary:
                 files.write(temporary, encode_texture(_shrink_to_fit(texels), QUALITY))
-        self._known.add(name)
+        self._written.add(name)
         return name
 
 
@@ -81,7 +81,7 @@ def _shrink_to_fit(texels: NDArray[np.uint8]) -> NDArray[np.uint8]:
 
 
 def cell_glb(part: Scene, grid: Grid, place: Place, images: Images | None = None) -> bytes | None:
-    """Encode the static triangles that belong to a leaf (`owned`) as a GLB in world metres, y up; None without any.
+    """Encode the static triangles that belong to a leaf as a GLB in world metres, y up; None if there are none.
 
     `part` results from a query of the leaf's box. `images` stores the textures; with None materials have no textures.
     The `extras` of the GLB's `asset` have the number of `triangles`, the greatest `error` of a position along an axis,

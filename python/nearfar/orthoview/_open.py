@@ -39,7 +39,7 @@ class Opened:
     def from_files(cls, files: Files, layout: Layout, generation: int, cache_bytes: int) -> Opened:
         """Open the documents of a generation."""
         chunks, read_cells = _store.open_generation(files, layout, generation)
-        views, near = Views(files.place, chunks, layout, cache_bytes), Near(files.place, chunks, layout.grid)
+        views, near = Views(files.address, chunks, layout, cache_bytes), Near(files.address, chunks, layout.grid)
         return cls(files, layout, generation, cache_bytes, chunks, Viewer(Cutter(layout, read_cells), views, near))
 
     @property
@@ -67,13 +67,13 @@ class Opened:
     def newer(self) -> Opened | None:
         """Open the newest generation, with the unchanged views and leaves of this one; None if this is the newest."""
         attributes = _store.read(self.files)
-        with formats.guarded(f"{self.files.place}/{_store.DOCUMENT}"):
+        with formats.guarded(f"{self.files.address}/{_store.DOCUMENT}"):
             newest = int(attributes["generation"])
             is_same_layout = Layout.from_described(attributes["layout"]) == self.layout
         if newest <= self.generation:
             return None
         if not is_same_layout:
-            raise FormatError(f"{self.files.place}: another tree was built in this place, open it anew")
+            raise FormatError(f"{self.files.address}: another tree was built in this place, open it anew")
         opened = Opened.from_files(self.files, self.layout, newest, self.cache_bytes)
         overlays = _store.generations(self.files, newest)[: newest - self.generation]
         opened.viewer.views.take_over(self.viewer.views, _changed_views(self.layout, overlays))

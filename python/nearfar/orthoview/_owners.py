@@ -43,7 +43,7 @@ def owners(part: Scene, grid: Grid) -> NDArray[np.int64]:
     anchors = _anchors(part.triangles(), *_sides(grid, (0, 0, 0), grid.counts, part))
     places = np.empty(anchors.shape, np.int64)
     for axis, count in enumerate(grid.counts):
-        # Sides of all leaves, rounded as in `owned`.
+        # Sides of all leaves, rounded as in `owned_mask`.
         sides = grid.origin[axis] + np.arange(count + 1) * grid.cell - part.origin[axis]
         number = np.searchsorted(sides, anchors[:, axis], side="right") - 1
         places[:, axis] = np.where(anchors[:, axis] == sides[-1], count - 1, number)

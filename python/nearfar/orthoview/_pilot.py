@@ -29,31 +29,31 @@ class Motion:
     """Velocity and turn rate of a viewer, from its last cameras."""
 
     def __init__(self) -> None:
-        self._seen: deque[tuple[float, Camera]] = deque()
+        self._cameras: deque[tuple[float, Camera]] = deque()
 
     def add(self, camera: Camera, time: float) -> None:
         """Add the viewer's camera at a time; a time that is not later restarts the measurement."""
-        if self._seen and time <= self._seen[-1][0]:
-            self._seen.clear()
-        self._seen.append((time, camera))
-        while len(self._seen) > 2 and self._seen[1][0] <= time - WINDOW:
-            self._seen.popleft()
+        if self._cameras and time <= self._cameras[-1][0]:
+            self._cameras.clear()
+        self._cameras.append((time, camera))
+        while len(self._cameras) > 2 and self._cameras[1][0] <= time - WINDOW:
+            self._cameras.popleft()
 
     @property
     def velocity(self) -> NDArray[np.float64]:
         """Velocity (3,), metres a second."""
-        if len(self._seen) < 2:
+        if len(self._cameras) < 2:
             return np.zeros(3)
-        (begin, first), (end, last) = self._seen[0], self._seen[-1]
+        (begin, first), (end, last) = self._cameras[0], self._cameras[-1]
         velocity: NDArray[np.float64] = np.subtract(last.position, first.position) / (end - begin)
         return velocity
 
     @property
     def turn(self) -> NDArray[np.float64]:
         """Angular velocity about the world axes (3,), radians a second."""
-        if len(self._seen) < 2:
+        if len(self._cameras) < 2:
             return np.zeros(3)
-        (begin, first), (end, last) = self._seen[0], self._seen[-1]
+        (begin, first), (end, last) = self._cameras[0], self._cameras[-1]
         i, j, k, real = first.orientation
         x, y, z, w = compose_rotations((-i, -j, -k, real), last.orientation)
         axis = np.array([x, y, z]) * (1.0 if w >= 0.0 else -1.0)
@@ -63,7 +63,7 @@ class Motion:
 
     def extrapolate(self, seconds: float, offset: NDArray[np.float64]) -> Camera:
         """Extrapolate the camera by some seconds of the present turn, and move it by an offset in metres."""
-        camera = self._seen[-1][1]
+        camera = self._cameras[-1][1]
         turn = self.turn * seconds
         angle = float(np.linalg.norm(turn))
         if angle > MAX_TURN:
@@ -144,11 +144,11 @@ class Pilot:
         self._motion = Motion()
         self.camera: Camera | None = None
         """Camera of the viewer."""
-        self._beside: Sequence[Camera] = ()
+        self._cameras_beside: Sequence[Camera] = ()
         self._error = settings.error_px
-        self._wished = settings.error_px
+        self._target_error = settings.error_px
         self._renewed: _Renewed | None = None
-        self._base: list[Part] = []
+        self._coarsest: list[Part] = []
         self.meter = Meter()
         """Measures the link."""
         self.limit = math.inf
@@ -166,7 +166,7 @@ class Pilot:
     def look(self, camera: Camera, time: float, beside: Sequence[Camera] = ()) -> None:
         """Set the viewer's camera at a time in seconds, and the cameras of further pictures."""
         self._motion.add(camera, time)
-        self.camera, self._beside = camera, beside
+        self.camera, self._cameras_beside = camera, beside
 
     def plan(self, held: Callable[[Part], bool]) -> Plan:
         """Plan for the viewer's camera; `held` says which parts have been read."""
@@ -180,15 +180,15 @@ class Pilot:
             records, soon = [*renewed.unknown], [*renewed.needed, *renewed.soon]
         cut, coming = self._cut(camera, held)
         wanted = self.parts_of_cut(cut)
-        if not self._base:
-            self._base = self._coarsest_views(camera)
+        if not self._coarsest:
+            self._coarsest = self._coarsest_views(camera)
         # A finer picture is read last.
-        later = [*soon, *coming] if self._wished < self._error else [*coming, *soon]
-        cuts_beside = [self._cutter.cut(cut_beside, self.settings) for cut_beside in self._beside]
+        later = [*soon, *coming] if self._target_error < self._error else [*coming, *soon]
+        cuts_beside = [self._cutter.cut(cut_beside, self.settings) for cut_beside in self._cameras_beside]
         beside = [self.parts_of_cut(cut_beside) for cut_beside in cuts_beside]
         records += [record for cut_beside in cuts_beside for record in records_of(cut_beside)]
         parts = [part for cells in (wanted, *beside) for part in chain(*cells.values())]
-        order = [*records_of(cut), *self._base, *records, *parts, *later]
+        order = [*records_of(cut), *self._coarsest, *records, *parts, *later]
         return Plan(wanted, list(dict.fromkeys(order)), self._error, beside)
 
     def parts_of_cut(self, cut: OrthoCut) -> Wanted:
@@ -199,19 +199,20 @@ class Pilot:
         return parts
 
     def _cut(self, camera: Camera, held: Callable[[Part], bool]) -> tuple[OrthoCut, list[Part]]:
-        """Return the cut at the error in force, and the parts of the cut at the wished error.
+        """Return the cut at the error in force, and the parts of the cut at the target error.
 
-        The wished error comes into force once all its parts are read; a coarser one also if parts of the finer cut are
+        The target error comes into force once all its parts are read; a coarser one also if parts of the finer cut are
         missing.
         """
         current = self._cutter.cut(camera, self.settings)
-        if self._wished == self._error:
+        if self._target_error == self._error:
             return current, []
-        next_cut = self._cutter.cut(camera, replace(self._settings, error_px=self._wished))
+        next_cut = self._cutter.cut(camera, replace(self._settings, error_px=self._target_error))
         coming = [*chain(*self.parts_of_cut(next_cut).values())]
         is_read = all(map(held, coming)) and not next_cut.unknown
-        if is_read or (self._wished > self._error and not all(map(held, chain(*self.parts_of_cut(current).values())))):
-            self._error = self._wished
+        is_coarser = self._target_error > self._error
+        if is_read or (is_coarser and not all(map(held, chain(*self.parts_of_cut(current).values())))):
+            self._error = self._target_error
             return next_cut, []
         return current, coming
 
@@ -225,7 +226,7 @@ class Pilot:
         old = self._renewed
         speed = float(np.linalg.norm(self._motion.velocity))
         if speed <= MIN_SPEED:
-            self._wished = self._settings.error_px
+            self._target_error = self._settings.error_px
         if (
             old is not None
             and not old.queue.unknown
@@ -254,7 +255,7 @@ class Pilot:
         return bool(is_as_fast and distance <= old.queue.renewed_after and math.acos(cosine) <= RENEWED_TURN)
 
     def _adapt(self, speed: float, ends: tuple[Camera, Camera], metres: float, outlook: Outlook) -> None:
-        """Set the wished error: the least one at which the link keeps up with the viewer's course."""
+        """Set the target error: the least one at which the link keeps up with the viewer's course."""
         base_error = self._settings.error_px
         for step in range(STEPS + 1):
             error = base_error * 2.0 ** (step / 2.0)
@@ -263,7 +264,7 @@ class Pilot:
                 self.limit = limit
             if limit >= speed * (HYSTERESIS if error < self._error else 1.0):
                 break
-        self._wished = error
+        self._target_error = error
 
     def _limit(self, ends: tuple[Camera, Camera], metres: float, outlook: Outlook, settings: Settings) -> float:
         """Speed at which the parts that come into sight on a way arrive as fast as they are needed."""

@@ -45,7 +45,7 @@ class Cells:
     """
 
     def __init__(self, files: Files, layout: Layout, newest: int, box: NDArray[np.float64], sun: Sun) -> None:
-        self.layout, self._place, self._box, self._sun = layout, files.place, box, sun
+        self.layout, self._address, self._box, self._sun = layout, files.address, box, sun
         self._chunks, read_cells = _store.open_generation(files, layout, newest)
         self._cells = lru_cache(_SUBTREES)(read_cells)
 
@@ -82,7 +82,7 @@ class Cells:
         """Read the chunks of all views of a cell, of both layers; not thread-safe."""
         mask = self.direction_mask(level, place)
         numbers = [number for number in range(len(self.layout.directions)) if mask >> number & 1]
-        with formats.guarded(self._place, "orthoviews"):
+        with formats.guarded(self._address, "orthoviews"):
             return self._chunks.read_views(level, place, numbers)
 
     def to_gaussians(self, level: int, place: Place, chunks: _codec.Encoded) -> Cell:
@@ -106,7 +106,7 @@ class Cells:
     def _pictures(self, level: int, chunks: _codec.Encoded) -> list[Picture]:
         """Decode the views of a cell, first layers before second ones."""
         side, steps, pictures = self.layout.grid.side(level), self.layout.steps, []
-        with formats.guarded(self._place, "orthoviews"):
+        with formats.guarded(self._address, "orthoviews"):
             for layer in _codec.split_layers(chunks):
                 for number in dict.fromkeys(number for number, _ in layer):
                     views, bits = _codec.decode(layer, self.layout, (number,))

@@ -52,7 +52,7 @@ class StandIns:
     ----------
     directions
         Unit vectors (D, 3) of the tree's directions.
-    held
+    is_read
         Whether a part has been read in its newest version.
     drawable
         Directions from which a cell can be drawn, and `GEOMETRY` for the file of a leaf: parts that have been read,
@@ -65,11 +65,11 @@ class StandIns:
         self,
         grid: Grid,
         directions: NDArray[np.float64],
-        held: Callable[[Part], bool],
+        is_read: Callable[[Part], bool],
         drawable: Callable[[Cell], Collection[int]],
         views: int,
     ) -> None:
-        self._grid, self._units, self._held, self._drawable, self._views = grid, directions, held, drawable, views
+        self._grid, self._units, self._is_read, self._drawable, self._views = grid, directions, is_read, drawable, views
 
     def choose_pieces(self, wanted: Wanted, before: Shown, eye: NDArray[np.float64]) -> Shown:
         """Choose how wanted cells are drawn from the parts that have been read.
@@ -82,7 +82,7 @@ class StandIns:
         missing = empty = 0
         descendants = self._descendants(before)
         for cell, parts in wanted.items():
-            if all(map(self._held, parts)):
+            if all(map(self._is_read, parts)):
                 if parts[0][2] == GEOMETRY:
                     shown.leaves[cell[1]] = parts
                 else:

@@ -170,18 +170,18 @@ def read(store: Files) -> dict[str, Any]:
     """Return the attributes of a store; FormatError if it is not a store."""
     attributes = _document(store).get("attributes")
     described = attributes.get(_KEY) if isinstance(attributes, dict) else None
-    return formats.check(described, KIND, VERSION, store.place)
+    return formats.check(described, KIND, VERSION, store.address)
 
 
 def _document(store: Files) -> dict[str, Any]:
     content = store.read(DOCUMENT)
     if content is None:
-        raise missing(store.place, DOCUMENT)
-    place = f"{store.place}/{DOCUMENT}"
-    with formats.guarded(place):
+        raise missing(store.address, DOCUMENT)
+    address = f"{store.address}/{DOCUMENT}"
+    with formats.guarded(address):
         document = formats.from_json(content)
     if not isinstance(document, dict) or document.get("node_type") != "group":
-        raise FormatError(f"{place}: expected a group of Zarr v3")
+        raise FormatError(f"{address}: expected a group of Zarr v3")
     return document
 
 
@@ -228,7 +228,7 @@ def _record(store: Files, name: str, digest: str) -> Recorded:
 
 
 def _recorded(store: Files, path: str, folder: str, document: Mapping[str, Any]) -> Recorded:
-    with formats.guarded(f"{store.place}/{path}"):
+    with formats.guarded(f"{store.address}/{path}"):
         shards = _parse_listing(document["shards"], _SHARD)
         geometry = _parse_listing(document["geometry"], _GEOMETRY_FILE)
         cells = document["cells"] if folder else {key: document[key] for key in ("views", "guests")}
@@ -238,10 +238,10 @@ def _recorded(store: Files, path: str, folder: str, document: Mapping[str, Any])
 def recorded(store: Files, newest: int) -> Iterator[Recorded]:
     """Records of a complete store: of all subtrees of the first generation, then of the later generations."""
     records = _json(store, _RECORDS_FILE, _RECORDS, _RECORDS_VERSION)
-    with formats.guarded(f"{store.place}/{_RECORDS_FILE}"):
+    with formats.guarded(f"{store.address}/{_RECORDS_FILE}"):
         digests = dict(records["records"])
     yield from (_record(store, name, digest) for name, digest in digests.items())
-    with formats.guarded(f"{store.place}/{_RECORDS_FILE}"):
+    with formats.guarded(f"{store.address}/{_RECORDS_FILE}"):
         geometry = _parse_listing(records["geometry"], _GEOMETRY_FILE)
     yield Recorded("", "", {}, geometry, {})
     for number in range(1, newest + 1):
@@ -271,7 +271,7 @@ def open_generation(store: Files, layout: Layout, newest: int) -> tuple[Chunks, 
 def _cells_of(store: Files, layout: Layout, newest: int, listed: Listed) -> Callable[[int, Place], Cells]:
     overlays = []
     for found in (_generation(store, number) for number in range(newest, 0, -1)):
-        with formats.guarded(f"{store.place}/{found.folder}{_GENERATION_FILE}"):
+        with formats.guarded(f"{store.address}/{found.folder}{_GENERATION_FILE}"):
             overlays.append((found.folder + _GENERATION_FILE, check.mapping("cells", found.cells, "cells by subtrees")))
 
     def read(tier: int, place: Place) -> Cells:
@@ -282,7 +282,7 @@ def _cells_of(store: Files, layout: Layout, newest: int, listed: Listed) -> Call
         generations: list[Masks] = []
         guests: Guests = {}
         for file, cells in by_file:
-            with formats.guarded(f"{store.place}/{file}"):
+            with formats.guarded(f"{store.address}/{file}"):
                 in_file = guests_of(cells["guests"], layout, tier, place)
                 as_before = newest_of(generations, layout, tier, AS_BEFORE)[0] == AS_BEFORE
                 guests |= {leaf: found for leaf, found in in_file.items() if as_before[layout.shard_of(0, leaf)[1]]}
@@ -293,13 +293,13 @@ def _cells_of(store: Files, layout: Layout, newest: int, listed: Listed) -> Call
 
 
 def _json(store: Files, name: str, kind: str, version: int, digest: str | None = None) -> dict[str, Any]:
-    content, place = store.read(name), f"{store.place}/{name}"
+    content, address = store.read(name), f"{store.address}/{name}"
     if content is None:
-        raise FormatError(f"{place}: expected a file that the store refers to, found none")
+        raise FormatError(f"{address}: expected a file that the store refers to, found none")
     if digest is not None and hashlib.sha256(content).hexdigest() != digest:
-        raise FormatError(f"{place}: damaged: its SHA-256 is not {digest}")
-    with formats.guarded(place):
-        return formats.check(formats.from_json(content), kind, version, place)
+        raise FormatError(f"{address}: damaged: its SHA-256 is not {digest}")
+    with formats.guarded(address):
+        return formats.check(formats.from_json(content), kind, version, address)
 
 
 def _parse_listing(listed: Mapping[str, Any], pattern: re.Pattern[str]) -> Described:
@@ -321,7 +321,7 @@ class Listed:
     def _digests(self) -> dict[str, str]:
         """SHA-256 of all records by name."""
         document = _json(self._store, _RECORDS_FILE, _RECORDS, _RECORDS_VERSION)
-        with formats.guarded(f"{self._store.place}/{_RECORDS_FILE}"):
+        with formats.guarded(f"{self._store.address}/{_RECORDS_FILE}"):
             return dict(check.mapping("records", document["records"], "hashes by names"))
 
     def record(self, tier: int, place: Place) -> Recorded | None:

@@ -36,7 +36,7 @@ class StoredTree:
     @property
     def path(self) -> str:
         """The folder or the URL."""
-        return self._files.place
+        return self._files.address
 
     @property
     def generation(self) -> int:

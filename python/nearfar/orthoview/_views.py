@@ -29,17 +29,17 @@ _BATCH = 64
 
 
 class Views:
-    """Reads views, and caches those used last: up to `most` bytes, which the views of one picture may exceed.
+    """Reads views, and caches those used last: up to `max_bytes` bytes, which the views of one picture may exceed.
 
-    Messages name the store by `place`, its folder or URL.
+    Messages name the store by `address`, its folder or URL.
     """
 
-    def __init__(self, place: str, chunks: Chunks, layout: Layout, most: int) -> None:
-        self._place, self._chunks, self._layout, self._most = place, chunks, layout, most
-        self._kept: Recent[ViewKey, Splats] = Recent(lambda layers: sum(layer.bytes for layer in layers))
+    def __init__(self, address: str, chunks: Chunks, layout: Layout, max_bytes: int) -> None:
+        self._address, self._chunks, self._layout, self._max_bytes = address, chunks, layout, max_bytes
+        self._cache: Recent[ViewKey, Splats] = Recent(lambda layers: sum(layer.bytes for layer in layers))
         self._lock = threading.Lock()
         self._counts: dict[ViewKey, int] = {}
-        self._of_level: dict[int, tuple[int, int]] = {}
+        self._totals: dict[int, tuple[int, int]] = {}
         self.read_bytes = 0
         """Bytes of chunks read so far."""
         self.reads = 0
@@ -47,12 +47,12 @@ class Views:
 
     def __contains__(self, key: ViewKey) -> bool:
         """Whether a view is cached in its newest version."""
-        return key in self._kept
+        return key in self._cache
 
     @property
     def cached_bytes(self) -> int:
         """Bytes of the cached views."""
-        return self._kept.size
+        return self._cache.size
 
     def get(self, keys: Sequence[ViewKey]) -> list[_core.OrthoSplats]:
         """Splats of views, of both layers; views that are not cached are read."""
@@ -70,7 +70,7 @@ class Views:
         if key in self._counts:
             return self._counts[key]
         default = self._layout.size**2 * _ASSUMED_SHARE, 1
-        total, views = self._of_level.get(key[0]) or self._of_level.get(_ALL) or default
+        total, views = self._totals.get(key[0]) or self._totals.get(_ALL) or default
         return total / views
 
     def is_counted(self, key: ViewKey) -> bool:
@@ -85,31 +85,31 @@ class Views:
 
     def cached_layers(self, key: ViewKey) -> Splats:
         """Layers of a view, which becomes the most recently used; empty if it is not cached."""
-        return self._kept.get(key, ())
+        return self._cache.get(key, ())
 
     def of_cell(self, level: int, place: Place) -> frozenset[int]:
         """Directions of a cell's cached views, of any version."""
         keys = ((level, place, direction) for direction in range(len(self._layout.directions)))
-        return frozenset(key[2] for key in keys if self._kept.has_any_version(key))
+        return frozenset(key[2] for key in keys if self._cache.has_any_version(key))
 
     def take_over(self, older: Views, changed: Callable[[ViewKey], bool]) -> None:
         """Take the cached views of an older generation; changed ones serve until they are read again."""
-        self._kept.take_over(older._kept, changed)
-        for key, splats in self._kept.values.items():
+        self._cache.take_over(older._cache, changed)
+        for key, splats in self._cache.values.items():
             self._count(key, sum(layer.count for layer in splats))
         self.read_bytes, self.reads = older.read_bytes, older.reads
 
     def trim(self, needed: Container[ViewKey]) -> None:
         """Evict the least recently used views, but none that are needed, until the cache fits its size."""
-        self._kept.trim(needed, self._most)
+        self._cache.trim(needed, self._max_bytes)
 
     def _read(self, keys: Sequence[ViewKey]) -> None:
-        with formats.guarded(self._place, "orthoviews"):
+        with formats.guarded(self._address, "orthoviews"):
             contents = iter(self._chunks.read(self._layout.view_keys(keys)))
             by_view = [self._take_chunks(key, contents) for key in keys]
             jobs = [partial(self._decode, key, chunks) for key, chunks in zip(keys, by_view, strict=True)]
             for key, chunks, splats in zip(keys, by_view, side_by_side.results(jobs), strict=True):
-                self._kept.put(key, splats)
+                self._cache.put(key, splats)
                 with self._lock:
                     self.read_bytes += sum(map(len, chunks.values()))
                     self.reads += 1
@@ -119,8 +119,8 @@ class Views:
         if key not in self._counts:
             self._counts[key] = splats
             for level in (key[0], _ALL):
-                total, views = self._of_level.get(level, (0, 0))
-                self._of_level[level] = total + splats, views + 1
+                total, views = self._totals.get(level, (0, 0))
+                self._totals[level] = total + splats, views + 1
 
     def _take_chunks(self, key: ViewKey, contents: Iterator[bytes | None]) -> _codec.Encoded:
         """Chunks of the next view, whose first layer must show something; the second one need not."""
