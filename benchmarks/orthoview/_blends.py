@@ -70,20 +70,20 @@ def render_blended(
         np.add.at(weights, sample, weight)
         np.add.at(total, sample, weight[:, None] * splats.light[splat])
     behind = sky.require("color").repeat(GRID, axis=0).repeat(GRID, axis=1).reshape(-1, 3)
-    shown = np.where(weights[:, None] > 0, total / np.maximum(weights, 1e-30)[:, None], behind)
-    color = shown.reshape(height, GRID, width, GRID, 3).mean(axis=(1, 3)).astype(np.float32)
+    color_of_sample = np.where(weights[:, None] > 0, total / np.maximum(weights, 1e-30)[:, None], behind)
+    color = color_of_sample.reshape(height, GRID, width, GRID, 3).mean(axis=(1, 3)).astype(np.float32)
     return nf.Frame(camera, color=color)
 
 
 def _samples(splats: _Splats, camera: nf.Camera) -> Iterator[tuple[Ints, Floats, Floats, Ints]]:
     """Yield samples covered by splats: their numbers, nearness (1/depth) and opacity there, and the splats' numbers."""
     width, height = camera.size
-    place = camera.project(splats.point)
+    projected = camera.project(splats.point)
     # The derivative, by a step that is small compared with a splat.
-    axes = [camera.project(splats.point + 1e-3 * axis) - place for axis in (splats.u, splats.v)]
+    axes = [camera.project(splats.point + 1e-3 * axis) - projected for axis in (splats.u, splats.v)]
     (ux, uy, uw), (vx, vy, vw) = (axis.T * 1e3 for axis in axes)
     determinant = ux * vy - uy * vx
-    x, y, depth = place.T
+    x, y, depth = projected.T
     with np.errstate(invalid="ignore"):
         is_flat = np.abs(determinant) < LINE * np.hypot(ux, uy) * np.hypot(vx, vy)
         usable = np.flatnonzero((depth > 1.0) & ~is_flat & (x > -REACH) & (x < width + REACH))
@@ -99,9 +99,9 @@ def _samples(splats: _Splats, camera: nf.Camera) -> Iterator[tuple[Ints, Floats,
             is_in &= (column + across >= 0) & (column + across < width) & (row + down >= 0) & (row + down < height)
             n = np.flatnonzero(is_in)
             sample = (row[n] + down) * width + column[n] + across
-            at = depth[n] + np.clip(q0[n], -1, 1) * uw[n] + np.clip(q1[n], -1, 1) * vw[n]
+            sample_depth = depth[n] + np.clip(q0[n], -1, 1) * uw[n] + np.clip(q1[n], -1, 1) * vw[n]
             opacity = np.exp(-SHARPNESS * np.minimum(squared[n], SQUARED_RADIUS))
-            yield sample, 1.0 / np.maximum(at, 1.0), opacity, usable[n]
+            yield sample, 1.0 / np.maximum(sample_depth, 1.0), opacity, usable[n]
 
 
 def _splats(tree: nf.orthoview.OrthoTree, camera: nf.Camera, views: int) -> _Splats:
@@ -110,29 +110,29 @@ def _splats(tree: nf.orthoview.OrthoTree, camera: nf.Camera, views: int) -> _Spl
     units = np.array(tree.directions) / np.linalg.norm(tree.directions, axis=1, keepdims=True)
     parts = []
     for level, place, numbers in zip(cut.level.tolist(), cut.place.tolist(), cut.directions, strict=True):
-        known = numbers[numbers >= 0]
+        chosen_directions = numbers[numbers >= 0]
         toward = np.array(camera.position) - tree.box(level, tuple(place)).mean(axis=0)
-        cosines = units[known] @ (toward / np.linalg.norm(toward))
-        least = cosines[views] if len(known) > views else -1.0
-        for number, cosine in zip(known[:views].tolist(), cosines[:views].tolist(), strict=True):
+        cosines = units[chosen_directions] @ (toward / np.linalg.norm(toward))
+        excluded_cosine = cosines[views] if len(chosen_directions) > views else -1.0
+        for number, cosine in zip(chosen_directions[:views].tolist(), cosines[:views].tolist(), strict=True):
             view = tree.view(level, tuple(place), number)
             if view is not None:
-                parts.append(_of_view(view, max(cosine - least, 0.0)))
+                parts.append(_of_view(view, max(cosine - excluded_cosine, 0.0)))
     return _Splats(*(np.concatenate([getattr(part, name) for part in parts]) for name in _Splats.__dataclass_fields__))
 
 
 def _of_view(view: OrthoView, weight: float) -> _Splats:
-    shown = np.isfinite(view.depth)
-    normal, surfel = view.normal[shown], view.surfel[shown][:, None]
+    is_shown = np.isfinite(view.depth)
+    normal, surfel = view.normal[is_shown], view.surfel[is_shown][:, None]
     axes, sides = np.stack([view.right, view.up, view.toward]), view.extents[:2] / len(view.depth)
-    pixels = Pixels(view.points()[shown], normal.astype(float), view.color[shown], axes, sides, shown)
+    pixels = Pixels(view.points()[is_shown], normal.astype(float), view.color[is_shown], axes, sides, is_shown)
     u, v = pixels.tangents(MIN_COSINE)
-    half = np.hypot(*sides) / 2 / np.sqrt(SQUARED_RADIUS)
+    ball_radius = np.hypot(*sides) / 2 / np.sqrt(SQUARED_RADIUS)
     light = to_linear(pixels.color / 255) * irradiance(normal, SUN)
     return _Splats(
         pixels.middle,
-        np.where(surfel, BORDER * u, half * view.right),
-        np.where(surfel, BORDER * v, half * view.up),
+        np.where(surfel, BORDER * u, ball_radius * view.right),
+        np.where(surfel, BORDER * v, ball_radius * view.up),
         light,
         np.full(len(light), weight),
     )

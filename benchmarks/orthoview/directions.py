@@ -104,8 +104,8 @@ def draw(choices: Mapping[str, Choice], by_angle: Sequence[Choice], path: Path) 
     for number, (name, choice) in enumerate(choices.items()):
         color = colormaps["tab20"](number)
         line(axes[0], sets, [choice.shares[count] for count in COUNTS], name, color)
-        taken = COUNTS.index(choice.count), 100 * choice.shares[choice.count]
-        axes[0].plot(*taken, "o", ms=10, mfc="none", color=color)
+        ring = COUNTS.index(choice.count), 100 * choice.shares[choice.count]
+        axes[0].plot(*ring, "o", ms=10, mfc="none", color=color)
     axes[0].set_xticks(sets, COUNTS)
     axes[0].set(xlabel="directions; ○ chosen", ylabel="hidden, %", ylim=0)
     for number, count in enumerate(COUNTS):

@@ -46,12 +46,12 @@ def main() -> None:
 
 def flight(speed: float, height: float, seconds: float = SECONDS) -> list[nf.Camera]:
     """Frames of a flight in long curves, looking slightly downwards."""
-    place, angle, cameras = np.array([START[0], height, START[1]]), 0.3, []
+    position, angle, cameras = np.array([START[0], height, START[1]]), 0.3, []
     for frame in range(int(seconds * RATE)):
         angle += 0.4 * np.sin(0.8 * frame / RATE) / RATE
         ahead = np.array([np.cos(angle), 0.0, np.sin(angle)])
-        place = place + ahead * (speed / RATE)
-        cameras.append(nf.Camera.look_at(place, place + ahead - [0.0, 0.15, 0.0], fov=FOV, size=PICTURE))
+        position = position + ahead * (speed / RATE)
+        cameras.append(nf.Camera.look_at(position, position + ahead - [0.0, 0.15, 0.0], fov=FOV, size=PICTURE))
     return cameras
 
 
@@ -74,8 +74,8 @@ class Tiles:
 
     def _look(self, camera: nf.Camera) -> Plan:
         cut = self._cutter.complete_cut(camera, Settings(error_px=FINEST))
-        wanted = {(0, place): [(0, place, GEOMETRY)] for place in cut.leaf_places(in_picture=True)}
-        return Plan(wanted, list(itertools.chain(*wanted.values())), FINEST)
+        parts_by_leaf = {(0, place): [(0, place, GEOMETRY)] for place in cut.leaf_places(in_picture=True)}
+        return Plan(parts_by_leaf, list(itertools.chain(*parts_by_leaf.values())), FINEST)
 
 
 def tiles(tree: nf.orthoview.OrthoTree, cameras: list[nf.Camera], link: nf.stream.Link) -> nf.orthoview.FlightLog:
@@ -120,18 +120,19 @@ def growth(tree: nf.orthoview.OrthoTree, out: Path | None) -> str:
     A world that ends at a square's sides has the cells within it: cuts of the whole one without cells outside.
     """
     rows: list[list[float]] = []
-    whole = float((tree.bounds[1] - tree.bounds[0]).max())
-    asked = {name: _parts_per_metre(tree, WAYS[name][1]) for name in ("walk", "helicopter")}
-    for side in (1000.0, 2000.0, 4000.0, 8000.0, 16000.0, whole):
+    world_side = float((tree.bounds[1] - tree.bounds[0]).max())
+    parts_by_way = {name: _parts_per_metre(tree, WAYS[name][1]) for name in ("walk", "helicopter")}
+    for side in (1000.0, 2000.0, 4000.0, 8000.0, 16000.0, world_side):
         rows.append([side / 1e3])
-        for metres in asked.values():
-            within = [{part: size for part, (size, away) in parts.items() if away <= side / 2} for parts in metres]
-            seen = dict(within[0])
-            first = sum(seen.values())
-            for parts in within[1:]:
-                seen |= parts
-            later = (sum(seen.values()) - first) / (len(metres) - 1)
-            rows[-1] += [float(np.mean([len(parts) for parts in within])), first / 1e6, later / 1e3]
+        for metres in parts_by_way.values():
+            half = side / 2
+            in_square = [{part: size for part, (size, away) in parts.items() if away <= half} for parts in metres]
+            received = dict(in_square[0])
+            first_bytes = sum(received.values())
+            for parts in in_square[1:]:
+                received |= parts
+            bytes_per_metre = (sum(received.values()) - first_bytes) / (len(metres) - 1)
+            rows[-1] += [float(np.mean([len(parts) for parts in in_square])), first_bytes / 1e6, bytes_per_metre / 1e3]
     if out is not None:
         _plot(rows, out)
     each = {"parts": "{:.0f}", "first picture, MB": "{:.2f}", "kB a metre": "{:.2f}"}
@@ -144,7 +145,7 @@ def _parts_per_metre(tree: nf.orthoview.OrthoTree, height: float) -> list[dict[P
     opened = tree._open_store()
     cutter, grid, metres = opened.viewer.cutter, opened.grid, 400
     facts: dict[Part, tuple[int, float]] = {}
-    found = []
+    parts_by_metre = []
     for metre in range(metres + 1):
         eye = np.array([START[0] - metres / 2 + metre, height, START[1]])
         camera = nf.Camera.look_at(eye, np.add(eye, [1.0, -0.15, 0.0]), fov=FOV, size=PICTURE)
@@ -155,8 +156,8 @@ def _parts_per_metre(tree: nf.orthoview.OrthoTree, height: float) -> list[dict[P
         for part, size in zip(new, opened.sizes(new), strict=True):
             middle = grid.box(part[0], part[1]).mean(axis=0) - [START[0], 0.0, START[1]]
             facts[part] = size, float(np.abs(middle[[0, 2]]).max())
-        found.append({part: facts[part] for part in parts})
-    return found
+        parts_by_metre.append({part: facts[part] for part in parts})
+    return parts_by_metre
 
 
 def _plot(rows: list[list[float]], out: Path) -> None:

@@ -50,9 +50,9 @@ class Cell:
 
     def children(self) -> Iterator[tuple[tuple[int, int, int], Cell]]:
         """Yield the cells of half the side, with their places."""
-        half = self.side / 2
+        half_side = self.side / 2
         for octant in OCTANTS:
-            yield octant, Cell("", self.scene, self.corner + np.array(octant) * half, half, self.levels - 1)
+            yield octant, Cell("", self.scene, self.corner + np.array(octant) * half_side, half_side, self.levels - 1)
 
 
 @dataclass(frozen=True)
@@ -76,10 +76,10 @@ def main() -> None:
     start(__doc__)
     rows, gains = [], []
     for cell in cells():
-        ratio, found = time_ratio(cell), measure_gain(cell)
-        gains.append(found)
-        kilobytes = (each.sum() / len(DIRECTIONS) / 1e3 for each in (found.first_bytes, found.second_bytes))
-        shares = found.hidden, found.left, found.hidden_with_more, found.unseen.mean()
+        ratio, gain = time_ratio(cell), measure_gain(cell)
+        gains.append(gain)
+        kilobytes = (each.sum() / len(DIRECTIONS) / 1e3 for each in (gain.first_bytes, gain.second_bytes))
+        shares = gain.hidden, gain.left, gain.hidden_with_more, gain.unseen.mean()
         rows.append([cell.name, ratio, *kilobytes, *(100 * share for share in shares)])
     header = "cell | times as long {:.1f} | kB a view {:.1f} | kB a second layer {:.1f} | hidden, % {:.2f}"
     header += " | left, % {:.2f} | 13 directions, % {:.2f} | unseen, % {:.2f}"
@@ -115,8 +115,8 @@ def render_cell(cell: Cell, *, behind: bool, count: int = len(DIRECTIONS)) -> _c
 
 
 def leaf(scene: _core.Scene, cell: Cell, *, behind: bool, count: int = len(DIRECTIONS)) -> _core.OrthoViews:
-    place = (cell.corner.tolist(), cell.side)
-    return _core.OrthoViews.of_cell(scene, place, MORE[:count], LAYOUT.format, behind=behind)
+    corner_and_side = (cell.corner.tolist(), cell.side)
+    return _core.OrthoViews.of_cell(scene, corner_and_side, MORE[:count], LAYOUT.format, behind=behind)
 
 
 def compose(children: Children, *, behind: bool, count: int = len(DIRECTIONS)) -> _core.OrthoViews:
@@ -152,24 +152,25 @@ def measure_gain(cell: Cell) -> Gain:
     firsts = render_cell(cell, behind=False, count=len(MORE)).depths()[..., 0]
     seconds = np.zeros_like(firsts) if second is None else second.depths()[..., 0]
     rng, part, filled = np.random.default_rng(1), cell.part(), np.zeros(len(DIRECTIONS))
-    total, hidden, left, with_more = 0, 0, 0, 0
+    total, hidden, hidden_by_both, with_more = 0, 0, 0, 0
     for _ in range(VIEWERS):
         toward = rng.normal(size=3)
         toward[1] = abs(toward[1])
         toward /= np.linalg.norm(toward)
         points = visible_points(part, cell, toward)
         lost = lost_points(points, firsts, nearest(toward, len(DIRECTIONS)), cell)
-        found = {n: shows(seconds[n], n, lost, cell) for n in nearest(toward, len(DIRECTIONS))}
-        for n, shown in found.items():
+        shown_by_direction = {n: shows(seconds[n], n, lost, cell) for n in nearest(toward, len(DIRECTIONS))}
+        for n, shown in shown_by_direction.items():
             filled[n] += shown.sum()
-        total, hidden, left = total + len(points), hidden + len(lost), left + (~np.any([*found.values()], axis=0)).sum()
+        total, hidden = total + len(points), hidden + len(lost)
+        hidden_by_both += (~np.any([*shown_by_direction.values()], axis=0)).sum()
         with_more += len(lost_points(points, firsts, nearest(toward, len(MORE)), cell))
     return Gain(
         np.array(views.unseen()),
         chunk_bytes(views),
         chunk_bytes(second),
         hidden / total,
-        left / total,
+        hidden_by_both / total,
         with_more / total,
         filled / total,
     )
@@ -200,13 +201,13 @@ def visible_points(scene: nf.Scene, cell: Cell, toward: Floats) -> Floats:
     right = np.cross([0, 1, 0], toward)
     right /= np.linalg.norm(right)
     up = np.cross(toward, right)
-    place = (np.arange(SIZE) + 0.5) / SIZE - 0.5
+    steps = (np.arange(SIZE) + 0.5) / SIZE - 0.5
     width, height = (np.abs(axis).sum() * cell.side for axis in (right, up))
-    across, above = np.meshgrid(place * width, place * height)
+    across, above = np.meshgrid(steps * width, steps * height)
     center = cell.corner + cell.side / 2 + 2 * cell.side * toward
     starts = (center + across[..., None] * right + above[..., None] * up).reshape(-1, 3)
     # Within the cell: after the last of the planes by which rays enter, before the first of those by which they leave.
-    sides = [(cell.corner + far * cell.side - starts) / -toward for far in (0.0, 1.0)]
+    sides = [(cell.corner + is_far_side * cell.side - starts) / -toward for is_far_side in (0.0, 1.0)]
     enter, leave = np.minimum(*sides).max(axis=1), np.maximum(*sides).min(axis=1)
     is_inside = enter < leave
     entries = starts[is_inside] - enter[is_inside, None] * toward
@@ -226,10 +227,10 @@ def shows(codes: NDArray[np.uint16], direction: int, points: Floats, cell: Cell)
 
 
 def bound_row(bound: float, gains: list[Gain]) -> list[float]:
-    kept = np.array([found.unseen > bound for found in gains])
+    is_kept = np.array([gain.unseen > bound for gain in gains])
     names = ("first_bytes", "second_bytes", "filled")
-    first, second, filled = (np.array([getattr(found, name) for found in gains]) for name in names)
-    numbers = kept.mean(), second[kept].sum() / first.sum(), filled[kept].sum() / filled.sum()
+    first, second, filled = (np.array([getattr(gain, name) for gain in gains]) for name in names)
+    numbers = is_kept.mean(), second[is_kept].sum() / first.sum(), filled[is_kept].sum() / filled.sum()
     return [bound, *(100 * number for number in numbers)]
 
 

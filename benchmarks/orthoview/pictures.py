@@ -72,11 +72,11 @@ def by_sets(worlds: list[World], trees: Path, out: Path | None) -> None:
     rows = []
     for world in worlds:
         path = world.build(trees)
-        found = {count: open_tree(path, count) for count in SETS}
+        trees_by_count = {count: open_tree(path, count) for count in SETS}
         for place, cameras in places(world):
-            shown = truths(world, cameras, found[ALL])
+            true_pictures = truths(world, cameras, trees_by_count[ALL])
             for count, views in itertools.product(SETS, VIEWS):
-                quality = mean([compare(truth, found[count], Setting(views)) for truth in shown])
+                quality = mean([compare(truth, trees_by_count[count], Setting(views)) for truth in true_pictures])
                 rows.append(print_row([place, count, views, *cells(quality), quality.leaves]))
     print(table("Directions and views", f"place | directions | views | {QUALITY} | leaves {{:.0f}}", rows))
 
@@ -102,9 +102,9 @@ def by_errors(worlds: list[World], trees: Path, out: Path | None) -> None:
     for world in worlds:
         tree = open_tree(world.build(trees), DIRECTIONS)
         for place, cameras in places(world):
-            shown = truths(world, cameras, tree)
+            true_pictures = truths(world, cameras, tree)
             for error in ERRORS:
-                quality = mean([compare(truth, tree, Setting(error_px=error)) for truth in shown])
+                quality = mean([compare(truth, tree, Setting(error_px=error)) for truth in true_pictures])
                 lines.setdefault(place, []).append(quality)
                 rows.append(print_row([place, error, *amounts(quality), *cells(quality)]))
     print(table(f"Error, 3 of {DIRECTIONS} views", f"place | error_px {{:g}} | {AMOUNTS} | {QUALITY}", rows))
@@ -166,10 +166,9 @@ def wide(worlds: list[World], trees: Path, out: Path | None) -> None:
         return
     world = worlds[0]
     tree = open_tree(world.build(trees), DIRECTIONS)
-    at = world.box[0] + world.side * np.array([(0.5, 0.28, -0.22), (0.5, 0.0, 0.5)])
-    camera = nf.Camera.look_at(
-        at[0], at[1], fov=nf.Fov.symmetric(60, _sheets.WIDE[0] / _sheets.WIDE[1]), size=_sheets.WIDE
-    )
+    eye_and_target = world.box[0] + world.side * np.array([(0.5, 0.28, -0.22), (0.5, 0.0, 0.5)])
+    fov = nf.Fov.symmetric(60, _sheets.WIDE[0] / _sheets.WIDE[1])
+    camera = nf.Camera.look_at(*eye_and_target, fov=fov, size=_sheets.WIDE)
     truth = Truth(world, camera, tree.bounds)
     _sheets.save_halves(truth.color.to_image(), Setting().render(tree, camera).to_image(), out / "orthoview_tokyo.png")
 
