@@ -32,23 +32,9 @@ NAME = "{level}.{x}.{y}.{z}.subtree"
 CLASS, PROPERTY = "tile", "box"
 """Names of the metadata's class and property."""
 
-SCHEMA: dict[str, Any] = {
-    "id": "nearfar",
-    "classes": {
-        CLASS: {
-            "properties": {
-                PROPERTY: {
-                    "type": "SCALAR",
-                    "componentType": "FLOAT64",
-                    "array": True,
-                    "count": 12,
-                    "required": True,
-                    "semantic": "TILE_BOUNDING_BOX",
-                }
-            }
-        }
-    },
-}
+_BOX_TYPE = {"type": "SCALAR", "componentType": "FLOAT64", "array": True, "count": 12}
+_BOX_PROPERTY = {**_BOX_TYPE, "required": True, "semantic": "TILE_BOUNDING_BOX"}
+SCHEMA: dict[str, Any] = {"id": "nearfar", "classes": {CLASS: {"properties": {PROPERTY: _BOX_PROPERTY}}}}
 """Schema of the metadata."""
 
 _HEADER = struct.Struct("<4sIQQ")

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import OrderedDict
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from itertools import chain
@@ -11,6 +10,7 @@ from nearfar._camera.camera import Camera
 from nearfar.orthoview._cut import GEOMETRY, Part, kind
 from nearfar.orthoview._meter import Received
 from nearfar.orthoview._pilot import Plan
+from nearfar.orthoview._recent import Recent
 from nearfar.stream._link import Link
 from nearfar.stream._transport import Transport
 
@@ -46,11 +46,11 @@ class Client:
     ) -> None:
         self._planner, self._sizes, self._cache_bytes = planner, sizes, cache_bytes
         self._transport = Transport(link, seed=seed, at_once=AT_ONCE)
-        self._cache: OrderedDict[Part, int] = OrderedDict()
+        self._cache: Recent[Part, int] = Recent(int)
+        """Bytes of the parts received."""
         self._requests: dict[str, tuple[Part, int]] = {}
         self._outstanding: set[Part] = set()
         self._queue: list[Part] = []
-        self._bytes = 0
         self._received = Received()
         self.course = Course()
 
@@ -67,9 +67,8 @@ class Client:
         course.error_px.append(plan.error_px)
         course.received.append(self._received.bytes)
         for part in wanted:
-            if part in self._cache:
-                self._cache.move_to_end(part)
-        self._trim({*plan.order, *wanted})
+            self._cache.get(part, 0)
+        self._cache.trim({*plan.order, *wanted}, self._cache_bytes)
         self._queue = [part for part in plan.order[::-1] if part not in self._cache and part not in self._outstanding]
         self._request()
 
@@ -96,18 +95,9 @@ class Client:
     def _receive(self, name: str) -> None:
         part, size = self._requests[name]
         self._outstanding.discard(part)
-        self._cache[part] = size
-        self._bytes += size
+        self._cache.put(part, size)
         before = self._received
         if kind(part) == GEOMETRY:
             self._received = Received(before.views, before.view_bytes, before.leaves + 1, before.leaf_bytes + size)
         else:
             self._received = Received(before.views + 1, before.view_bytes + size, before.leaves, before.leaf_bytes)
-
-    def _trim(self, needed: set[Part]) -> None:
-        if self._bytes <= self._cache_bytes:
-            return
-        for part in [part for part in self._cache if part not in needed]:
-            self._bytes -= self._cache.pop(part)
-            if self._bytes <= self._cache_bytes:
-                return

@@ -6,7 +6,7 @@ A surfel's pixel spans u and v on its tangent plane (docs/orthoview_view.md). Th
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -72,12 +72,7 @@ NO_GAUSSIANS = Gaussians(
 
 def concatenate(parts: list[Gaussians]) -> Gaussians:
     """Concatenate Gaussians of one frame."""
-    return Gaussians(
-        np.concatenate([part.middle for part in parts]),
-        np.concatenate([part.rotation for part in parts]),
-        np.concatenate([part.scale for part in parts]),
-        np.concatenate([part.color for part in parts]),
-    )
+    return Gaussians(*(np.concatenate([getattr(part, field.name) for part in parts]) for field in fields(Gaussians)))
 
 
 @dataclass(frozen=True, eq=False)

@@ -8,7 +8,7 @@ their parents on m levels, then as many cells of the next m levels, and so on.
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from functools import cached_property
 from pathlib import Path
 from typing import Any
@@ -190,14 +190,7 @@ class Layout:
             "levels": self.grid.levels,
             "directions": [list(direction) for direction in self.directions],
             "names": list(self.names),
-            "size": self.size,
-            "depth_bits": self.depth_bits,
-            "normal_bits": self.normal_bits,
-            "subtree": self.subtree,
-            "color": self.color,
-            "quality": self.quality,
-            "geometry": self.geometry,
-            "layers": self.layers,
+            **{field.name: getattr(self, field.name) for field in fields(self)[2:]},
         }
 
     @classmethod

@@ -44,15 +44,6 @@ class _FarParts:
     """Leaves that are drawn as geometry."""
     radius: float
 
-    def baked(self, grid: int) -> dict[str, NDArray[Any]] | None:
-        """Bake the geometry beyond the radius, `grid` samples along each axis of a texel; None without geometry."""
-        if self.near is None:
-            return None
-        settings: dict[str, Any] = {"samples": 1, "channels": CHANNELS, "half": False, "device": None}
-        size = self.cameras[0].size[0] * grid
-        env, _ = bake(self.near, self.cameras[0].position, self.radius, size=size, **settings)
-        return {"color": env.color, "range": np.asarray(env.range, np.float32)}
-
 
 class NearFarTree(FlownTree, Divided):
     """A tree that near–far reduction takes like a scene; for errors see `OrthoTree`."""
@@ -148,8 +139,12 @@ class NearFarTree(FlownTree, Divided):
 
     def _faces(self, parts: _FarParts, channels: tuple[str, ...], grid: int) -> dict[str, NDArray[Any]]:
         """Render images (6, S, S, …) of all faces, with `grid` samples along each axis of a texel."""
-        origin = self.origin.tolist()
-        behind_splats = parts.baked(grid)
+        origin, geometry = self.origin.tolist(), None
+        if parts.near is not None:  # baked beyond the radius
+            settings: dict[str, Any] = {"samples": 1, "channels": CHANNELS, "half": False, "device": None}
+            size = parts.cameras[0].size[0] * grid
+            env, _ = bake(parts.near, parts.cameras[0].position, parts.radius, size=size, **settings)
+            geometry = {"color": env.color, "range": np.asarray(env.range, np.float32)}
         faces = [
             _core.splat_orthoviews(
                 splats,
@@ -157,7 +152,7 @@ class NearFarTree(FlownTree, Divided):
                 Shot(cameras=(camera,), channels=channels).settings,
                 origin=(origin[0], origin[1], origin[2]),
                 grid=grid,
-                before=None if behind_splats is None else {name: image[face] for name, image in behind_splats.items()},
+                before=None if geometry is None else {name: image[face] for name, image in geometry.items()},
             )
             for face, (camera, splats) in enumerate(zip(parts.cameras, parts.splats, strict=True))
         ]

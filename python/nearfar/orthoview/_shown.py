@@ -86,9 +86,12 @@ class ShownTree(StoredTree, Pictured):
         return self._with_movers(self._movers.at(poses))
 
     def _with_movers(self, movers: Scene) -> Self:
+        return self._copy(_movers=movers)
+
+    def _copy(self, **changes: Any) -> Self:
+        """Copy the tree with other attributes; views that the copy reads stay cached for the next picture."""
         tree = copy.copy(self)
-        tree.__dict__["_viewer"] = self._viewer  # the views that it reads stay cached for the next picture
-        tree._movers = movers
+        tree.__dict__.update(changes, _viewer=self._viewer)
         return tree
 
     def cut(
@@ -203,12 +206,9 @@ class ShownTree(StoredTree, Pictured):
         DeviceError
             As in `nearfar.render`, or a picture whose views do not fit into the adapter's memory.
         """
-        tree = copy.copy(self)
-        tree.__dict__["_viewer"] = self._viewer  # the views that it reads stay cached for the next picture
-        tree._settings = replace(
-            settings_of(views, error_px, geometry, continuous, gaze, lift_deg),
-            budget=None if budget is None else check.integer("budget", budget, 1, MAX_SPLATS),
-        )
+        cut_settings = settings_of(views, error_px, geometry, continuous, gaze, lift_deg)
+        limit = None if budget is None else check.integer("budget", budget, 1, MAX_SPLATS)
+        tree = self._copy(_settings=replace(cut_settings, budget=limit))
         renderer = Renderer(tree, gather(RenderSettings, settings, keywords), argument="tree")
         (frame,) = renderer.frames(renderer.shot([camera]), None, renderer.device(self))
         return frame

@@ -45,7 +45,7 @@ class Cells:
     """
 
     def __init__(self, files: Files, layout: Layout, newest: int, box: NDArray[np.float64], sun: Sun) -> None:
-        self.layout, self._address, self._box, self._sun = layout, files.address, box, sun
+        self.layout, self._address, self._box, self.sun = layout, files.address, box, sun
         self._chunks, read_cells = _store.open_generation(files, layout, newest)
         self._cells = lru_cache(_SUBTREES)(read_cells)
 
@@ -96,7 +96,7 @@ class Cells:
             is_inside = ((low <= surfaces.middle) & (surfaces.middle <= high)).all(axis=1)
             pixels += int(is_inside.sum())
             is_inside[is_inside] = ~is_duplicate(pictures, number, np.flatnonzero(is_inside))
-            parts.append(gaussians_of(surfaces.select(is_inside), picture.axes, picture.pitch, self._sun))
+            parts.append(gaussians_of(surfaces.select(is_inside), picture.axes, picture.pitch, self.sun))
         return Cell(level, place, center, concatenate(parts), pixels)
 
     def read(self, level: int, place: Place) -> Cell:

@@ -63,9 +63,8 @@ class Recorded:
     name: str
     shards: Described
     geometry: Described
-    held: dict[str, int]
     cells: Any = None
-    """Raw entries about cells, for `cells_of`."""
+    """Raw entries about cells, which `open_generation` reads."""
 
 
 def name_of(place: Place) -> str:
@@ -125,16 +124,14 @@ def create(folder: Path, layout: Layout) -> None:
 
 
 def finish(path: Path, *, failed: Mapping[str, str], done: Mapping[str, int]) -> None:
-    """Record the content of the store and the work of the build; a store without failures becomes complete."""
-    if read(Local(path))["complete"]:
+    """Record the content of the store and the work of the build; a store without failures becomes complete.
+
+    Also writes the tileset of the geometry, and lists the records of all subtrees.
+    """
+    described = read(Local(path))
+    if described["complete"]:
         return
-    attributes = {"failed": dict(failed), "held": dict(held_below(path)), "done": dict(done)}
-    change(path, complete=not failed, **attributes, **_end_files(path))
-
-
-def _end_files(path: Path) -> dict[str, Any]:
-    """Write the tileset of the geometry, and list the records of all subtrees; return the resulting attributes."""
-    layout = Layout.from_described(read(Local(path))["layout"])
+    layout = Layout.from_described(described["layout"])
     facts = GeometryStore(path, layout.grid).finish() if layout.geometry else None
     digests = {record.name: hashlib.sha256(record.read_bytes()).hexdigest() for record in _records(path)}
     # Files of leaves are listed in the records of their subtrees.
@@ -143,7 +140,8 @@ def _end_files(path: Path) -> dict[str, Any]:
     listed = {file.relative_to(path).as_posix(): size_and_hash(file) for file in shared_files if file.is_file()}
     content = {"records": digests, "geometry": listed}
     formats.write_json(path / _RECORDS_FILE, formats.header(_RECORDS, _RECORDS_VERSION) | content)
-    return {"geometry": facts}
+    attributes = {"failed": dict(failed), "held": dict(held_below(path)), "done": dict(done)}
+    change(path, complete=not failed, **attributes, geometry=facts)
 
 
 def held_below(folder: Path) -> Counter[str]:
@@ -232,7 +230,7 @@ def _recorded(store: Files, path: str, folder: str, document: Mapping[str, Any])
         shards = _parse_listing(document["shards"], _SHARD)
         geometry = _parse_listing(document["geometry"], _GEOMETRY_FILE)
         cells = document["cells"] if folder else {key: document[key] for key in ("views", "guests")}
-        return Recorded(folder, PurePosixPath(path).stem, shards, geometry, document["held"], cells)
+        return Recorded(folder, PurePosixPath(path).stem, shards, geometry, cells)
 
 
 def recorded(store: Files, newest: int) -> Iterator[Recorded]:
@@ -243,7 +241,7 @@ def recorded(store: Files, newest: int) -> Iterator[Recorded]:
     yield from (_record(store, name, digest) for name, digest in digests.items())
     with formats.guarded(f"{store.address}/{_RECORDS_FILE}"):
         geometry = _parse_listing(records["geometry"], _GEOMETRY_FILE)
-    yield Recorded("", "", {}, geometry, {})
+    yield Recorded("", "", {}, geometry)
     for number in range(1, newest + 1):
         yield _generation(store, number)
 

@@ -14,6 +14,7 @@ from nearfar.orthoview import _compact, _splat_export, _update
 from nearfar.orthoview._files import Local
 from nearfar.orthoview._near_far import NearFarTree
 from nearfar.orthoview._shown import CACHE_BYTES
+from nearfar.orthoview._splat_cells import Cells
 from nearfar.orthoview._view import sheet
 
 
@@ -188,17 +189,8 @@ class OrthoTree(NearFarTree):
         target, lowest = check.path("path", path), check.integer("level", level, 0, self.levels - 1)
         box = np.array([[-np.inf] * 3, [np.inf] * 3]) if aabb is None else check.box("aabb", aabb)
         self._require_complete()
-        return _splat_export.export(
-            self._files,
-            self._layout,
-            self.generation,
-            target,
-            format=format,
-            level=lowest,
-            box=box,
-            light=light,
-            compression=compression,
-        )
+        cells = Cells(self._files, self._layout, self.generation, box, _splat_export.sun_of(light))
+        return _splat_export.export(cells, target, format=format, level=lowest, compression=compression)
 
     def verify(self) -> int:
         """Read every shard and compare its size and hash with the store's records.
