@@ -16,6 +16,7 @@ from benchmarks.orthoview._leaves import DIRECTIONS, SIZE, axes_of, layout_of
 from benchmarks.orthoview._quality import shown_by
 from nearfar import _core
 from nearfar.orthoview import _codec
+from nearfar.orthoview._disocclusion import nearest
 from nearfar.orthoview._grid import OCTANTS, directions_of
 from nearfar.orthoview._layout import CHANNELS
 
@@ -23,10 +24,9 @@ LAYOUT = layout_of()
 MORE = directions_of(13)
 """Directions with which a second layer is compared; the first ones are the same."""
 AXES = [axes_of(direction, 1.0) for direction in MORE]
+UNITS = np.array([axes[2] for axes, _ in AXES])
 BOUNDS = (0.0, 0.002, 0.005, 0.01, 0.02, 0.05)
 VIEWERS = 8
-DRAWN = 3
-"""Number of views of a cell that a client draws."""
 
 Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
@@ -158,13 +158,14 @@ def measure_gain(cell: Cell) -> Gain:
         toward[1] = abs(toward[1])
         toward /= np.linalg.norm(toward)
         points = visible_points(part, cell, toward)
-        lost = lost_points(points, firsts, nearest(toward, len(DIRECTIONS)), cell)
-        shown_by_direction = {n: shows(seconds[n], n, lost, cell) for n in nearest(toward, len(DIRECTIONS))}
+        drawn = nearest(UNITS[: len(DIRECTIONS)], toward)
+        lost = lost_points(points, firsts, drawn, cell)
+        shown_by_direction = {n: shows(seconds[n], n, lost, cell) for n in drawn}
         for n, shown in shown_by_direction.items():
             filled[n] += shown.sum()
         total, hidden = total + len(points), hidden + len(lost)
         hidden_by_both += (~np.any([*shown_by_direction.values()], axis=0)).sum()
-        with_more += len(lost_points(points, firsts, nearest(toward, len(MORE)), cell))
+        with_more += len(lost_points(points, firsts, nearest(UNITS, toward), cell))
     return Gain(
         np.array(views.unseen()),
         chunk_bytes(views),
@@ -174,13 +175,6 @@ def measure_gain(cell: Cell) -> Gain:
         with_more / total,
         filled / total,
     )
-
-
-def nearest(toward: Floats, count: int) -> list[int]:
-    """Return the numbers of the directions that a client draws, among the first `count` ones."""
-    cosines = [np.dot(axes[2], toward) for axes, _ in AXES[:count]]
-    numbers: list[int] = np.argsort(cosines)[::-1][:DRAWN].tolist()
-    return numbers
 
 
 def lost_points(points: Floats, firsts: NDArray[np.uint16], drawn_ones: list[int], cell: Cell) -> Floats:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import errno
 import os
 from collections.abc import Sequence
 from pathlib import Path
@@ -101,8 +100,3 @@ def _part_of(content: bytes | Exception, part: ByteRange) -> bytes | None:
     if len(content) > part.length:
         return bytes(content[part.first :] if part.first < 0 else content[part.first : part.first + part.length])
     return bytes(content)
-
-
-def missing(address: str, document: str) -> FileNotFoundError:
-    """Return the error for a place without a store."""
-    return FileNotFoundError(errno.ENOENT, f"no store of orthoviews (no {document})", address)

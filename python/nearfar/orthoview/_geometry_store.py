@@ -95,18 +95,9 @@ class GeometryStore:
     def finish(self) -> dict[str, Any]:
         """Write the tileset of all leaves that have files, and the list of moving objects.
 
-        Returns
-        -------
-        dict
-            Numbers of `leaves`, `triangles` and `bytes` of static geometry, the same for `moving` geometry, and the
-            greatest `error` of a position along an axis in metres.
-
-        Raises
-        ------
-        FormatError
-            A damaged file, or a file that belongs to no leaf.
-        OSError
-            Files that cannot be read or written.
+        Returns the numbers of `leaves`, `triangles` and `bytes` of static geometry, the same for `moving` geometry, and
+        the greatest `error` of a position along an axis in metres. Raises FormatError for a damaged file or one that
+        belongs to no leaf, OSError for files that cannot be read or written.
         """
         total = {"leaves": 0, "triangles": 0, "bytes": 0, "error": 0.0}
 

@@ -34,16 +34,10 @@ _PIECE = 1 << 20
 
 
 class ShardWriter:
-    """Appends chunks to a shard, and finishes it with its index. No file stays open between calls.
+    """Appends chunks to a shard of side³ chunks, and finishes it with its index. No file stays open between calls.
 
-    Parameters
-    ----------
-    path
-        Path of the shard; until the index is written it has the suffix `PART`.
-    side
-        Number of chunks along each axis of the grid.
-    chunks
-        Places and chunks that an earlier writer finished; any bytes after them in the file are dropped.
+    Until the index is written the file has the suffix `PART`. `chunks` are those that an earlier writer finished, with
+    their places; any bytes after them in the file are dropped.
     """
 
     def __init__(self, path: Path, side: int, chunks: Iterable[tuple[Place, Chunk]] = ()) -> None:

@@ -67,19 +67,9 @@ def write(
 ) -> dict[str, int]:
     """Write the cells of a level into an empty file; ValueError if it does not hold all splats.
 
-    Parameters
-    ----------
-    path, target
-        The file to write, and the final file, beside which temporary files are made.
-    packed, is_gltf
-        Both for SPZ in a GLB, one of them for SPZ alone or a GLB with plain attributes.
-    extras
-        Entries for the GLB's `extras`.
-
-    Returns
-    -------
-    dict
-        Numbers of `cells`, `splats`, `pixels` that they represent, and `bytes`; no splats if nothing is in the box.
+    Temporary files are made beside `target`, the final file. Both `packed` and `is_gltf` give SPZ in a GLB, one of them
+    SPZ alone or a GLB with plain attributes. `extras` are entries for the GLB's `extras`. Returns the numbers of
+    `cells`, of `splats`, of the `pixels` that they represent, and of `bytes`; no splats if nothing is in the box.
     """
     bounds = cells.bounds()
     center = np.rint(bounds.mean(axis=0)) if is_gltf else np.zeros(3)

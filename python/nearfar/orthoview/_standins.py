@@ -46,19 +46,10 @@ class Shown:
 
 
 class StandIns:
-    """Chooses the parts to draw.
+    """Chooses the parts to draw, at most `views` views of a cell.
 
-    Parameters
-    ----------
-    directions
-        Unit vectors (D, 3) of the tree's directions.
-    is_read
-        Whether a part has been read in its newest version.
-    drawable
-        Directions from which a cell can be drawn, and `GEOMETRY` for the file of a leaf: parts that have been read,
-        in any version.
-    views
-        Greatest number of views of a cell.
+    `directions` are unit vectors (D, 3). `is_read` says whether a part has been read in its newest version. `drawable`
+    returns the directions of a cell's views that have been read in any version, and `GEOMETRY` if its leaf's file has.
     """
 
     def __init__(

@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 from nearfar._base import check, files, formats
 from nearfar._base.errors import FormatError
 from nearfar.orthoview._chunks import Chunks, Generation
-from nearfar.orthoview._files import Files, Local, missing
+from nearfar.orthoview._files import Files, Local
 from nearfar.orthoview._geometry_store import FOLDER as GEOMETRY, IMAGES, MOVING, SHARED_FOLDERS, TILESET, GeometryStore
 from nearfar.orthoview._grid import Place
 from nearfar.orthoview._layout import FOLDER, Layout
@@ -174,7 +174,7 @@ def read(store: Files) -> dict[str, Any]:
 def _document(store: Files) -> dict[str, Any]:
     content = store.read(DOCUMENT)
     if content is None:
-        raise missing(store.address, DOCUMENT)
+        raise FileNotFoundError(errno.ENOENT, f"no store of orthoviews (no {DOCUMENT})", store.address)
     address = f"{store.address}/{DOCUMENT}"
     with formats.guarded(address):
         document = formats.from_json(content)
