@@ -152,7 +152,7 @@ class Pilot:
         self.meter = Meter()
         """Measures the link."""
         self.limit = math.inf
-        """Speed that the link allows at the wanted error, metres a second; higher far from small cells."""
+        """Speed that the link allows at the error of the settings, metres a second; higher far from small cells."""
 
     @property
     def settings(self) -> Settings:
@@ -184,7 +184,7 @@ class Pilot:
             self._coarsest = self._coarsest_views(camera)
         # A finer picture is read last.
         later = [*soon, *coming] if self._target_error < self._error else [*coming, *soon]
-        cuts_beside = [self._cutter.cut(cut_beside, self.settings) for cut_beside in self._cameras_beside]
+        cuts_beside = [self._cutter.cut(camera_beside, self.settings) for camera_beside in self._cameras_beside]
         beside = [self.parts_of_cut(cut_beside) for cut_beside in cuts_beside]
         records += [record for cut_beside in cuts_beside for record in records_of(cut_beside)]
         parts = [part for cells in (wanted, *beside) for part in chain(*cells.values())]
@@ -267,7 +267,7 @@ class Pilot:
         self._target_error = error
 
     def _limit(self, ends: tuple[Camera, Camera], metres: float, outlook: Outlook, settings: Settings) -> float:
-        """Speed at which the parts that come into sight on a way arrive as fast as they are needed."""
+        """Speed at which the parts that come into sight between two cameras arrive as fast as they are needed."""
         cuts = (self._cutter.cut(camera, settings, around=True) for camera in ends)
         now, ahead = (seen_parts(self._cutter, cut, camera, outlook) for cut, camera in zip(cuts, ends, strict=True))
         size = sum(self.meter.bytes_of(part) for part in ahead.keys() - now.keys())

@@ -72,9 +72,9 @@ class Outlook:
         if not self._planes:
             return np.ones(len(corners), bool)
         half_side = sides[:, None] / 2.0
-        center = corners + half_side - eye
+        to_center = corners + half_side - eye
         # The corner farthest along the plane's normal decides.
-        reaches = (center @ planes.T + half_side * np.abs(planes).sum(axis=1) for planes in self._planes)
+        reaches = (to_center @ planes.T + half_side * np.abs(planes).sum(axis=1) for planes in self._planes)
         is_visible: NDArray[np.bool_] = np.any([(reach >= 0.0).all(axis=1) for reach in reaches], axis=0)
         return is_visible
 

@@ -157,7 +157,7 @@ def _has_plane(picture: Picture, middle: Floats, normal: Floats) -> NDArray[np.b
     index, column, row, depth = index[is_inside], column[is_inside], row[is_inside], depth[is_inside]
     c, r = column.astype(np.int64), row.astype(np.int64)
     reach = np.float32(MAX_PLANE_DISTANCE * max(width, height))
-    # On a plane tilted by 75.5° depths differ by 4.8 pixels within reach of a pixel and `reach`.
+    # On a plane tilted by 75.5° depths differ by 4.8 pixels between points that are a pixel and `reach` apart.
     is_match = picture.is_surfel[r, c] & (np.abs(depth - picture.depth[r, c]) <= 10 * reach)
     index, column, row, depth, c, r = (values[is_match] for values in (index, column, row, depth, c, r))
     is_match = np.einsum("ni,ni->n", picture.normal[r, c], normal[index]) >= MIN_COSINE
