@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from nearfar import _core
 from nearfar._base import background, card, check, exr, files, formats
+from nearfar._base.settings import set_fields
 from nearfar._cubemap.layouts import convert_envmap
 from nearfar._cubemap.lookup import FILTERS, Filter, cube_lookup
 
@@ -57,7 +58,7 @@ class EnvMap:
     """Names of the objects by number; empty if unknown."""
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "center", check.vector("center", self.center))
+        set_fields(self, center=check.vector("center", self.center))
         shape = check.plain("color", self.color).shape
         size = shape[1] if len(shape) == 4 else 0
         for name in CHANNELS:
@@ -70,8 +71,8 @@ class EnvMap:
                 raise ValueError(f"{name}: expected shape (6, S, S{', 3' * (name == 'color')}), got {array.shape}")
             _check_values(name, array)
             array.flags.writeable = False
-            object.__setattr__(self, name, array)
-        object.__setattr__(self, "object_names", tuple(check.texts("object_names", self.object_names)))
+            set_fields(self, **{name: array})
+        set_fields(self, object_names=tuple(check.texts("object_names", self.object_names)))
 
     @property
     def face_size(self) -> int:

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from nearfar._base import check
+from nearfar._base.settings import set_fields
 from nearfar._morph import morph
 from nearfar._render.settings import RenderKeywords
 from nearfar._scene.levels import Leveled
@@ -83,17 +84,16 @@ class MorphSettings:
     def __post_init__(self) -> None:
         check.choice("method", self.method, get_args(Method))
         check.choice("conventional_dynamic", self.conventional_dynamic, get_args(ConventionalDynamic))
-        checked: dict[str, Any] = {"env": check.flag("env", self.env)}
+        set_fields(self, env=check.flag("env", self.env))
         if self.tolerance_px is not None:
-            checked["tolerance_px"] = check.number("tolerance_px", self.tolerance_px, finite=False)
-            if not checked["tolerance_px"] > 0.0:
+            tolerance = check.number("tolerance_px", self.tolerance_px, finite=False)
+            if not tolerance > 0.0:
                 raise ValueError(f"tolerance_px: expected a number above 0, got {self.tolerance_px}")
+            set_fields(self, tolerance_px=tolerance)
         if self.radius is not None:
-            checked["radius"] = check.at_least_zero("radius", self.radius)
+            set_fields(self, radius=check.at_least_zero("radius", self.radius))
         if self.strength is not None:
-            checked["strength"] = check.in_range("strength", self.strength, 0.0, 1.0)
-        for name, value in checked.items():
-            object.__setattr__(self, name, value)
+            set_fields(self, strength=check.in_range("strength", self.strength, 0.0, 1.0))
 
     @property
     def growth(self) -> tuple[float | None, float]:

@@ -18,6 +18,7 @@ from nearfar._cubemap.envmap import EnvMap
 from nearfar._partition.partition import Partition, partition
 from nearfar._reduce import folder, stages
 from nearfar._reduce.baking import MapSettings
+from nearfar._reduce.default_radii import join
 from nearfar._reduce.drawing import (
     BOUNDARIES,
     Boundary,
@@ -64,7 +65,7 @@ class ReducedScene(InPictures, InNotebooks, Recenters):
         self._morph, self._boundary, self._counts, self._is_whole = morph, boundary, counts, is_whole
         self._unposed, self._poses = scene, dict[str, ArrayLike]()
         self._drawing = MorphSettings()
-        self._reason = ""
+        self._reasons: Mapping[str, str] = {}
         self._has_warned = [False]
         self._baking = MapSettings() if baking is None else check.instance("baking", baking, MapSettings)
         self._at_levels: tuple[NDArray[np.int64], ReducedScene] | None = None
@@ -112,10 +113,10 @@ class ReducedScene(InPictures, InNotebooks, Recenters):
     @property
     def reason(self) -> str:
         """Centre and radii that `reduce` chose, and why, in words; empty if the caller set them."""
-        return self._reason
+        return join(self._reasons)
 
-    def _with_reason(self, reason: str) -> Self:
-        self._reason = reason
+    def _with_reasons(self, reasons: Mapping[str, str]) -> Self:
+        self._reasons = reasons
         return self
 
     @property
@@ -212,7 +213,7 @@ class ReducedScene(InPictures, InNotebooks, Recenters):
             is_whole=self._is_whole,
             baking=self._baking,
         )
-        return reduced._drawn_by(self._drawing)._with_reason(self._reason)
+        return reduced._drawn_by(self._drawing)._with_reasons(self._reasons)
 
     def with_morph(self, morph: MorphKind) -> ReducedScene:
         """Return the same near part and the same map with another morph, without baking again.
@@ -249,7 +250,8 @@ class ReducedScene(InPictures, InNotebooks, Recenters):
         counts = zones.summary()
         # Triangles beyond r2 are those of the bake, even if only the near part was loaded.
         inner = {name: counts[name] for name in ("near", "intermediate", "nsf_at_r1")}
-        changed = self._copy_with(zones.scene, zones, self._counts | inner)._with_reason("")
+        reasons = {name: reason for name, reason in self._reasons.items() if name not in ("r1", "radii")}
+        changed = self._copy_with(zones.scene, zones, self._counts | inner)._with_reasons(reasons)
         return changed.at(self._poses) if self._poses else changed
 
     def with_growth(self, radius: float | None = None, strength: float = 1.0) -> ReducedScene:
@@ -291,7 +293,11 @@ class ReducedScene(InPictures, InNotebooks, Recenters):
         """
         near = self._near_part
         settings = (self.center, self.r1, self.r2, self._morph, self._boundary)
-        folder.save(path, folder.Contents(near, self._env, *settings, self._counts), half=check.flag("half", half))
+        folder.save(
+            path,
+            folder.Contents(near, self._env, *settings, self._counts, self._reasons),
+            half=check.flag("half", half),
+        )
 
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> ReducedScene:
@@ -312,8 +318,8 @@ class ReducedScene(InPictures, InNotebooks, Recenters):
         # Values of the files may be valid separately, but not together.
         with formats.guarded(path):
             zones = partition(saved.near, center=saved.center, r1=saved.r1, r2=saved.r2)
-            kept: dict[str, Any] = {"morph": saved.morph, "boundary": saved.boundary, "counts": saved.counts}
-            return cls(saved.near, zones, saved.env, **kept, is_whole=False)
+            fields: dict[str, Any] = {"morph": saved.morph, "boundary": saved.boundary, "counts": saved.counts}
+            return cls(saved.near, zones, saved.env, **fields, is_whole=False)._with_reasons(saved.reasons)
 
     @property
     def _near_part(self) -> Scene:
@@ -340,7 +346,7 @@ class ReducedScene(InPictures, InNotebooks, Recenters):
 
     def __repr__(self) -> str:
         stats = self.stats
-        chosen = ", chosen by reduce" if self._reason else ""
+        chosen = ", chosen by reduce" if self._reasons.keys() - {"center"} else ""
         return (
             f"ReducedScene({self._morph!r}, r1={self.r1:g}, r2={self.r2:g}{chosen}: {stats['drawn']:,} of "
             f"{stats['triangles']:,} triangles, map of {stats['map_bytes']:,} bytes)"

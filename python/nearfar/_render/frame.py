@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from nearfar import _core
 from nearfar._base import background, card, check, exr, files, formats
+from nearfar._base.settings import set_fields
 from nearfar._camera.camera import Camera, CubeFace, Fov, Orthographic
 from nearfar._render import preview
 from nearfar._render.channels import CHANNELS, VECTORS, missing
@@ -73,8 +74,8 @@ class Frame:
 
     def __post_init__(self) -> None:
         check.instance("camera", self.camera, Camera)
-        object.__setattr__(self, "origin", check.vector("origin", self.origin))
-        object.__setattr__(self, "stats", MappingProxyType(dict(check.mapping("stats", self.stats, "counts by name"))))
+        stats = MappingProxyType(dict(check.mapping("stats", self.stats, "counts by name")))
+        set_fields(self, origin=check.vector("origin", self.origin), stats=stats)
         width, height = self.camera.size
         for name in self.channels:
             image = check.instance(name, getattr(self, name), np.ndarray, "an array")

@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, fields
 from typing import TypedDict
 
+from nearfar._base.settings import set_fields
 from nearfar._camera.clip import Clip
 from nearfar._camera.shot import Sampling
 from nearfar._render import backend as backends
@@ -63,7 +64,7 @@ class RenderSettings(Sampling):
     def __post_init__(self) -> None:
         super().__post_init__()
         if self.channels is not None:
-            object.__setattr__(self, "channels", channel_names(self.channels))
+            set_fields(self, channels=channel_names(self.channels))
         backends.check(self.backend)
 
 

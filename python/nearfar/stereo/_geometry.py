@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from nearfar import _core
 from nearfar._base import check, memory
 from nearfar._base.pickling import WithTwin
+from nearfar._base.settings import set_fields
 from nearfar._camera.camera import Camera, Fov, quaternion
 from nearfar._camera.clip import Clip
 from nearfar._camera.rotation import compose_rotations, rotation
@@ -20,6 +21,7 @@ from nearfar.hmd._eye import Eye
 from nearfar.hmd._hmd import EYES, Hmd
 from nearfar.stereo._kink import kink_angles
 from nearfar.stereo._layer import QuadLayer
+from nearfar.stereo._settings import check_depths
 from nearfar.stereo._view_vectors import view_vectors
 
 AXES = ("horizontal", "vertical", "both")
@@ -41,8 +43,7 @@ class RigGeometry(WithTwin):
     def __post_init__(self) -> None:
         for side in EYES:
             check.instance(side, getattr(self, side), Eye, "Eye")
-        object.__setattr__(self, "mono_plane", _plane(self.mono_plane))
-        object.__setattr__(self, "size", check.size("size", self.size))
+        set_fields(self, mono_plane=_plane(self.mono_plane), size=check.size("size", self.size))
         if self.hmd is not None:
             check.instance("hmd", self.hmd, Hmd, "an Hmd")
         # Creating it checks the rest now rather than on first use.
@@ -136,9 +137,7 @@ class RigGeometry(WithTwin):
         ValueError, TypeError
             Depths below 0 or out of order, and invalid poses.
         """
-        begin, end = check.at_least_zero("near", near), check.number("far", far, finite=False)
-        if not end > begin:
-            raise ValueError(f"far: expected more than near, {begin:g} m, got {end:g}")
+        begin, end = check_depths(near, far)
         turn = rotation(quaternion(orientation))
         ahead = turn @ np.array((0.0, 0.0, -1.0))
         middle = np.array(check.vector("position", position)) + turn @ np.array(self._core.middle)

@@ -12,7 +12,7 @@ from nearfar._base import check
 from nearfar._base.settings import gather, split
 from nearfar._partition.load_curve import load_curve
 from nearfar._reduce.baking import MapKeywords, MapSettings
-from nearfar._reduce.choose_radii import Radii, RadiusKeywords, RadiusSettings, choose_radii
+from nearfar._reduce.choose_radii import Radii, RadiusKeywords, RadiusSettings, choose_radii, complete_settings
 from nearfar._reduce.drawing import MORPHS, MorphKind
 from nearfar._reduce.walk.folds import climbs, walkable
 from nearfar._reduce.walk.grid import Grid, grids
@@ -98,10 +98,8 @@ def regions(
     if (path is None) == (area is None):
         raise ValueError(f"path: expected either path or area, got {'neither' if path is None else 'both'}")
     map_keywords, radius_keywords = split(RadiusSettings, keywords)
-    map_settings, radius_settings = (
-        gather(MapSettings, settings, map_keywords),
-        gather(RadiusSettings, radii, radius_keywords, argument="radii"),
-    )
+    map_settings = gather(MapSettings, settings, map_keywords)
+    radius_settings = complete_settings(gather(RadiusSettings, radii, radius_keywords, argument="radii"))
     reach = _check_length("reach", radius_settings.reach)
     eye_height = _check_length("eye_height", radius_settings.eye_height)
     min_walk = checked_hysteresis(hysteresis, reach)
