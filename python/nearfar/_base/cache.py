@@ -25,18 +25,10 @@ def folder() -> Path:
 
 
 def key(*parts: Any) -> str:
-    """Hash everything that a result depends on to 40 hexadecimal digits.
+    """Hash everything that a result depends on to 40 hexadecimal digits, with the algorithm's name and version.
 
-    Parameters
-    ----------
-    *parts
-        Strings, bytes, numbers, booleans, None, arrays, and tuples, lists and dicts of these. Include the name and the
-        version of the algorithm.
-
-    Raises
-    ------
-    TypeError
-        Other types, whose text may contain an address that differs between runs.
+    Parts are strings, bytes, numbers, booleans, None, arrays, and tuples, lists and dicts of these; TypeError for other
+    types, whose text may contain an address that differs between runs.
     """
     digest = hashlib.blake2b(digest_size=20)
     for piece in _encoded(parts):
@@ -45,29 +37,12 @@ def key(*parts: Any) -> str:
 
 
 def get_or_make(key: str, suffix: str, make: Callable[[Path], None]) -> Path:
-    """Return the cached file of a key; make it first if there is none.
+    """Return the cached file of a key, marked as just used; make it first if there is none.
 
-    Parameters
-    ----------
-    key
-        Hash from `key`.
-    suffix
-        The file's suffix with its dot, such as ".npy".
-    make
-        Writes the file at the path that it receives. If it raises, nothing is cached.
-
-    Returns
-    -------
-    Path
-        The file, marked as just used. While the folder exceeds `NEARFAR_CACHE_MAX_GB` (default 4) gigabytes of 10⁹
-        bytes, the least recently used other files are removed.
-
-    Raises
-    ------
-    OSError
-        If the folder is not writable; the error names it. `NEARFAR_CACHE` sets another folder.
-    ValueError
-        If `NEARFAR_CACHE_MAX_GB` is not a number of at least 0.
+    `key` is a hash from `key`, and the suffix has a dot, such as ".npy". `make` writes the file at the path that it
+    receives; if it raises, nothing is cached. While the folder exceeds `NEARFAR_CACHE_MAX_GB` (default 4) gigabytes of
+    10⁹ bytes, the least recently used other files are removed. ValueError if that is not a number of at least 0,
+    OSError with the folder's name if it is not writable; `NEARFAR_CACHE` sets another folder.
     """
     path = find(key, suffix)
     return keep(key, suffix, make) if path is None else path

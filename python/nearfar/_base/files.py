@@ -19,31 +19,16 @@ _PIECE = 1 << 24
 
 @contextmanager
 def atomic_file(path: str | os.PathLike[str]) -> Iterator[Path]:
-    """Write a file atomically.
+    """Write a file atomically: yield an empty temporary file in the folder of `path`, with the same suffix.
 
-    Parameters
-    ----------
-    path
-        The file to create or replace. Its folder must exist.
-
-    Yields
-    ------
-    Path
-        An empty temporary file in the folder of `path`, with the same suffix. It replaces `path` when the block ends,
-        and is removed if the block raises.
-
-    Raises
-    ------
-    OSError
-        Before the block runs, if the folder is missing or not writable, or `path` is a folder, a pipe or a device; the
-        error names `path`.
+    It replaces `path` when the block ends, and is removed if the block raises. OSError that names `path`, before the
+    block runs, if the folder is missing or not writable, or `path` is a folder, a pipe or a device.
     """
     target = _absolute(path)
     if target.is_dir():
         raise IsADirectoryError(errno.EISDIR, "is a folder, expected a file path", str(target))
     if target.exists() and not target.is_file():
-        message = "is a pipe, a socket or a device, expected a file path"
-        raise OSError(errno.EINVAL, message, str(target))
+        raise OSError(errno.EINVAL, "is a pipe, a socket or a device, expected a file path", str(target))
     aside.clear(target)
     with aside.temporary_beside(target, folder=False) as temporary:
         yield temporary
@@ -56,27 +41,12 @@ def atomic_file(path: str | os.PathLike[str]) -> Iterator[Path]:
 
 @contextmanager
 def atomic_folder(path: str | os.PathLike[str], *, marker: str = "manifest.json") -> Iterator[Path]:
-    """Write a folder atomically.
+    """Write a folder atomically: yield an empty temporary folder beside `path`.
 
-    Parameters
-    ----------
-    path
-        The folder to create. An existing one is replaced only if it is empty or contains `marker`. The parent folder
-        must exist.
-    marker
-        Name of the file that every folder of this kind contains.
-
-    Yields
-    ------
-    Path
-        An empty temporary folder beside `path`. It replaces `path` when the block ends, and is removed if the block
-        raises.
-
-    Raises
-    ------
-    OSError
-        Before the block runs, if the folder above is missing or not writable, or `path` is a file or a folder with
-        other files; the error names `path`.
+    It replaces `path` when the block ends, and is removed if the block raises. An existing folder is replaced only if
+    it is empty or contains `marker`, the name of the file that every folder of this kind contains. OSError that names
+    `path`, before the block runs, if the parent folder is missing or not writable, or `path` is a file or a folder with
+    other files.
     """
     target = _absolute(path)
     aside.restore(target)

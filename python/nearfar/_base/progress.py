@@ -7,7 +7,7 @@ import os
 import sys
 import time
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import closing, contextmanager
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
@@ -39,34 +39,23 @@ _look: contextvars.ContextVar[Callable[[], None] | None] = contextvars.ContextVa
 
 @contextmanager
 def bar(label: str) -> Iterator[Report]:
-    """Show the progress of a kernel.
+    """Show the progress of work with a label of one or two words: yield a `Report`, which kernels take as `report=`.
 
-    Parameters
-    ----------
-    label
-        Name of the work, one or two words.
-
-    Yields
-    ------
-    Callable
-        Takes (done, total) in any unit; pass it to a kernel as `report=`. `NEARFAR_PROGRESS=0` hides all progress.
+    `NEARFAR_PROGRESS=0` hides all progress.
     """
-    shown = _Bar(label)
-    try:
-        yield shown.report
-    finally:
-        shown.close()
+    with closing(_Bar(label)) as visible:
+        yield visible.report
 
 
 @contextmanager
 def lines() -> Iterator[None]:
     """Within the block, write a line to standard error every `INTERVAL` seconds of work if no bar can be shown."""
     global _writes_lines, _last_line
-    before, _writes_lines, _last_line = _writes_lines, True, time.monotonic()
+    previous, _writes_lines, _last_line = _writes_lines, True, time.monotonic()
     try:
         yield
     finally:
-        _writes_lines = before
+        _writes_lines = previous
 
 
 @contextmanager

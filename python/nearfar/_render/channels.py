@@ -6,17 +6,7 @@ from collections.abc import Iterable
 
 from nearfar._base import check
 
-DRAWN = (
-    "color",
-    "range",
-    "object_id",
-    "face_id",
-    "position",
-    "normal",
-    "albedo",
-    "shading_normal",
-    "coverage",
-)
+DRAWN = ("color", "range", "object_id", "face_id", "position", "normal", "albedo", "shading_normal", "coverage")
 """Names of the channels that sources draw."""
 
 CHANNELS = (*DRAWN, "motion")

@@ -152,7 +152,7 @@ class Frame:
 
     def _preview(self) -> tuple[str, NDArray[np.uint8]]:
         """Return name and picture of the most informative image; StopIteration if there is no image."""
-        name = next(name for name in preview.ORDER if name in self.channels)
+        name = next(name for name in preview.CAPTIONS if name in self.channels)
         return name, preview.pixels(name, card.thinned(self.require(name)))
 
     @card.repr_png

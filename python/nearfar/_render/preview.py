@@ -9,20 +9,6 @@ from numpy.typing import NDArray
 
 from nearfar import _core
 
-ORDER = (
-    "color",
-    "albedo",
-    "shading_normal",
-    "normal",
-    "range",
-    "object_id",
-    "face_id",
-    "coverage",
-    "motion",
-    "position",
-)
-"""Images of a frame, most informative first."""
-
 CAPTIONS = {
     "color": "colour",
     "albedo": "colour of the materials",
@@ -35,7 +21,7 @@ CAPTIONS = {
     "motion": "motion: to the right is red, down is green",
     "position": "height above the lowest point, high is bright",
 }
-"""Captions of the pictures of each image."""
+"""Captions of the pictures of a frame's images, most informative first."""
 
 
 def pixels(name: str, image: NDArray[Any]) -> NDArray[np.uint8]:

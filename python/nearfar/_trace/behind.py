@@ -11,17 +11,7 @@ from nearfar._scene.scene import Scene
 def is_hit_from_behind(
     scene: Scene, triangles: NDArray[np.int64], directions: NDArray[np.float64]
 ) -> NDArray[np.bool_]:
-    """Return whether rays hit the back of their triangle.
-
-    Parameters
-    ----------
-    scene
-        The scene.
-    triangles
-        (…, N) triangle that each ray hits, −1 for none.
-    directions
-        (N, 3) directions of the rays.
-    """
+    """Return whether rays with directions (N, 3) hit the back of their triangle, (…, N) numbers, −1 for none."""
     is_hit = triangles >= 0
     hit_triangles = np.unique(triangles[is_hit])
     if not len(hit_triangles):

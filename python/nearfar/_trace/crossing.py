@@ -67,11 +67,8 @@ def choose(
 ) -> tuple[Point, Point, bool]:
     """Choose a user's place beside a centre, and a view that the boundary crosses.
 
-    Returns
-    -------
-    user, forward, crosses
-        The place, at most `distance` metres from the centre; the horizontal direction of view; and whether the boundary
-        is in view. If no view shows it, the direction is that of the centre's viewpoint.
+    Returns the place, at most `distance` metres from the centre; the horizontal direction of view; and whether the
+    boundary is in view. If no view shows it, the direction is that of the centre's viewpoint.
     """
     default = beside(scene, place, distance)[0]
     if place.is_outside:

@@ -48,6 +48,15 @@ class Hits:
             return np.asarray(self._origins + t[:, None] * directions, np.float64)
 
 
+def surface_heights(scene: Scene, points: NDArray[np.float64], *, from_above: bool) -> NDArray[np.float64]:
+    """Heights (M,) of the first surface at points (M, 2) as x, z, seen from above or from below; NaN without any."""
+    low, high = scene.bounds[:, 1]
+    start, sign = (high + 1.0, -1.0) if from_above else (low - 1.0, 1.0)
+    down = np.tile([0.0, sign, 0.0], (len(points), 1))
+    distances = cast_rays(scene, np.insert(points, 1, start, axis=1), down).t_hit.astype(np.float64)
+    return np.where(np.isfinite(distances), start + sign * np.where(np.isfinite(distances), distances, 0.0), np.nan)
+
+
 def cast_rays(scene: Scene, origins: ArrayLike, directions: ArrayLike, *, t_max: float = np.inf) -> Hits:
     """Find the nearest triangle along each ray.
 

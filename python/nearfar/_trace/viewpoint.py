@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from nearfar._scene.scene import Scene
 from nearfar._trace.behind import is_hit_from_behind
-from nearfar._trace.rays import Hits, cast_rays
+from nearfar._trace.rays import Hits, cast_rays, surface_heights
 
 Point = tuple[float, float, float]
 
@@ -170,12 +170,10 @@ def _candidates(scene: Scene) -> list[NDArray[np.float64]]:
     grid = grid[np.argsort(np.hypot(*grid.T), kind="stable")]
     x, z = (grid * np.minimum(half * 0.6, 150.0)[[0, 2]] + middle[[0, 2]]).T
     eyes = []
-    for start, sign in ((high[1] + 1.0, -1.0), (low[1] - 1.0, 1.0)):
-        origins = np.column_stack([x, np.full(len(x), start), z])
-        way = cast_rays(scene, origins, np.tile([0.0, sign, 0.0], (len(x), 1))).t_hit.astype(np.float64)
-        ground = np.where(np.isfinite(way), start + sign * np.where(np.isfinite(way), way, 0.0), low[1])
-        level = ground <= np.percentile(ground, 10.0) + 2.0
-        eyes.append(np.column_stack([x, ground + EYE_HEIGHT, z])[level])
+    for from_above in (True, False):
+        ground = np.nan_to_num(surface_heights(scene, np.column_stack([x, z]), from_above=from_above), nan=low[1])
+        is_low = ground <= np.percentile(ground, 10.0) + 2.0
+        eyes.append(np.column_stack([x, ground + EYE_HEIGHT, z])[is_low])
     return eyes
 
 

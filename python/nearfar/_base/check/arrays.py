@@ -20,35 +20,14 @@ _SMALL = 1 << 30
 
 
 def array(
-    name: str,
-    value: ArrayLike,
-    *,
-    columns: int | None = 3,
-    dtype: DTypeLike | None = None,
-    finite: bool = False,
+    name: str, value: ArrayLike, *, columns: int | None = 3, dtype: DTypeLike | None = None, finite: bool = False
 ) -> NDArray[Any]:
     """Convert an argument to an aligned C-contiguous array in native byte order; copies only if it is not one already.
 
-    Parameters
-    ----------
-    name
-        The argument's public name.
-    value
-        The caller's value.
-    columns
-        Expected shape (N, columns); None accepts any shape.
-    dtype
-        Type of the result. None keeps float32 and float64 and converts other types to float64. An integer type accepts
-        only whole numbers within its range.
-    finite
-        Whether to reject NaN and infinities. This reads the whole array; leave it off if the kernel checks it.
-
-    Raises
-    ------
-    TypeError
-        Values that are not real numbers, or fractions where integers are required.
-    ValueError
-        A wrong shape, integers out of range, or NaN and infinities with `finite`.
+    The shape must be (N, columns); None accepts any shape. `dtype` None keeps float32 and float64 and converts other
+    types to float64. An integer type accepts only whole numbers within its range. `finite` rejects NaN and infinities;
+    it reads the whole array: leave it off if the kernel checks it. TypeError for values that are not real numbers, and
+    for fractions where integers are required; else ValueError.
     """
     values = _numbers(name, value)
     target = _target_type(values.dtype, dtype)
