@@ -28,10 +28,10 @@ def surface(count: int) -> Array:
 
 def spheres(title: str, points: Array, *peers: str, repeat: int = 5) -> str:
     """Table of methods and peers; an error is the relative excess of the radius over the least one."""
-    least, single = nf.bounding_sphere(points)[1], points.astype(np.float32)
+    min_radius, single = nf.bounding_sphere(points)[1], points.astype(np.float32)
 
     def error(sphere: tuple[Array, float]) -> float:
-        return abs(sphere[1] / least - 1)
+        return abs(sphere[1] / min_radius - 1)
 
     cases = [Case(f"{OURS}, exact", partial(nf.bounding_sphere, points), error)]
     cases += [Case(f"{OURS}, exact, float32", partial(nf.bounding_sphere, single), error)]
@@ -40,8 +40,8 @@ def spheres(title: str, points: Array, *peers: str, repeat: int = 5) -> str:
     if "trimesh" in peers:
         cases += [Case("trimesh", partial(trimesh.nsphere.minimum_nsphere, points), error)]
     cases += [Case("reading (NumPy's max)", points.max)]
-    with sphere_peers(points, *(name for name in peers if name != "trimesh")) as others:
-        cases += [dataclasses.replace(case, error=error) for case in others]
+    with sphere_peers(points, *(name for name in peers if name != "trimesh")) as peer_cases:
+        cases += [dataclasses.replace(case, error=error) for case in peer_cases]
         return compare(title, cases, work=Work(bytes=points.nbytes), repeat=repeat)
 
 
@@ -62,13 +62,13 @@ def groups() -> str:
 def main() -> None:
     start(__doc__)
     print_limits()
-    of, peers = "Bounding sphere of", ("cyminiball", "miniball crate")
-    print(spheres(f"{of} 10⁴ points of a surface", surface(10_000), "trimesh", *peers), flush=True)
-    print(spheres(f"{of} 10⁶ points of a surface", surface(1_000_000), *peers), flush=True)
-    print(spheres(f"{of} 10⁷ points of a surface", surface(10_000_000), repeat=3), flush=True)
+    label, peers = "Bounding sphere of", ("cyminiball", "miniball crate")
+    print(spheres(f"{label} 10⁴ points of a surface", surface(10_000), "trimesh", *peers), flush=True)
+    print(spheres(f"{label} 10⁶ points of a surface", surface(1_000_000), *peers), flush=True)
+    print(spheres(f"{label} 10⁷ points of a surface", surface(10_000_000), repeat=3), flush=True)
     ball = np.random.default_rng(1).normal(size=(1_000_000, 3))
     ball /= np.linalg.norm(ball, axis=1, keepdims=True)
-    print(spheres(f"{of} 10⁶ cospherical points", ball, *peers), flush=True)
+    print(spheres(f"{label} 10⁶ cospherical points", ball, *peers), flush=True)
     print(groups())
 
 

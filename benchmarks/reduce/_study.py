@@ -41,9 +41,9 @@ def draw_tasks(path: Path, size: tuple[int, int]) -> None:
 def _view(task: Any, name: str, size: tuple[int, int], degrees: float, up: float) -> nf.Camera:
     eye = np.add(task.center, USER[name])
     # Users turn towards the middle of the objects.
-    ahead = np.subtract(task.target, eye)
+    direction = np.subtract(task.target, eye)
     return nf.Camera.look_at(
-        eye, np.add(eye, (ahead[0], up, ahead[2])), fov=nf.Fov.symmetric(degrees, size[0] / size[1]), size=size
+        eye, np.add(eye, (direction[0], up, direction[2])), fov=nf.Fov.symmetric(degrees, size[0] / size[1]), size=size
     )
 
 
@@ -85,13 +85,13 @@ def _ball(size: tuple[int, int]) -> dict[str, Picture]:
     pictures = {}
     for name, source in _methods(scene, task).items():
         how: dict[str, Any] = {"conventional_dynamic": "user"} if name == "Conventional" else {}
-        shown: Picture | None = None
+        combined: Picture | None = None
         for time in np.linspace(0.3, 1.0, BALLS) * task.duration:
             frame = _frame(source, view, at={"ball": task.pose(time)}, **how)
             picture, mask = frame.to_image(), frame.require("object_id") == number
-            shown = picture if shown is None else np.where(mask[..., None], picture, shown)
-        assert shown is not None
-        pictures[name] = shown
+            combined = picture if combined is None else np.where(mask[..., None], picture, combined)
+        assert combined is not None
+        pictures[name] = combined
     return pictures
 
 
@@ -104,14 +104,14 @@ def _captioned(picture: Picture, text: str) -> Picture:
 
 
 def draw_disparity(
-    distances: Array, drawn: Mapping[str, tuple[Array, Array, Array]], radii: tuple[float, float], path: Path
+    distances: Array, curves: Mapping[str, tuple[Array, Array, Array]], radii: tuple[float, float], path: Path
 ) -> None:
     """Draw the disparity of the truth, of the continuous method by calculation, and in pictures."""
-    figure, grid = subplots(1, len(drawn), figsize=(10, 3.8), sharey=True, squeeze=False)
-    for axes, (title, (calculated, seen, truth)) in zip(grid[0], drawn.items(), strict=True):
+    figure, grid = subplots(1, len(curves), figsize=(10, 3.8), sharey=True, squeeze=False)
+    for axes, (title, (calculated, in_pictures, truth)) in zip(grid[0], curves.items(), strict=True):
         axes.plot(distances, truth, color="0.5", label="truth")
         axes.plot(distances, calculated, color="#c8102e", label="continuous, calculated")
-        axes.plot(distances, seen, "o", color="#c8102e", fillstyle="none", label="continuous, in pictures")
+        axes.plot(distances, in_pictures, "o", color="#c8102e", fillstyle="none", label="continuous, in pictures")
         for radius, text in zip(radii, ("$r_1$", "$r_2$"), strict=True):
             axes.axvline(radius, color="0.8", linewidth=0.8, zorder=0)
             axes.annotate(text, (radius, 0.95), xytext=(3, 0), xycoords=("data", "axes fraction"),

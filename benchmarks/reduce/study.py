@@ -25,14 +25,14 @@ Array = NDArray[np.float64]
 def ball() -> nf.Scene:
     """One ball that can be placed anywhere."""
     angle = np.linspace(0.0, np.pi, 33)
-    around = np.linspace(0.0, 2.0 * np.pi, 65)
-    x = np.sin(angle)[:, None] * np.cos(around)
-    z = np.sin(angle)[:, None] * np.sin(around)
+    azimuth = np.linspace(0.0, 2.0 * np.pi, 65)
+    x = np.sin(angle)[:, None] * np.cos(azimuth)
+    z = np.sin(angle)[:, None] * np.sin(azimuth)
     y = np.broadcast_to(np.cos(angle)[:, None], x.shape)
     vertices = RADIUS * np.stack([x, y, z], axis=-1).reshape(-1, 3)
-    first = (np.arange(32)[:, None] * 65 + np.arange(64)).reshape(-1)
+    corner = (np.arange(32)[:, None] * 65 + np.arange(64)).reshape(-1)
     faces = np.concatenate([
-        np.stack([first, first + 1, first + 65], axis=1), np.stack([first + 1, first + 66, first + 65], axis=1)
+        np.stack([corner, corner + 1, corner + 65], axis=1), np.stack([corner + 1, corner + 66, corner + 65], axis=1)
     ])  # fmt: skip
     scene = nf.Scene.from_arrays(vertices, faces.astype(np.uint32))
     return scene.with_dynamic(scene.object_names)
@@ -49,27 +49,27 @@ def disparities(distances: Array, user: Array, width: int) -> tuple[Array, Array
     eyes = [user + np.array([side * IPD / 2.0, 0.0, 0.0]) for side in (-1.0, 1.0)]
     rows = []
     for distance in distances:
-        place = CENTER + np.array([0.0, 0.0, -distance])
+        position = CENTER + np.array([0.0, 0.0, -distance])
         pose = np.eye(4)
-        pose[:3, 3] = place
-        shown = [nf.morph(place[None], user=eye, center=CENTER, r1=R1, r2=R2)[0] for eye in eyes]
-        calculated = _angle(shown[0] - eyes[0]) - _angle(shown[1] - eyes[1])
-        middle = 0.5 * (shown[0] - eyes[0] + shown[1] - eyes[1])
+        pose[:3, 3] = position
+        morphed = [nf.morph(position[None], user=eye, center=CENTER, r1=R1, r2=R2)[0] for eye in eyes]
+        calculated = _angle(morphed[0] - eyes[0]) - _angle(morphed[1] - eyes[1])
+        middle = 0.5 * (morphed[0] - eyes[0] + morphed[1] - eyes[1])
         # Wide enough for the ball and for the disparity of the truth.
         fov = nf.Fov.symmetric(2.0 * np.degrees(np.arctan(1.6 * RADIUS / distance) + IPD / distance + 0.002), 1.0)
-        seen = []
-        for source, way in ((reduced, middle), (scene, place - user)):
+        disparities_seen = []
+        for source, direction in ((reduced, middle), (scene, position - user)):
             angles = []
             for eye in eyes:
-                view = nf.Camera.look_at(eye, eye + way, fov=fov, size=(width, width))
+                view = nf.Camera.look_at(eye, eye + direction, fov=fov, size=(width, width))
                 how: dict[str, Any] = {"at": {name: pose}, "channels": ("object_id",)}
                 if source is reduced:
                     frame = reduced.render(view, method="exact", env=False, **how)
                 else:
                     frame = nf.render(scene, view, **how)
                 angles.append(_middle(frame, view))
-            seen.append(angles[0] - angles[1])
-        rows.append([calculated, *seen])
+            disparities_seen.append(angles[0] - angles[1])
+        rows.append([calculated, *disparities_seen])
     arc_minutes = np.degrees(np.array(rows)) * 60.0
     return arc_minutes[:, 0], arc_minutes[:, 1], arc_minutes[:, 2]
 
@@ -88,15 +88,15 @@ def _middle(frame: nf.Frame, view: nf.Camera) -> float:
 def disparity(quick: bool, plots: Path | None) -> str:
     """Table and plot of the disparity by distance, for a user at the centre and one beside it."""
     distances = np.array([20.0, 45.0] if quick else [5, 10, 20, 29, 32, 35, 38, 41, 44, 47, 49, 49.9, 50.1, 60, 80])
-    rows, drawn = [], {}
+    rows, curves = [], {}
     for text, step in (("at O", (0.0, 0.0, 0.0)), ("8 m aside", (8.0, 0.0, 0.0))):
-        drawn[text] = disparities(distances, CENTER + np.array(step), 200 if quick else 1200)
+        curves[text] = disparities(distances, CENTER + np.array(step), 200 if quick else 1200)
     for n, distance in enumerate(distances):
-        rows.append([distance, *(drawn[text][part][n] for text in drawn for part in (2, 0, 1))])
+        rows.append([distance, *(curves[text][curve][n] for text in curves for curve in (2, 0, 1))])
     if plots is not None:
-        draw_disparity(distances, drawn, (R1, R2), plots / "disparity.png")
+        draw_disparity(distances, curves, (R1, R2), plots / "disparity.png")
     names = ("truth", "continuous, calculated", "continuous, in pictures")
-    header = ["m from O {:g}", *(f"{text}: {name} {{:.2f}}" for text in drawn for name in names)]
+    header = ["m from O {:g}", *(f"{text}: {name} {{:.2f}}" for text in curves for name in names)]
     return table(f"Disparity in arc minutes, eyes {IPD * 1000:.0f} mm apart, r₁ = {R1:g}, r₂ = {R2:g} m", header, rows)
 
 

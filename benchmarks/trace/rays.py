@@ -54,8 +54,8 @@ HEADER = "embreex Mray/s {:.2f} | nearfar Mray/s {:.2f} | ratio {:.2f}"
 
 def rates(ours: Callable[[], Any], theirs: Callable[[], Any], rays: int, repeat: int) -> list[float]:
     """Million rays per CPU-second of both tracers, and their ratio."""
-    peer, mine = best(theirs, repeat=repeat).cpu, best(ours, repeat=repeat).cpu
-    return [rays / peer / 1e6, rays / mine / 1e6, peer / mine]
+    peer_seconds, own_seconds = best(theirs, repeat=repeat).cpu, best(ours, repeat=repeat).cpu
+    return [rays / peer_seconds / 1e6, rays / own_seconds / 1e6, peer_seconds / own_seconds]
 
 
 def primary(
@@ -121,10 +121,10 @@ def main() -> None:
     width, height = (int(part) for part in options.view_size.split("x"))
     print(f"{_core.instruction_sets()[-1]}; one thread\n")
     builds = []
-    for name, found in {"tokyo_core_lod1": tokyo(), "procedural city": city()}.items():
-        if found is None:
+    for name, views_of_scene in {"tokyo_core_lod1": tokyo(), "procedural city": city()}.items():
+        if views_of_scene is None:
             continue
-        scene, views = found
+        scene, views = views_of_scene
         points = scene.triangles().reshape(-1, 3)
         faces = np.arange(len(points), dtype=np.uint32).reshape(-1, 3)
         embree = embree_scene(points, faces.astype(np.int32))

@@ -37,7 +37,7 @@ def dense(path: Array, step: float = STEP) -> Array:
 
 def owners(points: Array, grid: Grid = GRID) -> Array:
     """Indices in `ALL` of the centres nearest to points (N, 2), by brute force, and margins to the second nearest."""
-    away = np.linalg.norm(points[:, None] - grid.places(ALL), axis=-1)
+    away = np.linalg.norm(points[:, None] - grid.centers(ALL), axis=-1)
     two = np.partition(away, 1, axis=1)
     return np.column_stack([away.argmin(axis=1), two[:, 1] - two[:, 0], two[:, 0]])
 
@@ -54,8 +54,8 @@ def in_polygon(points: Array, corners: Array) -> NDArray[np.bool_]:
 
 
 def test_neighbours_are_a_spacing_apart_and_cells_have_the_radius() -> None:
-    places = GRID.places(ALL)
-    away = np.linalg.norm(places - GRID.places(np.array([[0, 0]])), axis=1)
+    places = GRID.centers(ALL)
+    away = np.linalg.norm(places - GRID.centers(np.array([[0, 0]])), axis=1)
     np.testing.assert_allclose(np.sort(away)[1:7], GRID.spacing)
     points = np.random.default_rng(0).uniform(-40, 40, (5000, 2))
     nearest = owners(points)[:, 2]
@@ -87,14 +87,14 @@ def test_cells_of_a_path_contain_its_points(listed: list[tuple[float, float, flo
         if not mine.any():
             # Less than a step of the path lies in the cell.
             begin = path[int(first)] + (first % 1) * (path[min(int(first) + 1, len(path) - 1)] - path[int(first)])
-            away = np.linalg.norm(begin[[0, 2]] - GRID.places(ALL[[number]]))
+            away = np.linalg.norm(begin[[0, 2]] - GRID.centers(ALL[[number]]))
             assert away <= GRID.spacing / math.sqrt(3) + 1e-6
         else:
             heights = points[mine, 1]
             assert low - 1e-9 <= heights.min()
             assert heights.max() <= high + 1e-9
             # The path may pass a corner of the cell by less than a step, between two points beside it.
-            away = np.linalg.norm(points[:, [0, 2]] - GRID.places(ALL[[number]]), axis=1)
+            away = np.linalg.norm(points[:, [0, 2]] - GRID.centers(ALL[[number]]), axis=1)
             around = points[away <= found[:, 2] + 2.0 * STEP, 1]
             assert around.min() <= low + STEP
             assert high - STEP <= around.max()
@@ -117,7 +117,7 @@ def test_cells_of_an_area_contain_its_points(corners: list[tuple[float, float]])
     expected = {tuple(ALL[int(n)]) for n in found[found[:, 1] > 1e-6, 0]}
     assert expected <= cells
     # No centre is farther away than its own radius.
-    places = GRID.places(np.array(sorted(cells)))
+    places = GRID.centers(np.array(sorted(cells)))
     reach = np.concatenate([inside, border, places[in_polygon(places, outline)]])
     away = np.linalg.norm(places[:, None] - reach, axis=-1).min(axis=1)
     assert away.max() <= GRID.spacing / math.sqrt(3) + STEP

@@ -38,7 +38,7 @@ def test_colour_is_shown_as_saved(full: nf.Frame) -> None:
     np.testing.assert_array_equal(decoded(png), picture)
 
 
-@pytest.mark.parametrize("name", preview.ORDER)
+@pytest.mark.parametrize("name", preview.CAPTIONS)
 def test_every_image_alone_has_a_picture(full: nf.Frame, name: str) -> None:
     image: dict[str, Any] = {name: full.require(name)}
     frame = nf.Frame(full.camera, full.origin, **image)

@@ -33,7 +33,7 @@ class Forwarder:
         """Store the devices of both sides and the paths that begin at each."""
         self._devices = devices
         self._paths = dict(zip(devices, paths, strict=True))
-        self._across = dict(zip(devices, reversed(devices), strict=True))
+        self._opposite = dict(zip(devices, reversed(devices), strict=True))
         self._start: float | None = None
         self._late = 0.0
 
@@ -49,7 +49,7 @@ class Forwarder:
                 else:
                     print(json.dumps(self._counts()), file=answers, flush=True)
 
-    def _now(self) -> float:
+    def _seconds(self) -> float:
         """Seconds since the first packet, with which a trace begins."""
         now = time.monotonic()
         if self._start is None:
@@ -62,20 +62,20 @@ class Forwarder:
             return None
         nearest: float | None = None
         for device, path in self._paths.items():
-            now, time_due = self._now(), path.next()
+            now, time_due = self._seconds(), path.next()
             if time_due is not None and time_due <= now:
                 self._late = max(self._late, now - time_due)
                 for packet in path.due(now):
                     # A side whose device is down loses its packets.
                     with suppress(OSError):
-                        os.write(self._across[device], packet)
+                        os.write(self._opposite[device], packet)
                 time_due = path.next()
             if time_due is not None:
                 nearest = time_due if nearest is None else min(nearest, time_due)
-        return None if nearest is None else max(nearest - self._now(), 0.0)
+        return None if nearest is None else max(nearest - self._seconds(), 0.0)
 
     def _take(self, device: int) -> None:
-        path, now = self._paths[device], self._now()
+        path, now = self._paths[device], self._seconds()
         with suppress(BlockingIOError):
             for _ in range(BATCH):
                 path.take(now, os.read(device, MTU + 64))
@@ -87,21 +87,21 @@ class Forwarder:
 
 
 def main() -> None:
-    given = json.loads(sys.argv[1])
-    link = Link(**given["link"])
+    settings = json.loads(sys.argv[1])
+    link = Link(**settings["link"])
     # Real-time priority keeps packets on time on a busy machine.
     with suppress(OSError):
         os.sched_setscheduler(0, os.SCHED_RR, os.sched_param(PRIORITY))
     try:
         devices = [
-            open_device(namespace, address, mtu=MTU, congestion=given["congestion"])
-            for namespace, address in zip(given["namespaces"], ADDRESSES, strict=True)
+            open_device(namespace, address, mtu=MTU, congestion=settings["congestion"])
+            for namespace, address in zip(settings["namespaces"], ADDRESSES, strict=True)
         ]
     except OSError as error:
         print(json.dumps({"problem": str(error)}), flush=True)
         return
     paths = [
-        Path(link._clock(), delay=link.rtt / 2.0, loss=link.loss, queue=given["queue"], seed=given["seed"] + side)
+        Path(link._clock(), delay=link.rtt / 2.0, loss=link.loss, queue=settings["queue"], seed=settings["seed"] + side)
         for side in range(2)
     ]
     print(json.dumps({}), flush=True)

@@ -29,12 +29,12 @@ class Path:
 
     def __init__(self, clock: Clock, *, delay: float, loss: float, queue: int, seed: int) -> None:
         """Store the clock of the rate, the delay in seconds, the share lost, and the size of the queue in bytes."""
-        self._clock, self._delay, self._loss, self._most = clock, delay, loss, queue
+        self._clock, self._delay, self._loss, self._max_queued = clock, delay, loss, queue
         self._random = random.Random(seed).random
         self._waiting = deque[tuple[float, int]]()
         """Times at which packets leave the bottleneck, and their bytes."""
         self._queued = 0
-        self._through = 0.0
+        self._last_departure = 0.0
         self._flying = deque[tuple[float, bytes]]()
         self.counts = Counts()
 
@@ -44,16 +44,16 @@ class Path:
         counts.taken += 1
         while waiting and waiting[0][0] <= now:
             self._queued -= waiting.popleft()[1]
-        if self._queued + size > self._most:
+        if self._queued + size > self._max_queued:
             counts.overflowed += 1
             return
-        self._through = self._clock.end_of_transfer(max(now, self._through), size)
+        self._last_departure = self._clock.end_of_transfer(max(now, self._last_departure), size)
         self._queued += size
-        waiting.append((self._through, size))
+        waiting.append((self._last_departure, size))
         if self._random() < self._loss:
             counts.lost += 1
             return
-        self._flying.append((self._through + self._delay, packet))
+        self._flying.append((self._last_departure + self._delay, packet))
 
     def next(self) -> float | None:
         """Time at which the next packet arrives at the other side."""

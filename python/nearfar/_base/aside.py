@@ -105,8 +105,8 @@ def _affixes(target: Path) -> tuple[str, str]:
     """Prefix and suffix of temporaries' names: parts of the target's name, shortened to fit."""
     tag = 2 * _TAG
     suffix = target.suffix if len(os.fsencode(target.suffix)) <= MAX_NAME // 2 else ""
-    room = MAX_NAME - len("..") - tag - len(os.fsencode(suffix + _LOCK))
+    max_stem_bytes = MAX_NAME - len("..") - tag - len(os.fsencode(suffix + _LOCK))
     stem = target.name.removesuffix(suffix)
-    while len(os.fsencode(stem)) > room:
+    while len(os.fsencode(stem)) > max_stem_bytes:
         stem = stem[:-1]
     return f".{stem}.", suffix

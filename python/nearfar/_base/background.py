@@ -28,7 +28,7 @@ Result = TypeVar("Result")
 _POLL = 0.05
 """Seconds between two checks for signals, for systems where signals do not end a wait."""
 
-_PATIENCE = 0.3
+_END_TIMEOUT = 0.3
 """Seconds that the end of the program waits for an abandoned thread."""
 
 
@@ -205,6 +205,6 @@ def module(name: str) -> ModuleType:
 @atexit.register
 def _end() -> None:
     """End abandoned work before interpreter shutdown, which freezes threads anywhere."""
-    deadline = time.monotonic() + _PATIENCE
+    deadline = time.monotonic() + _END_TIMEOUT
     for task in _running(_begun):
         task.end(deadline)

@@ -18,9 +18,9 @@ from nearfar._base.files import atomic_file
 
 def folder() -> Path:
     """Return the cache folder: `NEARFAR_CACHE` if set, else nearfar's folder in the platform's cache folder."""
-    chosen = os.environ.get("NEARFAR_CACHE", "").strip()
-    if chosen:
-        return Path(chosen).expanduser()
+    path = os.environ.get("NEARFAR_CACHE", "").strip()
+    if path:
+        return Path(path).expanduser()
     return platformdirs.user_cache_path("nearfar", appauthor=False)
 
 
@@ -86,10 +86,10 @@ def _limit() -> int:
     return int(limit * 1e9)
 
 
-_UNSEEN = 64
+_SCANS_PER_LIMIT = 64
 """Share of the limit (1/64) that this process may add before it scans the folder again."""
 
-_held: dict[tuple[Path, int], tuple[int, int]] = {}
+_sizes: dict[tuple[Path, int], tuple[int, int]] = {}
 """By folder and limit: bytes in the folder at the last scan, and bytes that this process has added since."""
 
 _lock = threading.Lock()
@@ -98,11 +98,11 @@ _lock = threading.Lock()
 def _is_due(limit: int, just_made: Path) -> bool:
     """Whether to scan the folder: a scan after each of thousands of small files would be slow."""
     with _lock:
-        place = (folder(), limit)
+        key = (folder(), limit)
         size = just_made.stat().st_size
-        held, added = _held.get(place, (limit, 0))
-        _held[place] = (held, added + size)
-        return held + added + size > limit or added + size > limit // _UNSEEN
+        held, added = _sizes.get(key, (limit, 0))
+        _sizes[key] = (held, added + size)
+        return held + added + size > limit or added + size > limit // _SCANS_PER_LIMIT
 
 
 def _trim(limit: int, just_made: Path) -> None:
@@ -122,7 +122,7 @@ def _trim(limit: int, just_made: Path) -> None:
             path.unlink(missing_ok=True)
             held -= size
     with _lock:
-        _held[folder(), limit] = (held, 0)
+        _sizes[folder(), limit] = (held, 0)
 
 
 def _encoded(value: Any) -> Iterator[bytes]:

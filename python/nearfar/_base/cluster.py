@@ -52,12 +52,16 @@ def client_of(cluster: object) -> Iterator[Any]:
 
 
 def in_order(
-    function: Callable[[Item, progress.Report], Result], items: Iterable[Item], client: Any, *, ahead: int | None = None
+    function: Callable[[Item, progress.Report], Result],
+    items: Iterable[Item],
+    client: Any,
+    *,
+    backlog: int | None = None,
 ) -> Generator[Result, None, None]:
     """Call a function for each item on a cluster, and yield the results in the order of the items.
 
     Function and items are those of `nearfar._base.distribute`; `client` is a `distributed.Client`. If a worker is lost,
-    another one does its unfinished items. `ahead` is the greatest number of unconsumed results for each of the
+    another one does its unfinished items. `backlog` is the greatest number of unconsumed results for each of the
     cluster's threads, None for no limit. The function's first exception is raised; items that have not begun are then
     cancelled, as on Ctrl-C. ConnectionError if the scheduler is lost, or an item ended several workers in turn.
     """
@@ -67,10 +71,10 @@ def in_order(
         while True:
             if client.status != "running":
                 raise ConnectionError(f"cluster: the scheduler is lost: the client is {client.status}")
-            limit = None if ahead is None else max(0, ahead * max(1, sum(client.ncores().values())) - len(waiting))
+            limit = None if backlog is None else max(0, backlog * max(1, sum(client.ncores().values())) - len(waiting))
             for item in islice(iterator, limit):
                 # Items are scattered to workers directly: as arguments they would pass through the scheduler.
-                scattered = client.scatter([item], hash=False)[0] if ahead is None else item
+                scattered = client.scatter([item], hash=False)[0] if backlog is None else item
                 waiting.append((client.submit(_on_cluster, function, scattered, pure=False), scattered))
             if not waiting:
                 return

@@ -36,8 +36,8 @@ def write(
     with files.atomic_file(path) as temporary:
         encoded: list[_core._Part] = []
         for name, channels in parts.items():
-            first = {} if encoded else {ATTRIBUTE: text}
-            encoded.append((name, dict(channels), {**first, **(vectors or {})}))
+            document_attribute = {} if encoded else {ATTRIBUTE: text}
+            encoded.append((name, dict(channels), {**document_attribute, **(vectors or {})}))
         files.write(temporary, _core.encode_exr(encoded).data)
 
 
@@ -54,7 +54,7 @@ def read(path: str | os.PathLike[str], name: str, version: int) -> tuple[dict[st
     except (FormatError, ValueError, RecursionError) as error:
         raise FormatError(f"{os.fspath(path)}: {error}") from None
     checked = formats.check(document, name, version, path)
-    return checked, {part: channels for part, channels, _ in parts}
+    return checked, {part_name: channels for part_name, channels, _ in parts}
 
 
 def of_kind(kind: str, values: NDArray[Any]) -> NDArray[Any]:

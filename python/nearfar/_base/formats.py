@@ -125,8 +125,8 @@ def read_json(path: str | os.PathLike[str], name: str, version: int) -> dict[str
     return check(document, name, version, path)
 
 
-DAMAGE = (ValueError, TypeError, LookupError, AttributeError, StopIteration, ArithmeticError, RecursionError)
-DAMAGE += (struct.error,)
+_INVALID = (ValueError, TypeError, LookupError, AttributeError, ArithmeticError)
+DAMAGE: tuple[type[Exception], ...] = (*_INVALID, StopIteration, RecursionError, struct.error)
 """Exceptions that reading a damaged file may raise."""
 
 
@@ -165,7 +165,7 @@ def load_schema(name: str) -> dict[str, Any]:
     folder = resources.files("nearfar") / "schemas"
     file = folder / f"{name}.schema.json"
     if not file.is_file():
-        known = sorted(item.name.removesuffix(".schema.json") for item in folder.iterdir())
-        raise ValueError(f"name: expected one of {', '.join(known)}, got {shortened(name)}")
+        names = sorted(item.name.removesuffix(".schema.json") for item in folder.iterdir())
+        raise ValueError(f"name: expected one of {', '.join(names)}, got {shortened(name)}")
     schema: dict[str, Any] = json.loads(file.read_text(encoding="utf-8"))
     return schema

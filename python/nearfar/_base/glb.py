@@ -71,13 +71,13 @@ class Writer:
 
     def encode(self, document: dict[str, Any]) -> bytes:
         """Encode the file. Empty lists are left out, because glTF does not allow them."""
-        whole = {
+        content = {
             **document,
             "accessors": self._accessors,
             "bufferViews": self._views,
             "buffers": [{"byteLength": self._size}] if self._size else [],
         }
-        text = json.dumps({key: value for key, value in whole.items() if value != []}, allow_nan=False)
+        text = json.dumps({key: value for key, value in content.items() if value != []}, allow_nan=False)
         return _file(text, *([_CHUNK.pack(self._size, b"BIN\0"), *self._pieces] if self._size else []))
 
 
@@ -113,11 +113,11 @@ def binary(data: bytes, end: int) -> memoryview:
 
 def entry(document: dict[str, Any], section: str, number: Any) -> dict[str, Any]:
     """Entry of one of the document's lists; IndexError for an invalid index."""
-    listed = document.get(section, [])
-    if type(number) is not int or not 0 <= number < len(listed):
-        raise IndexError(f"entry {number} of {len(listed)} {section}")
-    chosen: dict[str, Any] = listed[number]
-    return chosen
+    entries = document.get(section, [])
+    if type(number) is not int or not 0 <= number < len(entries):
+        raise IndexError(f"entry {number} of {len(entries)} {section}")
+    item: dict[str, Any] = entries[number]
+    return item
 
 
 def json_object(text: bytes, parse: Callable[[bytes], Any] = formats.from_foreign_json) -> dict[str, Any]:

@@ -46,14 +46,14 @@ def choice(
     `weights` are the relative probabilities of the options, at least 0; None makes all equal. The result has the shape
     of `index`, followed by the shape of one option.
     """
-    listed = check.plain("options", options)
-    if listed.ndim == 0 or len(listed) == 0:
-        raise ValueError(f"options: expected at least one, got shape {listed.shape}")
+    choices = check.plain("options", options)
+    if choices.ndim == 0 or len(choices) == 0:
+        raise ValueError(f"options: expected at least one, got shape {choices.shape}")
     if weights is None:
-        return np.asarray(listed[integers(seed, cell, index, 0, len(listed))])
-    share = check.array("weights", weights, columns=None, dtype=np.float64, finite=True)
-    if share.shape != (len(listed),) or share.min() < 0.0 or share.sum() <= 0.0:
-        raise ValueError(f"weights: expected {len(listed)} numbers of at least 0 and not all 0, got {share.tolist()}")
-    edges = np.cumsum(share)
-    drawn = np.searchsorted(edges, uniform(seed, cell, index) * edges[-1], side="right")
-    return np.asarray(listed[np.minimum(drawn, np.flatnonzero(share)[-1])])
+        return np.asarray(choices[integers(seed, cell, index, 0, len(choices))])
+    odds = check.array("weights", weights, columns=None, dtype=np.float64, finite=True)
+    if odds.shape != (len(choices),) or odds.min() < 0.0 or odds.sum() <= 0.0:
+        raise ValueError(f"weights: expected {len(choices)} numbers of at least 0 and not all 0, got {odds.tolist()}")
+    edges = np.cumsum(odds)
+    numbers = np.searchsorted(edges, uniform(seed, cell, index) * edges[-1], side="right")
+    return np.asarray(choices[np.minimum(numbers, np.flatnonzero(odds)[-1])])

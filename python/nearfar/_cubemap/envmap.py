@@ -126,13 +126,13 @@ class EnvMap:
         if values is None:
             raise ValueError(f"channel: expected one of {', '.join(self.channels)}, which were baked, got {channel!r}")
         default: Filter = "linear" if channel == "color" else "nearest"
-        chosen = default if filter is None else check.choice("filter", filter, FILTERS)
-        if channel == "range" and chosen in ("linear", "cubic"):
-            raise ValueError(f"filter: expected 'nearest', 'min' or 'max' for range, got {chosen!r}")
-        if channel == "object_id" and chosen != "nearest":
-            raise ValueError(f"filter: expected 'nearest' for object_id, got {chosen!r}")
+        filter_name = default if filter is None else check.choice("filter", filter, FILTERS)
+        if channel == "range" and filter_name in ("linear", "cubic"):
+            raise ValueError(f"filter: expected 'nearest', 'min' or 'max' for range, got {filter_name!r}")
+        if channel == "object_id" and filter_name != "nearest":
+            raise ValueError(f"filter: expected 'nearest' for object_id, got {filter_name!r}")
         faces = values.astype(np.float32) if values.dtype == np.float16 else values
-        return cube_lookup(faces, directions, filter=chosen, radius=radius)
+        return cube_lookup(faces, directions, filter=filter_name, radius=radius)
 
     def save(self, path: str | os.PathLike[str], *, half: bool = True) -> None:
         """Write the map to an OpenEXR file, atomically.
@@ -235,9 +235,9 @@ class EnvMap:
         """Return the map as a small equirectangular picture, and the factor that its colours were multiplied by."""
         # One look-up for each pixel aliases on fine maps; 16 take a few milliseconds whatever the map's size.
         spread = min(4, max(1, round(4 * self.face_size / PREVIEW[1])))
-        flat = convert_envmap(self.color, source="cube", target="equirectangular", size=PREVIEW, samples=spread)
-        exposure = 1.0 / max(1.0, float(np.percentile(flat, 99.0)))
-        return exposure, _core.encode_srgb(np.ascontiguousarray(flat * np.float32(exposure))).reshape(flat.shape)
+        picture = convert_envmap(self.color, source="cube", target="equirectangular", size=PREVIEW, samples=spread)
+        exposure = 1.0 / max(1.0, float(np.percentile(picture, 99.0)))
+        return exposure, _core.encode_srgb(np.ascontiguousarray(picture * np.float32(exposure))).reshape(picture.shape)
 
     @card.repr_png
     def _repr_png_(self) -> NDArray[np.uint8]:

@@ -77,7 +77,7 @@ def convert_envmap(
     check.choice("filter", filter, FILTERS)
     samples = check.integer("samples", samples, 1, 256)
     texels = numbers_of("values", values)
-    before, after = _source_shape(texels, source), _shape("target", target, size)
+    from_shape, to_shape = _source_shape(texels, source), _shape("target", target, size)
     count = 3 if source == "cube" else 2
     if filter == "nearest" and samples > 1:
         raise ValueError(f"samples: expected 1 with filter 'nearest', got {samples}")
@@ -85,14 +85,16 @@ def convert_envmap(
         raise ValueError(f"filter: expected 'nearest' for values of type {texels.dtype}, got {filter!r}")
     channels = math.prod(texels.shape[count:])
     rows = np.require(texels.reshape(math.prod(texels.shape[:count]), channels), None, ["C", "A"])
-    out: NDArray[Any] = np.empty((*_array_shape(after), *texels.shape[count:]), texels.dtype)
-    out_rows = out.reshape(math.prod(_array_shape(after)), channels)
+    out: NDArray[Any] = np.empty((*_array_shape(to_shape), *texels.shape[count:]), texels.dtype)
+    out_rows = out.reshape(math.prod(_array_shape(to_shape)), channels)
     with progress.bar("converting") as report:
         if filter == "nearest":
             bits = BITS[texels.itemsize]
-            _core.convert_envmap_nearest((rows.view(bits), out_rows.view(bits)), (before, after), report=report)
+            _core.convert_envmap_nearest((rows.view(bits), out_rows.view(bits)), (from_shape, to_shape), report=report)
         else:
-            _core.convert_envmap((rows, out_rows), (before, after), filter=filter, samples=samples, report=report)
+            _core.convert_envmap(
+                (rows, out_rows), (from_shape, to_shape), filter=filter, samples=samples, report=report
+            )
     return out
 
 

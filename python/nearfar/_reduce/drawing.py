@@ -152,7 +152,7 @@ def check_morph(morph: MorphKind, boundary: Boundary) -> None:
 
 
 def morphed(
-    leveled: Leveled, user: ArrayLike, *, center: tuple[float, float, float], kind: str, grown: dict[str, Any]
+    leveled: Leveled, user: ArrayLike, *, center: tuple[float, float, float], kind: str, growth: dict[str, Any]
 ) -> Leveled:
     """Move the bounding spheres of objects with levels to where a near–far morph shows them.
 
@@ -161,13 +161,13 @@ def morphed(
     2 |U−O|. Without a near zone the user sees the ball as the centre does, with the cylinder up to |U−O| nearer or
     farther. Below full strength points near the user move, too, each by at most 2 |U−O|.
     """
-    r1, r2, strength = grown["r1"], grown["r2"], grown["strength"]
+    r1, r2, strength = growth["r1"], growth["r2"], growth["strength"]
     eye = check.vector("user", user)
     distance = math.dist(eye, center)
     if r2 == 0.0 or strength == 0.0:
         centers = leveled.centers + np.subtract(eye, center)
         return replace(leveled, centers=centers, radii=leveled.radii + (distance if kind == "cylinder" else 0.0))
-    centers = morph(leveled.centers, user=user, center=center, kind=kind, **grown)
+    centers = morph(leveled.centers, user=user, center=center, kind=kind, **growth)
     if strength < 1.0 or r2 < 1e-100:  # the inverse of a smaller radius overflows
         return replace(leveled, centers=centers, radii=leveled.radii + 4.0 * distance)
     stretch = 1.0 + distance * (2.0 / (r2 - r1) + 1.0 / max(r1, distance, 1e-300))

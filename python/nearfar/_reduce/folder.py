@@ -116,13 +116,13 @@ def load(path: str | os.PathLike[str]) -> Contents:
     if object_names is None and env is not None and env.object_id is not None:
         object_names = env.object_names
     with formats.guarded(folder / DOCUMENT):
-        listed = None if object_names is None else Names(_names(object_names))
+        known_names = None if object_names is None else Names(_names(object_names))
     with formats.guarded(folder / NEAR):
-        decoder = glb.Decoder(data, listed)
+        decoder = glb.Decoder(data, known_names)
         core, names, undrawn = decoder.decode(), decoder.names, decoder.undrawn
     with formats.guarded(folder / DOCUMENT):
-        frames, rest = frames_of(document["moving"], names, core.moving_placements(), NEAR)
-        near = Scene(core, names, frames=frames, rest=rest, notes=notes, undrawn=undrawn)
+        frames, rest_poses = frames_of(document["moving"], names, core.moving_placements(), NEAR)
+        near = Scene(core, names, frames=frames, rest=rest_poses, notes=notes, undrawn=undrawn)
         return Contents(
             near,
             env,

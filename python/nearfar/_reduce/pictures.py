@@ -115,10 +115,10 @@ class InPictures:
         render_keywords, morph_keywords = split(MorphSettings, keywords)
         settings = gather(RenderSettings, settings, render_keywords)
         morphing = fill_growth(gather(MorphSettings, morphing, morph_keywords, argument="morphing"), self._drawing)
-        drawn = self._drawn_by(morphing)
-        if settings.backend == "gpu" and "gpu" not in drawn.backends:
+        reduced = self._drawn_by(morphing)
+        if settings.backend == "gpu" and "gpu" not in reduced.backends:
             raise ValueError("method: expected 'vertex' with backend='gpu', got 'exact': rays are bent on the CPU")
-        renderer = Renderer(cast(Renderable, drawn), settings)
+        renderer = Renderer(cast(Renderable, reduced), settings)
         (frame,) = renderer.frames(renderer.shot([camera], user), at, renderer.device(self))
         return frame
 
@@ -174,9 +174,9 @@ class InPictures:
         return jobs
 
     def _drawn_by(self, drawing: MorphSettings) -> Self:
-        drawn = copy.copy(self)
-        drawn._drawing = drawing
-        return drawn
+        duplicate = copy.copy(self)
+        duplicate._drawing = drawing
+        return duplicate
 
     def _kernel_settings(self, shot: Shot, camera: Camera, method: str) -> dict[str, Any]:
         """Settings of this scene's pictures for kernels, in addition to those of the shot."""

@@ -93,7 +93,7 @@ def reduce(
     baking = gather(MapSettings, settings, keywords)
     if isinstance(scene, Scene) and (center is None or r1 is None or r2 is None):
         center, r1, r2, reasons = default_radii.complete(scene, center, r1, r2)
-    place: dict[str, Any] = {"center": center, "r1": r1, "r2": r2, "boundary": boundary, "baking": baking}
-    parts, is_whole = stages.parts(scene, unit=unit, **place), isinstance(scene, Scene)
+    arguments: dict[str, Any] = {"center": center, "r1": r1, "r2": r2, "boundary": boundary, "baking": baking}
+    parts, is_whole = stages.parts(scene, unit=unit, **arguments), isinstance(scene, Scene)
     reduced = ReducedScene(**parts, morph=morph, boundary=boundary, baking=baking, is_whole=is_whole)
     return reduced._with_reasons(reasons)

@@ -181,12 +181,12 @@ class ReducedScene(InPictures, InNotebooks, Recenters):
         leveled = self._scene.leveled
         if leveled is None:
             raise ValueError("lod: expected a scene whose objects have levels, got one without; see Scene.with_levels")
-        chosen = levels_of("levels", levels, leveled)
-        if self._at_levels is None or not np.array_equal(self._at_levels[0], chosen):
-            scene = self._unposed.at_levels(chosen)
+        chosen_levels = levels_of("levels", levels, leveled)
+        if self._at_levels is None or not np.array_equal(self._at_levels[0], chosen_levels):
+            scene = self._unposed.at_levels(chosen_levels)
             zones = partition(scene, center=self.center, r1=self.r1, r2=self.r2)
-            self._at_levels = chosen, self._copy_with(scene, zones, self._counts | zones.summary())
-        left_out = {name for name, level in zip(leveled.names, chosen.tolist(), strict=True) if level < 0}
+            self._at_levels = chosen_levels, self._copy_with(scene, zones, self._counts | zones.summary())
+        left_out = {name for name, level in zip(leveled.names, chosen_levels.tolist(), strict=True) if level < 0}
         poses = {name: pose for name, pose in self._poses.items() if name not in left_out}
         reduced = self._at_levels[1]._drawn_by(self._drawing)  # it may have been made for another drawing
         return reduced.at(poses) if poses else reduced
@@ -197,7 +197,7 @@ class ReducedScene(InPictures, InNotebooks, Recenters):
         if leveled is None or self._morph == "none":
             return leveled
         grown = grow_radii(self._drawing, self.r1, self.r2)
-        return morphed(leveled, user, center=self.center, kind=self._morph, grown=grown)
+        return morphed(leveled, user, center=self.center, kind=self._morph, growth=grown)
 
     def _copy_with(
         self, scene: Scene, zones: Partition, counts: dict[str, int], *, morph: MorphKind | None = None

@@ -79,8 +79,8 @@ class Frame:
         width, height = self.camera.size
         for name in self.channels:
             image = check.instance(name, getattr(self, name), np.ndarray, "an array")
-            deep = (3,) if name in VECTORS else (2,) if name == "motion" else ()
-            expected = (height, width, *deep)
+            components = (3,) if name in VECTORS else (2,) if name == "motion" else ()
+            expected = (height, width, *components)
             if image.shape != expected:
                 raise ValueError(f"{name}: expected shape {expected} for the camera's size, got {image.shape}")
 
@@ -212,8 +212,8 @@ def _image(name: str, channels: exr.Channels) -> NDArray[Any] | None:
     if name == "object_id":
         return numbers.view(np.int32)
     high = exr.of_kind("u", channels["face_id_high"]).astype(np.uint64)
-    both: NDArray[Any] = high << np.uint64(32) | numbers
-    return both.view(np.int64)
+    numbers_64: NDArray[Any] = high << np.uint64(32) | numbers
+    return numbers_64.view(np.int64)
 
 
 def _document(frame: Frame) -> dict[str, Any]:

@@ -82,7 +82,7 @@ class RenderKeywords(TypedDict, total=False):
 
 def require_defaults(settings: RenderSettings, user: str, *names: str) -> None:
     """Raise ValueError for a field that a function cannot use and that differs from its default."""
-    for one in fields(settings):
-        value = getattr(settings, one.name)
-        if one.name in names and value != one.default:
-            raise ValueError(f"{one.name}: expected {one.default} for {user}, which cannot use it, got {value}")
+    for field in fields(settings):
+        value = getattr(settings, field.name)
+        if field.name in names and value != field.default:
+            raise ValueError(f"{field.name}: expected {field.default} for {user}, which cannot use it, got {value}")

@@ -75,9 +75,9 @@ def ssim(
         check.instance(name, frame, DeviceFrame).require("color")
     full = check.flag("full", full)
     cores = reference._core, test._core
-    mean, flat = _core.gpu_similarity(*cores, window=window, size=taps, sigma=deviation, full=full)
+    mean, values = _core.gpu_similarity(*cores, window=window, size=taps, sigma=deviation, full=full)
     width, height = reference.camera.size
-    return Similarity(mean, None if flat is None else flat.reshape(height, width))
+    return Similarity(mean, None if values is None else values.reshape(height, width))
 
 
 def discontinuity(
@@ -119,7 +119,7 @@ def discontinuity(
     check.instance("frame", frame, DeviceFrame).require("position")
     camera = truth_view(frame.camera, truth_camera)
     with progress.bar("measuring discontinuity") as report:
-        flat = _core.gpu_discontinuity(
+        values = _core.gpu_discontinuity(
             frame._core,
             camera=camera._core,
             epsilon=check.positive("epsilon", epsilon),
@@ -127,7 +127,7 @@ def discontinuity(
             report=report,
         )
     width, height = frame.camera.size
-    return flat.reshape(height, width)
+    return values.reshape(height, width)
 
 
 def morph(
@@ -210,9 +210,9 @@ def cube_lookup(faces: ArrayLike, directions: ArrayLike, *, filter: str = "neare
     return values.reshape(shape + maps.shape[3:])
 
 
-def _single(name: str, values: ArrayLike, other: str) -> NDArray[Any]:
+def _single(name: str, values: ArrayLike, alternative: str) -> NDArray[Any]:
     """Return an array of float32 in native byte order; TypeError for others, because a conversion could lose digits."""
     array = check.plain(name, values)
     if array.dtype.newbyteorder("=") != np.float32:
-        raise TypeError(f"{name}: expected float32, got {array.dtype}; {other} takes other numbers")
+        raise TypeError(f"{name}: expected float32, got {array.dtype}; {alternative} takes other numbers")
     return array.astype(np.float32, copy=False)

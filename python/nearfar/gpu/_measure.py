@@ -60,6 +60,6 @@ def measure(
             started = time.perf_counter()
             renderer.frames(shot, None, device if backend == "gpu" else None)
             seconds.append(time.perf_counter() - started)
-    least = {backend: min(seconds[1:]) for backend, seconds in timings.items()}
-    backends.remember(source, renderer.work, device.label, least["gpu"] < least["cpu"])
-    return least
+    least_seconds = {backend: min(seconds[1:]) for backend, seconds in timings.items()}
+    backends.remember(source, renderer.work, device.label, least_seconds["gpu"] < least_seconds["cpu"])
+    return least_seconds

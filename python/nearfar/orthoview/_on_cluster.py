@@ -61,7 +61,7 @@ def subtrees(source: SceneSource, folder: Path, layout: Layout, client: Any) -> 
         _keep(source, pickled)
         job = _Job(folder.absolute(), layout, pickled, pickled.stat().st_mtime_ns)
         places = _places(source, folder, layout, layout.tiers - 1, (0, 0, 0))
-        with closing(cluster.in_order(partial(_built, job), places, client, ahead=AHEAD)) as results:
+        with closing(cluster.in_order(partial(_built, job), places, client, backlog=AHEAD)) as results:
             yield _InTurn(results, layout)
     finally:
         pickled.unlink(missing_ok=True)

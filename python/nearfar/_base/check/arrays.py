@@ -34,7 +34,7 @@ def array(
     if columns is not None and (values.ndim != 2 or values.shape[1] != columns):
         raise ValueError(f"{name}: expected shape (N, {columns}), got {values.shape}")
     if target.kind in "iu":
-        _whole(name, values, target)
+        _check_whole_numbers(name, values, target)
     result = _converted(name, values, target)
     if finite and (flaw := not_finite(name, result)):
         raise flaw
@@ -63,9 +63,9 @@ def not_finite(name: str, values: NDArray[Any]) -> ValueError | None:
     """Return an error that names the first NaN or infinity of an array; None if all values are finite."""
     if values.dtype.kind != "f" or np.isfinite(values).all():
         return None
-    bad = np.argwhere(~np.isfinite(values))
-    where = tuple(int(i) for i in bad[0])
-    return ValueError(f"{name}: expected finite numbers, got {len(bad)} that are not, the first at {where}")
+    indices = np.argwhere(~np.isfinite(values))
+    where = tuple(int(i) for i in indices[0])
+    return ValueError(f"{name}: expected finite numbers, got {len(indices)} that are not, the first at {where}")
 
 
 def output(name: str, value: NDArray[Any], source: NDArray[Any]) -> NDArray[Any]:
@@ -107,11 +107,11 @@ def box(name: str, value: ArrayLike) -> NDArray[np.float64]:
 
 def spheres(centers: ArrayLike, radii: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Return centres (N, 3) and radii (N,) as float64; one radius is repeated for all; ValueError otherwise."""
-    places = array("centers", centers, dtype=np.float64)
+    positions = array("centers", centers, dtype=np.float64)
     sizes = array("radii", radii, columns=None, dtype=np.float64)
-    if sizes.shape not in ((), (len(places),)):
-        raise ValueError(f"radii: expected one number or shape ({len(places)},), got {sizes.shape}")
-    return places, np.ascontiguousarray(np.broadcast_to(sizes, len(places)))
+    if sizes.shape not in ((), (len(positions),)):
+        raise ValueError(f"radii: expected one number or shape ({len(positions)},), got {sizes.shape}")
+    return positions, np.ascontiguousarray(np.broadcast_to(sizes, len(positions)))
 
 
 def _numbers(name: str, value: ArrayLike) -> NDArray[Any]:
@@ -128,7 +128,7 @@ def _target_type(source: np.dtype[Any], dtype: DTypeLike | None) -> np.dtype[Any
     return np.dtype(np.float32 if source.kind == "f" and source.itemsize == 4 else np.float64)
 
 
-def _whole(name: str, values: NDArray[Any], target: np.dtype[Any]) -> None:
+def _check_whole_numbers(name: str, values: NDArray[Any], target: np.dtype[Any]) -> None:
     if values.size == 0 or values.dtype == target:
         return
     if values.dtype.kind not in "iu":

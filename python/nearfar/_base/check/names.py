@@ -28,8 +28,8 @@ def choice(name: str, value: str, options: Collection[Option]) -> Option:
     if not isinstance(value, str):
         raise TypeError(f"{name}: expected a string, got {type_and_value(value)}")
     if value not in options:
-        listed = ", ".join(repr(option) for option in options)
-        raise ValueError(f"{name}: expected one of {listed}, got {shortened(value)}")
+        choices = ", ".join(repr(option) for option in options)
+        raise ValueError(f"{name}: expected one of {choices}, got {shortened(value)}")
     return cast(Option, value)
 
 
@@ -84,21 +84,21 @@ def iterable(name: str, value: Iterable[Value], expected: str) -> Iterable[Value
 
 def items(name: str, value: Iterable[object], kind: type[Kind], expected: str) -> list[Kind]:
     """Check an iterable whose items all have a type, and return them as a list; TypeError otherwise."""
-    found = []
+    checked = []
     for number, item in enumerate(iterable(name, value, expected)):
         # Stops at the first wrong item: an iterable may be endless.
         if not isinstance(item, kind):
             raise TypeError(f"{name}: expected {expected}, got {type_and_value(item)} at index {number}")
-        found.append(item)
-    return found
+        checked.append(item)
+    return checked
 
 
 def texts(name: str, value: Iterable[str]) -> list[str]:
     """Check texts that files can hold; TypeError for anything but strings, ValueError for a lone surrogate."""
-    found = items(name, value, str, "a sequence of strings")
+    checked = items(name, value, str, "a sequence of strings")
     try:
-        "".join(found).encode()
+        "".join(checked).encode()
     except UnicodeEncodeError:
-        for number, item in enumerate(found):
+        for number, item in enumerate(checked):
             text(f"{name}[{number}]", item)
-    return found
+    return checked

@@ -17,7 +17,7 @@ from nearfar._reduce.drawing import MORPHS, MorphKind
 from nearfar._reduce.walk.folds import climbs, walkable
 from nearfar._reduce.walk.grid import Grid, grids
 from nearfar._reduce.walk.ground import ground_heights
-from nearfar._reduce.walk.regions import Regions, checked_hysteresis, checked_keep, spacing_for
+from nearfar._reduce.walk.regions import Regions, check_hysteresis, checked_keep, spacing_for
 from nearfar._scene.scene import Scene, core_of
 
 Floats = NDArray[np.float64]
@@ -102,7 +102,7 @@ def regions(
     radius_settings = complete_settings(gather(RadiusSettings, radii, radius_keywords, argument="radii"))
     reach = _check_length("reach", radius_settings.reach)
     eye_height = _check_length("eye_height", radius_settings.eye_height)
-    min_walk = checked_hysteresis(hysteresis, reach)
+    min_walk = check_hysteresis(hysteresis, reach)
     check.choice("morph", morph, MORPHS)
     checked_keep(keep)
     if radius_settings.r2 is not None and reach >= radius_settings.r2:
@@ -155,12 +155,12 @@ def _corners(scene: Scene, area: ArrayLike | None) -> Floats:
 def _check_within(name: str, scene: Scene, points: Floats) -> None:
     """Raise ValueError for places (N, 2) beyond the scene's bounds."""
     low, high = scene.bounds[:, [0, 2]]
-    outside = np.flatnonzero(((points < low) | (points > high)).any(axis=1))
-    if len(outside):
-        x, z = points[outside[0]]
+    outside_points = np.flatnonzero(((points < low) | (points > high)).any(axis=1))
+    if len(outside_points):
+        x, z = points[outside_points[0]]
         raise ValueError(
             f"{name}: expected places within the scene, which has x from {low[0]:.6g} to {high[0]:.6g} and z from "
-            f"{low[1]:.6g} to {high[1]:.6g} m, got {len(outside)} outside, the first x = {x:.6g}, z = {z:.6g}"
+            f"{low[1]:.6g} to {high[1]:.6g} m, got {len(outside_points)} outside, the first x = {x:.6g}, z = {z:.6g}"
         )
 
 
@@ -170,7 +170,7 @@ def _on_path(eyes: Floats, spacing: float) -> Floats:
     _check_region_count(float(np.hypot(*np.diff(ground_points, axis=0).T).sum()) / spacing)
     candidates = [(grid, *grid.visited(eyes)) for grid in grids(ground_points, spacing)]
     grid, cells, cell_heights = min(candidates, key=lambda choice: len(choice[1]))
-    points, (low, high, _) = grid.places(cells), cell_heights.T
+    points, (low, high, _) = grid.centers(cells), cell_heights.T
     return np.column_stack([points[:, 0], 0.5 * (low + high), points[:, 1]])
 
 
@@ -182,7 +182,7 @@ def _on_ground(scene: Scene, corners: Floats, spacing: float, eye_height: float)
         (grid, grid.touched(corners)) for grid in grids(np.concatenate([corners, corners[:1]]), spacing)
     ]
     grid, cells = min(candidates, key=lambda choice: len(choice[1]))
-    points = grid.places(cells)
+    points = grid.centers(cells)
     ground = ground_heights(scene, points, spacing / math.sqrt(3.0))
     return np.column_stack([points[:, 0], ground + eye_height, points[:, 1]])
 

@@ -84,10 +84,10 @@ class Recenters:
         ValueError, TypeError
             An invalid centre, or a loaded scene, whose far geometry was not saved.
         """
-        place = check.vector("center", center)
+        new_center = check.vector("center", center)
         if not self._is_whole:
             raise ValueError(
                 "center: expected the saved one for a loaded scene, whose far geometry was not saved; reduce the whole "
                 "scene for another centre"
             )
-        return Recentering(place, lambda: self._again(self._baking, center=place))
+        return Recentering(new_center, lambda: self._again(self._baking, center=new_center))
