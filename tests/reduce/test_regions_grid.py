@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 import nearfar as nf
 from nearfar._reduce.walk.folds import climbs, walkable
 from nearfar._reduce.walk.grid import Grid, grids
-from nearfar._reduce.walk.ground import ground_heights
+from nearfar._reduce.walk.plan import ground_heights
 from nearfar._scene.builder import SceneBuilder
 from tests.support.reduce_cases import Array, box
 

@@ -1,4 +1,4 @@
-"""Casts rays into a scene and finds the nearest triangle along each."""
+"""Casts rays into a scene and finds the nearest triangle along each, and whether it is hit from behind."""
 
 from __future__ import annotations
 
@@ -111,3 +111,19 @@ def cast_rays(scene: Scene, origins: ArrayLike, directions: ArrayLike, *, t_max:
             core, ray_origins, ray_directions, limit, report
         )
     return Hits(t_hit, triangle_index, object_id, barycentric, ray_origins, ray_directions)
+
+
+def is_hit_from_behind(
+    scene: Scene, triangles: NDArray[np.int64], directions: NDArray[np.float64]
+) -> NDArray[np.bool_]:
+    """Return whether rays with directions (N, 3) hit the back of their triangle, (…, N) numbers, −1 for none."""
+    is_hit = triangles >= 0
+    hit_triangles = np.unique(triangles[is_hit])
+    if not len(hit_triangles):
+        return np.zeros(triangles.shape, bool)
+    mask = np.zeros(scene.triangle_count, bool)
+    mask[hit_triangles] = True
+    corners = scene._core.subset_of_triangles(mask).triangles().astype(np.float64)
+    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    hit_normals = normals[np.searchsorted(hit_triangles, np.where(is_hit, triangles, hit_triangles[0]))]
+    return np.asarray(((hit_normals * directions).sum(axis=-1) > 0.0) & is_hit)

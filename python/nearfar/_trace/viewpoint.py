@@ -8,8 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nearfar._scene.scene import Scene
-from nearfar._trace.behind import is_hit_from_behind
-from nearfar._trace.rays import Hits, cast_rays, surface_heights
+from nearfar._trace.rays import Hits, cast_rays, is_hit_from_behind, surface_heights
 
 Point = tuple[float, float, float]
 
