@@ -37,7 +37,9 @@ TEXT = {
 def draw_tasks(path: Path, size: tuple[int, int]) -> None:
     """Draw the truth, the conventional and the continuous picture of each task, one row per task."""
     rows = []
-    for name, answers in (("count", _count(size)), ("tape", _tape(size)), ("ball", _ball(size))):
+    count = _still(count_task(5), "count", size, 90.0, 2.0)
+    tape = _still(tape_task(1), "tape", size, 40.0, -1.5)
+    for name, answers in (("count", count), ("tape", tape), ("ball", _ball(size))):
         columns = [_captioned(picture, f"{TEXT[name]}  {title}") for title, picture in answers.items()]
         gap = np.full((columns[0].shape[0], 6, 3), 255, np.uint8)
         rows.append(np.concatenate([columns[0], gap, columns[1], gap, columns[2]], axis=1))
@@ -53,14 +55,9 @@ def _view(task: Any, name: str, size: tuple[int, int], degrees: float, up: float
     )
 
 
-def _light(scene: nf.Scene, task: Any) -> nf.ReducedScene:
-    return nf.reduce(
-        scene, center=task.center, r1=task.r1, r2=task.r2, face_size=2048, samples=2, channels=("color", "object_id")
-    )
-
-
 def _methods(scene: nf.Scene, task: Any) -> dict[str, nf.Scene | nf.ReducedScene]:
-    reduced = _light(scene, task)
+    settings = nf.MapSettings(face_size=2048, samples=2, channels=("color", "object_id"))
+    reduced = nf.reduce(scene, center=task.center, r1=task.r1, r2=task.r2, settings=settings)
     return {"Truth": scene, "Conventional": reduced.with_morph("none"), "Continuous": reduced}
 
 
@@ -70,17 +67,12 @@ def _frame(source: nf.Scene | nf.ReducedScene, view: nf.Camera, **how: Any) -> n
     return nf.render(source, view, samples=8, channels=("color", "object_id"), **how)
 
 
-def _count(size: tuple[int, int]) -> dict[str, Picture]:
-    scene, task = count_task(5)
-    view = _view(task, "count", size, 90.0, 2.0)
-    methods = _methods(scene, task)
-    return {f"{name}": _frame(source, view).to_image() for name, source in methods.items()}
-
-
-def _tape(size: tuple[int, int]) -> dict[str, Picture]:
-    scene, task = tape_task(1)
-    view = _view(task, "tape", size, 40.0, -1.5)
-    return {name: _frame(source, view).to_image() for name, source in _methods(scene, task).items()}
+def _still(
+    scene_and_task: tuple[nf.Scene, Any], name: str, size: tuple[int, int], degrees: float, up: float
+) -> dict[str, Picture]:
+    scene, task = scene_and_task
+    view = _view(task, name, size, degrees, up)
+    return {method: _frame(source, view).to_image() for method, source in _methods(scene, task).items()}
 
 
 def _ball(size: tuple[int, int]) -> dict[str, Picture]:

@@ -93,11 +93,7 @@ class Radii:
 
 
 def choose_radii(
-    scene: Scene,
-    center: ArrayLike,
-    *,
-    settings: RadiusSettings | None = None,
-    **keywords: Unpack[RadiusKeywords],
+    scene: Scene, center: ArrayLike, *, settings: RadiusSettings | None = None, **keywords: Unpack[RadiusKeywords]
 ) -> Radii:
     """Choose r1 so that the ground is sheared little for a walking user, for a given r2 or a budget of triangles.
 

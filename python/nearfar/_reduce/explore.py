@@ -5,20 +5,19 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from contextlib import contextmanager
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 
 from nearfar._base import card, check
 from nearfar._base.errors import Error
 from nearfar._camera.camera import Camera, Fov
-from nearfar._cubemap.envmap import EnvMap
 from nearfar._partition.load_curve import load_curve
 from nearfar._reduce.baking import MapSettings
-from nearfar._reduce.drawing import MORPHS, Boundary, MorphKind
+from nearfar._reduce.data import ReducedData
+from nearfar._reduce.drawing import MORPHS
 from nearfar._render.frame import Frame
 from nearfar._render.truth import render
-from nearfar._scene.scene import Scene
 from nearfar.metrics._comparison import Comparison, compare
 from nearfar.metrics._discontinuity import discontinuity
 
@@ -32,36 +31,6 @@ LARGEST_R1 = 0.95
 """Greatest r1, as a share of r2."""
 
 
-class Reduced(Protocol):
-    """Interface of `ReducedScene` for notebooks; the class itself belongs to a later stage."""
-
-    _boundary: Boundary
-    _is_whole: bool
-
-    @property
-    def scene(self) -> Scene: ...
-    @property
-    def env(self) -> EnvMap | None: ...
-    @property
-    def center(self) -> tuple[float, float, float]: ...
-    @property
-    def r1(self) -> float: ...
-    @property
-    def r2(self) -> float: ...
-    @property
-    def morph(self) -> MorphKind: ...
-    @property
-    def reason(self) -> str: ...
-    @property
-    def stats(self) -> dict[str, Any]: ...
-    @property
-    def default_channels(self) -> tuple[str, ...]: ...
-    @property
-    def render(self) -> Any: ...
-    def with_morph(self, morph: MorphKind) -> Reduced: ...
-    def _again(self, baking: MapSettings, **changed: Any) -> Reduced: ...
-
-
 class Explorer:
     """Picture and truth of a reduced scene with sliders; created by `ReducedScene.explore`.
 
@@ -70,7 +39,7 @@ class Explorer:
     hold PNG files, `figures` HTML, and `widget` contains all of them.
     """
 
-    def __init__(self, reduced: Reduced, *, size: tuple[int, int], face_size: int) -> None:
+    def __init__(self, reduced: ReducedData, *, size: tuple[int, int], face_size: int) -> None:
         self._size = check.size("size", size)
         self._baking = MapSettings(face_size=face_size, samples=1, channels=("color", "range"), backend="cpu")
         widgets = _ipywidgets()
@@ -212,7 +181,7 @@ class Explorer:
             reason = "not saved: truth and other radii need the scene that was reduced"
             torn = discontinuity(frame) if "position" in channels else np.empty(0)
             return [*rows, *_torn(torn), ("far geometry", reason)]
-        comparison = compare(self._truth(camera), frame, center=reduced.center, radius=_radius(reduced))
+        comparison = compare(self._truth(camera), frame, center=reduced.center, radius=reduced._boundary_radius)
         return [("SSIM", f"{comparison.ssim:.4f}"), ("PSNR", f"{comparison.psnr:.2f} dB"), *_tears(comparison), *rows]
 
     def _truth(self, camera: Camera) -> Frame:
@@ -236,15 +205,10 @@ def _step(length: float) -> float:
     return float(10.0 ** (math.floor(math.log10(length)) - 2))
 
 
-def _reach(reduced: Reduced) -> float:
+def _reach(reduced: ReducedData) -> float:
     """Upper end of the r2 slider, metres: four times the present r2, unless too many triangles would be drawn."""
     budget = max(MAX_TRIANGLES, reduced.stats["nsf"])
     return min(4.0 * reduced.r2, float(load_curve(reduced.scene, center=reduced.center).radius(budget)))
-
-
-def _radius(reduced: Reduced) -> float:
-    """Radius at which the near part ends, metres."""
-    return reduced.r1 if reduced._boundary == "r1" else reduced.r2
 
 
 def _tears(comparison: Comparison) -> list[tuple[str, str]]:

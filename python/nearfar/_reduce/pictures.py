@@ -2,55 +2,31 @@
 
 from __future__ import annotations
 
-import copy
 import math
 import warnings
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any, Self, Unpack, cast
+from typing import Any, Unpack, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from nearfar import _core
 from nearfar._base import check
 from nearfar._base.settings import gather, split
 from nearfar._camera.camera import Camera
 from nearfar._camera.shot import Shot, check_begin, check_request
-from nearfar._cubemap.envmap import EnvMap
 from nearfar._morph import morph
-from nearfar._partition.partition import Partition
-from nearfar._reduce.drawing import (
-    Boundary,
-    MorphKind,
-    MorphOptions,
-    MorphSettings,
-    fill_growth,
-    grow_radii,
-    kernel_settings,
-)
+from nearfar._reduce.data import ReducedData
+from nearfar._reduce.drawing import MorphOptions, MorphSettings, fill_growth, grow_radii, kernel_settings
 from nearfar._reduce.findings import of_fold
 from nearfar._render.frame import Frame
 from nearfar._render.renderable import Images, Renderable, Report
 from nearfar._render.renderer import Renderer
 from nearfar._render.settings import RenderSettings
-from nearfar._scene.scene import Scene
-
-if TYPE_CHECKING:
-    from nearfar._core import GpuDevice, GpuJob, Reduced
 
 
-class InPictures:
+class InPictures(ReducedData):
     """Mixin that renders a reduced scene."""
-
-    _scene: Scene
-    _partition: Partition
-    _boundary: Boundary
-    _env: EnvMap | None
-    _morph: MorphKind
-    _core: Reduced
-    _drawing: MorphSettings
-    _is_whole: bool
-    _has_warned: list[bool]
-    """Whether a folded picture was reported: one entry, shared by copies."""
 
     def render(
         self,
@@ -146,8 +122,7 @@ class InPictures:
             grown = grow_radii(self._drawing, self._partition.r1, self._partition.r2)
             return np.asarray(morph(positions, user=eye, center=center, kind=self._morph, **grown))
         from_center = positions - np.array(center)
-        boundary = self._partition.r1 if self._boundary == "r1" else self._partition.r2
-        is_far = np.hypot(from_center[:, 0], from_center[:, 2]) > boundary
+        is_far = np.hypot(from_center[:, 0], from_center[:, 2]) > self._boundary_radius
         return np.where(is_far[:, None], np.array(eye) + from_center, positions)
 
     def trace(self, shot: Shot, report: Report = None) -> list[Images]:
@@ -163,7 +138,7 @@ class InPictures:
             pictures.append(self._core.render(scene, camera._core, shot.settings, **morphing, report=report))
         return pictures
 
-    def begin(self, device: GpuDevice, shot: Shot, report: Report = None) -> list[GpuJob]:
+    def begin(self, device: _core.GpuDevice, shot: Shot, report: Report = None) -> list[_core.GpuJob]:
         """Start the pictures of a shot on a graphics device, one for each camera."""
         check_begin(device, shot, report)
         method = "exact" if self._drawing.method == "exact" else "vertex"
@@ -172,11 +147,6 @@ class InPictures:
             morphing, scene = self._kernel_settings(shot, camera, method), self._scene._core
             jobs.append(device.reduced(self._core, scene, camera._core, shot.settings, **morphing, report=report))
         return jobs
-
-    def _drawn_by(self, drawing: MorphSettings) -> Self:
-        duplicate = copy.copy(self)
-        duplicate._drawing = drawing
-        return duplicate
 
     def _kernel_settings(self, shot: Shot, camera: Camera, method: str) -> dict[str, Any]:
         """Settings of this scene's pictures for kernels, in addition to those of the shot."""

@@ -83,13 +83,7 @@ def posed_at(source: Renderable, at: Mapping[str, ArrayLike], argument: str = "a
 class Renderer:
     """Renders frames of one source; it remembers the levels of detail of the last shot."""
 
-    def __init__(
-        self,
-        source: Renderable,
-        settings: RenderSettings,
-        *,
-        argument: str = "source",
-    ) -> None:
+    def __init__(self, source: Renderable, settings: RenderSettings, *, argument: str = "source") -> None:
         check_renderable(argument, source)
         self.source, self.settings, self._argument = source, settings, argument
         self.channels = channel_names(source.default_channels if settings.channels is None else settings.channels)

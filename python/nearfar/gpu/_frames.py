@@ -106,11 +106,7 @@ def render(
 
 
 def measure(
-    source: Renderable,
-    camera: Camera,
-    *,
-    settings: RenderSettings | None = None,
-    **keywords: Unpack[RenderKeywords],
+    source: Renderable, camera: Camera, *, settings: RenderSettings | None = None, **keywords: Unpack[RenderKeywords]
 ) -> dict[str, float]:
     """Time a picture on the CPU and on the selected adapter; from then on "auto" uses the faster one.
 

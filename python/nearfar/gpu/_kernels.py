@@ -81,11 +81,7 @@ def ssim(
 
 
 def discontinuity(
-    frame: DeviceFrame,
-    truth_camera: Camera | None = None,
-    *,
-    epsilon: float = EPSILON,
-    min_distance: float = 1.0,
+    frame: DeviceFrame, truth_camera: Camera | None = None, *, epsilon: float = EPSILON, min_distance: float = 1.0
 ) -> NDArray[np.float32]:
     """Measure the discontinuity of a frame on the device as `nearfar.metrics.discontinuity` does for a frame in memory.
 
