@@ -6,7 +6,6 @@ from functools import partial
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
 import nearfar as nf
 from benchmarks.harness.report import save_figure, start, subplots, table
@@ -27,7 +26,7 @@ def beam() -> nf.Scene:
     ends = np.array(BEAM)
     axis = ends[1] - ends[0]
     bar = trimesh.creation.box((0.06, 0.06, float(np.linalg.norm(axis))))
-    bar.apply_transform(turned_to(axis))
+    bar.apply_transform(trimesh.geometry.align_vectors((0.0, 0.0, 1.0), axis))
     bar.apply_translation(ends.mean(axis=0))
     bar.visual.face_colors = (224, 96, 48)
     floor = trimesh.creation.box((80.0, 0.1, 80.0)).apply_translation((0.0, -0.05, 0.0))
@@ -36,13 +35,6 @@ def beam() -> nf.Scene:
     scene.add_geometry(bar, geom_name="bar")
     scene.add_geometry(floor, geom_name="floor")
     return nf.Scene.from_trimesh(scene)
-
-
-def turned_to(axis: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Matrix (4, 4) that rotates z to an axis."""
-    import trimesh
-
-    return np.asarray(trimesh.geometry.align_vectors((0.0, 0.0, 1.0), axis))
 
 
 def greatest_turn(rig: nf.stereo.HybridRig) -> float:

@@ -51,7 +51,12 @@ def distribute(
     if not items:
         return []
     if client is not None:
-        return _over_cluster(function, items, label, client)
+        results: list[Result] = []
+        with progress.bar(label) as report:
+            for result in cluster.in_order(function, items, client):
+                results.append(result)
+                report(len(results), len(items))
+        return results
     if workers is None:
         return _in_this_process(function, items, label)
     # Imported here: processes need libraries that `import nearfar` does not.
@@ -72,15 +77,4 @@ def _in_this_process(
                 report(BAR_STEPS_PER_ITEM * number + steps, BAR_STEPS_PER_ITEM * len(items))
 
             results.append(function(item, report_item))
-    return results
-
-
-def _over_cluster(
-    function: Callable[[Item, progress.Report], Result], items: Sequence[Item], label: str, client: Any
-) -> list[Result]:
-    results: list[Result] = []
-    with progress.bar(label) as report:
-        for result in cluster.in_order(function, items, client):
-            results.append(result)
-            report(len(results), len(items))
     return results

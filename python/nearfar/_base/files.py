@@ -15,6 +15,9 @@ from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
+import numpy as np
+from numpy.typing import NDArray
+
 from nearfar import _core
 from nearfar._base import background, locks
 
@@ -84,6 +87,14 @@ def write(path: Path, data: bytes | memoryview) -> None:
     with open(path, "wb", buffering=0) as file:
         while len(whole):
             whole = whole[file.write(whole[:_PIECE]) :]
+
+
+def write_png(path: Path, pixels: NDArray[np.uint8]) -> None:
+    """Write a picture (H, W, 3 or 4) as PNG atomically."""
+    from PIL import Image
+
+    with atomic_file(path) as temporary:
+        Image.fromarray(pixels).save(temporary, format="PNG")
 
 
 def write_with_mode(path: Path, data: bytes, mode: int) -> None:
@@ -177,7 +188,7 @@ def temporary_beside(target: Path, *, folder: bool) -> Iterator[Path]:
         with naming_errors(target):
             os.stat(target.parent / ".")  # creating the lock would create the folder
             # The lock is created first and removed last, so that no temporary is ever seen without an owner.
-            lock = locks.try_hold(_lock_path(path))
+            lock = locks.try_hold(path.with_name(path.name + _LOCK))
             if folder:
                 path.mkdir()
             else:
@@ -217,10 +228,6 @@ def _remove_if_dead(lock_path: Path) -> None:
         if lock is not None:
             _remove(lock_path.with_name(lock_path.name.removesuffix(_LOCK)))
             locks.remove(lock)
-
-
-def _lock_path(path: Path) -> Path:
-    return path.with_name(path.name + _LOCK)
 
 
 def _remove(path: Path) -> None:

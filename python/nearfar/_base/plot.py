@@ -73,19 +73,13 @@ def over_time(ax: Axes | None, times: NDArray[Any], values: NDArray[Any], name: 
 
 def _axes(ax: Axes | None) -> Axes:
     """Return the caller's axes, or new ones; TypeError for anything else."""
-    if ax is None:
-        pyplot = _pyplot()
-        new: Axes = pyplot.subplots(layout="constrained")[1]
-        return new
-    from matplotlib import axes
+    if ax is not None:
+        from matplotlib.axes import Axes
 
-    check.instance("ax", ax, axes.Axes, "Axes of matplotlib")
-    return ax
-
-
-def _pyplot() -> Any:
+        return check.instance("ax", ax, Axes, "Axes of matplotlib")
     try:
         from matplotlib import pyplot
     except ImportError:
         raise ImportError("plots need matplotlib: pip install matplotlib") from None
-    return pyplot
+    axes: Axes = pyplot.subplots(layout="constrained")[1]
+    return axes

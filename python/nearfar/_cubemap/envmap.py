@@ -157,9 +157,7 @@ class EnvMap:
         OSError
             If the file cannot be written.
         """
-        target = check.path("path", path)
-        if target.suffix.lower() != ".exr":
-            raise ValueError(f"path: expected a name ending in .exr, got {os.fspath(path)!r}")
+        target = check.path("path", path, ".exr")
         brightest = max(float(np.abs(face).max()) for face in self.color)
         if check.flag("half", half) and brightest > HALF_LIMIT:
             raise ValueError(f"half: expected False for colours up to {brightest:g}, beyond {HALF_LIMIT:g}, got True")
@@ -203,18 +201,12 @@ class EnvMap:
         OSError
             If the file cannot be written.
         """
-        target = check.path("path", path)
-        suffix = target.suffix.lower()
-        if suffix not in (".exr", ".png"):
-            raise ValueError(f"path: expected a name ending in .exr or .png, got {os.fspath(path)!r}")
+        target = check.path("path", path, ".exr", ".png")
         rows = 2 * self.face_size if height is None else check.integer("height", height, 1, 2**15)
         color = convert_envmap(self.color, source="cube", target="equirectangular", size=rows)
-        if suffix == ".png":
-            from PIL import Image
-
+        if target.suffix.lower() == ".png":
             codes = _core.encode_srgb(np.ascontiguousarray(color, np.float32)).reshape(color.shape)
-            with files.atomic_file(target) as temporary:
-                Image.fromarray(codes).save(temporary, format="PNG")
+            files.write_png(target, codes)
             return
         if (brightest := float(np.abs(color).max())) > HALF_LIMIT:
             raise ValueError(f"path: expected .png for colours up to {brightest:g}, beyond {HALF_LIMIT:g}, got .exr")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Literal
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,9 +10,6 @@ from numpy.typing import NDArray
 from nearfar import _core
 from nearfar._base import card
 from nearfar._scene.preview import sample_mask
-
-if TYPE_CHECKING:
-    from PIL import Image
 
 Zone = Literal["near", "intermediate", "far"]
 ZONES: dict[Zone, str] = {"near": card.COLORS[1], "intermediate": card.COLORS[0], "far": card.COLORS[7]}
@@ -60,13 +57,7 @@ def picture(
         draw.ellipse(box, outline=(0, 0, 0, 255), width=3)
     for x, y in ((9, 0), (0, 9)):
         draw.line((SIZE - x, SIZE - y, SIZE + x, SIZE + y), fill=(0, 0, 0, 255), width=3)
-    return np.asarray(_half(canvas))
-
-
-def _half(canvas: Image.Image) -> Image.Image:
-    from PIL import Image
-
-    return canvas.resize((SIZE, SIZE), Image.Resampling.BOX)
+    return np.asarray(canvas.resize((SIZE, SIZE), Image.Resampling.BOX))
 
 
 def _largest_triangles(

@@ -42,7 +42,10 @@ class Explorer:
     def __init__(self, reduced: ReducedData, *, size: tuple[int, int], face_size: int) -> None:
         self._size = check.size("size", size)
         self._baking = MapSettings(face_size=face_size, samples=1, channels=("color", "range"), backend="cpu")
-        widgets = _ipywidgets()
+        try:
+            import ipywidgets as widgets
+        except ImportError:
+            raise ImportError("explore needs ipywidgets: pip install ipywidgets") from None
         self._is_quiet = False
         self._last_truth: tuple[Camera, Frame] | None = None
         can_bake = reduced._is_whole
@@ -190,14 +193,6 @@ class Explorer:
             self._last_truth = camera, render(self.reduced.scene, camera, channels=("color",), backend="cpu")
             self.truth.value = card.png(self._last_truth[1].to_image())
         return self._last_truth[1]
-
-
-def _ipywidgets() -> Any:
-    try:
-        import ipywidgets
-    except ImportError:
-        raise ImportError("explore needs ipywidgets: pip install ipywidgets") from None
-    return ipywidgets
 
 
 def _step(length: float) -> float:

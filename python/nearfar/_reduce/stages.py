@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from dataclasses import replace
-from typing import TypedDict, Unpack
+from typing import Any, Unpack
 
 from numpy.typing import ArrayLike
 
 from nearfar._cubemap.envmap import EnvMap
-from nearfar._partition.partition import Partition, Unit, partition
+from nearfar._partition.partition import Unit, partition
 from nearfar._reduce import folder
 from nearfar._reduce.baking import MapKeywords, MapSettings, bake_arguments, require_cpu
 from nearfar._reduce.drawing import Boundary
@@ -31,15 +31,6 @@ class Divided(ABC):
         """Draw the map of the geometry beyond the radius."""
 
 
-class Parts(TypedDict):
-    """Parts of a reduced scene."""
-
-    scene: Scene
-    zones: Partition
-    env: EnvMap | None
-    counts: dict[str, int]
-
-
 def parts(
     source: Scene | Divided,
     *,
@@ -49,8 +40,11 @@ def parts(
     boundary: Boundary,
     baking: MapSettings,
     unit: Unit = "triangle",
-) -> Parts:
-    """Partition a scene or world and make the map of its far part; arguments as in `reduce`, already checked."""
+) -> dict[str, Any]:
+    """Partition a scene or world and make the map of its far part; return arguments of `ReducedScene`.
+
+    The arguments are those of `reduce`, already checked.
+    """
     if isinstance(source, Divided):
         require_cpu(baking, type(source).__name__)
         scene = source.near_scene(center, r2)

@@ -126,18 +126,11 @@ class Frame:
         OSError
             If the file cannot be written.
         """
-        target = check.path("path", path)
-        suffix = target.suffix.lower()
-        if suffix == ".png":
-            from PIL import Image
-
-            image = Image.fromarray(self.to_image())
-            with files.atomic_file(target) as temporary:
-                image.save(temporary, format="PNG")
-        elif suffix == ".exr":
-            exr.write(target, {"frame": background.run(lambda: _exr_channels(self))}, _document(self))
+        target = check.path("path", path, ".png", ".exr")
+        if target.suffix.lower() == ".png":
+            files.write_png(target, self.to_image())
         else:
-            raise ValueError(f"path: expected a name ending in .png or .exr, got {os.fspath(path)!r}")
+            exr.write(target, {"frame": background.run(lambda: _exr_channels(self))}, _document(self))
 
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> Frame:
@@ -194,18 +187,13 @@ def _exr_channels(frame: Frame) -> dict[str, NDArray[Any]]:
 
 
 def _images(channels: exr.Channels) -> dict[str, NDArray[Any]]:
-    return {name: image for name in CHANNELS if (image := _image(name, channels)) is not None}
+    return {name: _image(name, channels) for name in CHANNELS if _AXES.get(name, (name,))[0] in channels}
 
 
-def _image(name: str, channels: exr.Channels) -> NDArray[Any] | None:
-    """Join channels to an image; None if they do not contain it."""
+def _image(name: str, channels: exr.Channels) -> NDArray[Any]:
+    """Join channels to an image."""
     if name in _AXES:
-        axes = _AXES[name]
-        if axes[0] not in channels:
-            return None
-        return np.stack([exr.of_kind("f", channels[axis]) for axis in axes], axis=-1)
-    if name not in channels:
-        return None
+        return np.stack([exr.of_kind("f", channels[axis]) for axis in _AXES[name]], axis=-1)
     if name in ("range", "coverage"):
         return exr.of_kind("f", channels[name])
     numbers = exr.of_kind("u", channels[name])

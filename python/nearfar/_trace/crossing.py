@@ -91,7 +91,9 @@ def choose(
 
 def panorama(scene: Scene, eye: Point, center: Point, r1: float, r2: float) -> Panorama:
     """Cast rays around an eye, and measure zones and boundary about the axis through a centre."""
-    pitch, steps = _pitches()
+    u = np.linspace(-1.0, 1.0, PITCHES)
+    pitch = np.radians(MAX_PITCH_DEG) * u * np.abs(u)
+    steps = np.gradient(pitch)
     azimuth = np.arange(AZIMUTHS) * (2.0 * np.pi / AZIMUTHS)
     up, azimuths = np.meshgrid(pitch, azimuth, indexing="ij")
     rays = np.stack([np.cos(up) * np.sin(azimuths), np.sin(up), -np.cos(up) * np.cos(azimuths)], axis=-1)
@@ -110,13 +112,6 @@ def _crosses(first_rho: NDArray[np.float64], second_rho: NDArray[np.float64], r2
     """Whether two neighbouring points, possibly of one surface, lie on both sides of r2; False for NaN."""
     nearer, farther = np.minimum(first_rho, second_rho), np.maximum(first_rho, second_rho)
     return np.asarray((nearer <= r2) & (farther > r2) & (nearer * MAX_RATIO >= r2) & (farther <= MAX_RATIO * r2))
-
-
-def _pitches() -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Pitches (PITCHES,) in radians, ascending, and the angle that each stands for."""
-    u = np.linspace(-1.0, 1.0, PITCHES)
-    pitch = np.radians(MAX_PITCH_DEG) * u * np.abs(u)
-    return pitch, np.gradient(pitch)
 
 
 def _direction(turn: int) -> Point:

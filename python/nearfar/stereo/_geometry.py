@@ -106,13 +106,13 @@ class RigGeometry(WithTwin):
         """
         head, head_position = quaternion(orientation), np.array(check.vector("position", position))
         turn = rotation(head)
-        x, y, z = head_position + turn @ np.add(self._core.middle, (0.0, 0.0, self.center_offset))
-        center = Camera((float(x), float(y), float(z)), head, fov=self.center_fov, size=self.center_size)
+        middle = head_position + turn @ np.add(self._core.middle, (0.0, 0.0, self.center_offset))
+        center = Camera(check.vector("position", middle), head, fov=self.center_fov, size=self.center_size)
         views = []
         for eye in (self.left, self.right):
-            x, y, z = head_position + turn @ np.array(eye.position)
+            eye_position = check.vector("position", head_position + turn @ np.array(eye.position))
             eye_orientation = compose_rotations(eye.orientation, head)
-            views.append(Camera((float(x), float(y), float(z)), eye_orientation, fov=eye.fov, size=self.size))
+            views.append(Camera(eye_position, eye_orientation, fov=eye.fov, size=self.size))
         return views[0], views[1], center
 
     def clip(

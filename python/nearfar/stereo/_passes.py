@@ -274,13 +274,10 @@ class Passes:
         return near, far or has_zone
 
     @property
-    def _far_begin(self) -> float:
-        """Depth from which the third camera draws, metres."""
-        return max(self.settings.near, min(self.rig.planes[1], self.settings.far) - self.rig.overlap)
-
-    @property
     def _far_clip(self) -> Clip:
-        return self._clip_between(self._far_begin, self.settings.far)
+        """Space that the third camera draws."""
+        begin = max(self.settings.near, min(self.rig.planes[1], self.settings.far) - self.rig.overlap)
+        return self._clip_between(begin, self.settings.far)
 
     def _clip_between(self, begin: float, end: float) -> Clip:
         return self.rig.clip(self.moment.position, self.moment.orientation, near=begin, far=end)

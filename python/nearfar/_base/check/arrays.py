@@ -30,7 +30,8 @@ def array(
     for fractions where integers are required; else ValueError.
     """
     values = _numbers(name, value)
-    target = _target_type(values.dtype, dtype)
+    is_float32 = values.dtype.kind == "f" and values.dtype.itemsize == 4
+    target: np.dtype[Any] = np.dtype((np.float32 if is_float32 else np.float64) if dtype is None else dtype)
     if columns is not None and (values.ndim != 2 or values.shape[1] != columns):
         raise ValueError(f"{name}: expected shape (N, {columns}), got {values.shape}")
     if target.kind in "iu":
@@ -120,12 +121,6 @@ def _numbers(name: str, value: ArrayLike) -> NDArray[Any]:
         # Empty lists pass: NumPy makes them float64.
         raise TypeError(f"{name}: expected real numbers, got {type_and_value(value)} of type {values.dtype}")
     return values
-
-
-def _target_type(source: np.dtype[Any], dtype: DTypeLike | None) -> np.dtype[Any]:
-    if dtype is not None:
-        return np.dtype(dtype)
-    return np.dtype(np.float32 if source.kind == "f" and source.itemsize == 4 else np.float64)
 
 
 def _check_whole_numbers(name: str, values: NDArray[Any], target: np.dtype[Any]) -> None:

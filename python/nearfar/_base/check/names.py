@@ -45,8 +45,11 @@ def text(name: str, value: str) -> str:
     return value
 
 
-def path(name: str, value: str | os.PathLike[str]) -> Path:
-    """Check a path that the file system can hold; ValueError otherwise, TypeError for anything but text or a path."""
+def path(name: str, value: str | os.PathLike[str], *suffixes: str) -> Path:
+    """Check a path that the file system can hold, and that ends in one of the suffixes, if any, in lower or upper case.
+
+    ValueError otherwise, TypeError for anything but text or a path.
+    """
     written = os.fspath(value) if isinstance(value, str | os.PathLike) else None
     if not isinstance(written, str):
         raise TypeError(f"{name}: expected a string or a path, got {type_and_value(value)}")
@@ -58,6 +61,8 @@ def path(name: str, value: str | os.PathLike[str]) -> Path:
         is_usable = False
     if not is_usable:
         raise ValueError(f"{name}: expected a path that the file system can hold, got {shortened(written)}")
+    if suffixes and Path(written).suffix.lower() not in suffixes:
+        raise ValueError(f"{name}: expected a name ending in {' or '.join(suffixes)}, got {written!r}")
     return Path(written)
 
 

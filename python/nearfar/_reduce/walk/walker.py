@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -25,21 +24,6 @@ MAX_FADE = 60.0
 """Greatest duration of a cross-fade, seconds."""
 
 Point = tuple[float, float, float]
-
-
-class Source(Protocol):
-    """Interface of `Regions` for walks; the class itself belongs to a later stage."""
-
-    @property
-    def index(self) -> Callable[..., int]: ...
-    @property
-    def ready(self) -> Callable[[int], bool]: ...
-    @property
-    def reduced(self) -> Callable[[int], ReducedScene]: ...
-    @property
-    def prefetch(self) -> Callable[..., int | None]: ...
-    @property
-    def jump(self) -> Callable[..., float]: ...
 
 
 @dataclass(frozen=True)
@@ -61,7 +45,7 @@ class Walk:
     It stores the present region, and the previous one during a cross-fade.
     """
 
-    def __init__(self, regions: Source, *, fade: float = 0.5, transition: str = "fade", ahead: bool = True) -> None:
+    def __init__(self, regions: Any, *, fade: float = 0.5, transition: str = "fade", ahead: bool = True) -> None:
         for name in ("index", "ready", "reduced", "prefetch", "jump"):
             if not callable(getattr(regions, name, None)):
                 raise TypeError(f"regions: expected Regions, got {check.type_and_value(regions)}")
