@@ -129,12 +129,21 @@ def seams() -> str:
     return table("Errors (rms) of lookups by where they are", header, rows)
 
 
-def numpy_mips(faces: Array) -> list[Array]:
-    """Mip levels by plain means of 2 × 2 texels, which change the mean over the sphere."""
+def peer_mips(faces: Array, halve: Callable[[Array, int], Array]) -> list[Array]:
+    """Mip levels, each from the one before and half its size."""
     levels = [faces]
-    while (size := levels[-1].shape[1]) > 1:
-        levels.append(levels[-1].reshape(6, size // 2, 2, size // 2, 2).mean((2, 4)))
+    while (size := levels[-1].shape[1] // 2) > 0:
+        levels.append(halve(levels[-1], size))
     return levels
+
+
+def numpy_halve(faces: Array, size: int) -> Array:
+    """Plain means of 2 × 2 texels, which change the mean over the sphere."""
+    return np.asarray(faces.reshape(6, size, 2, size, 2).mean((2, 4)))
+
+
+def cv2_halve(faces: Array, size: int) -> Array:
+    return np.stack([cv2.resize(face, (size, size), interpolation=cv2.INTER_AREA) for face in faces])
 
 
 def mips() -> str:
@@ -147,19 +156,10 @@ def mips() -> str:
 
     cases = [
         Case(f"{OURS} cube_mips", lambda: nf.cube_mips(faces), error),
-        Case("NumPy, 2 × 2", lambda: numpy_mips(faces), error),
-        Case("cv2.resize", lambda: cv2_mips(faces), error),
+        Case("NumPy, 2 × 2", lambda: peer_mips(faces, numpy_halve), error),
+        Case("cv2.resize", lambda: peer_mips(faces, cv2_halve), error),
     ]
     return compare("Mip chains of 6 × 1024²", cases, work=Work(bytes=faces.nbytes * 4 / 3))
-
-
-def cv2_mips(faces: Array) -> list[Array]:
-    levels = [faces]
-    while (size := levels[-1].shape[1]) > 1:
-        half_size = (size // 2, size // 2)
-        resized = [cv2.resize(face, half_size, interpolation=cv2.INTER_AREA) for face in levels[-1]]
-        levels.append(np.stack(resized).reshape(6, *half_size))
-    return levels
 
 
 def cones() -> str:

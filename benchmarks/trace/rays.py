@@ -27,18 +27,9 @@ Array = NDArray[np.float32]
 def camera_rays(eye: tuple[float, ...], target: tuple[float, ...], size: tuple[int, int], tile: int) -> Array:
     """Unit directions of a 90° view in tiles of `tile` pixels, or row by row for 1."""
     width, height = size
-    forward = np.subtract(target, eye)
-    forward = forward / np.linalg.norm(forward)
-    right = np.cross(forward, (0.0, 1.0, 0.0))
-    right /= np.linalg.norm(right)
-    up = np.cross(right, forward)
-    x = (np.arange(width) + 0.5) / width * 2 - 1
-    y = (1 - (np.arange(height) + 0.5) / height * 2) * height / width
-    rays = forward + x[None, :, None] * right + y[:, None, None] * up
-    if tile > 1:
-        rays = rays.reshape(height // tile, tile, width // tile, tile, 3).transpose(0, 2, 1, 3, 4)
-    rays = rays.reshape(-1, 3)
-    return np.ascontiguousarray(rays / np.linalg.norm(rays, axis=1, keepdims=True), np.float32)
+    _, rays = nf.Camera.look_at(eye, target, fov=nf.Fov.symmetric(90, width / height), size=size).rays()
+    rays = rays.reshape(height // tile, tile, width // tile, tile, 3).transpose(0, 2, 1, 3, 4)
+    return np.ascontiguousarray(rays.reshape(-1, 3), np.float32)
 
 
 def embree_scene(points: Array, faces: NDArray[np.int32]) -> Any:
