@@ -115,7 +115,7 @@ def table(rows: Iterable[Sequence[str]], header: Sequence[str] = ()) -> str:
 
 def picture(pixels: NDArray[np.uint8], alt: str, caption: str = "", legend: Iterable[tuple[str, str]] = ()) -> str:
     """Embed a picture (H, W, 3 or 4), with a caption and a legend of pairs of a colour and its meaning."""
-    image = _fitted(pixels)
+    image = _fit_to_page(pixels)
     data = base64.b64encode(_encoded(image)).decode("ascii")
     return (
         f'<figure style="margin:0;width:{image.width}px;max-width:100%">'
@@ -134,10 +134,10 @@ def _caption(text: str, legend: Iterable[tuple[str, str]]) -> str:
 
 def png(pixels: NDArray[np.uint8]) -> bytes:
     """Encode a picture (H, W, 3 or 4) as PNG, scaled to a size that suits pages."""
-    return _encoded(_fitted(pixels))
+    return _encoded(_fit_to_page(pixels))
 
 
-def _fitted(pixels: NDArray[np.uint8]) -> Image.Image:
+def _fit_to_page(pixels: NDArray[np.uint8]) -> Image.Image:
     from PIL import Image
 
     image = Image.fromarray(np.ascontiguousarray(pixels))
@@ -153,7 +153,7 @@ def _encoded(image: Image.Image) -> bytes:
     return buffer.getvalue()
 
 
-def thinned(image: NDArray[Any]) -> NDArray[Any]:
+def subsample(image: NDArray[Any]) -> NDArray[Any]:
     """Subsample an image (H, W, …) to at most twice the embedded size."""
     step = max(1, math.ceil(max(image.shape[:2]) / (2 * MAX_PIXELS)))
     return image[::step, ::step]

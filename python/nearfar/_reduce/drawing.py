@@ -151,7 +151,7 @@ def check_morph(morph: MorphKind, boundary: Boundary) -> None:
         raise ValueError(f"boundary: expected 'r2' with morph={morph!r}, got 'r1', which only morph='none' knows")
 
 
-def morphed(
+def morph_spheres(
     leveled: Leveled, user: ArrayLike, *, center: tuple[float, float, float], kind: str, growth: dict[str, Any]
 ) -> Leveled:
     """Move the bounding spheres of objects with levels to where a near–far morph shows them.

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 from nearfar._base import check, formats
 from nearfar._partition.partition import partition
 from nearfar._reduce import folder
-from nearfar._reduce.drawing import MorphKind, check_morph, grow_radii, morphed
+from nearfar._reduce.drawing import MorphKind, check_morph, grow_radii, morph_spheres
 from nearfar._reduce.notebook import InNotebooks
 from nearfar._reduce.pictures import InPictures
 from nearfar._reduce.walk.recentering import Recenters
@@ -60,7 +60,7 @@ class ReducedScene(InPictures, InNotebooks, Recenters):
         if leveled is None or self._morph == "none":
             return leveled
         grown = grow_radii(self._drawing, self.r1, self.r2)
-        return morphed(leveled, user, center=self.center, kind=self._morph, growth=grown)
+        return morph_spheres(leveled, user, center=self.center, kind=self._morph, growth=grown)
 
     def with_morph(self, morph: MorphKind) -> Self:
         """Return the same near part and the same map with another morph, without baking again.

@@ -146,7 +146,7 @@ class Frame:
     def _preview(self) -> tuple[str, NDArray[np.uint8]]:
         """Return name and picture of the most informative image; StopIteration if there is no image."""
         name = next(name for name in preview.CAPTIONS if name in self.channels)
-        return name, preview.pixels(name, card.thinned(self.require(name)))
+        return name, preview.pixels(name, card.subsample(self.require(name)))
 
     @card.repr_png
     def _repr_png_(self) -> NDArray[np.uint8]:

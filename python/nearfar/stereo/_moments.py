@@ -46,7 +46,7 @@ def moment_before(source: Renderable, before: object, at: Mapping[str, ArrayLike
     return Moment(position, orientation, source if at is None else posed_at(source, at, "before_at"))
 
 
-def shifted(camera: Camera, jitter: tuple[float, float]) -> Camera:
+def shift_pixels(camera: Camera, jitter: tuple[float, float]) -> Camera:
     """Shift a camera's pixels to the right and down by a fraction of a pixel."""
     fov, (width, height) = camera.fov, camera.size
     assert isinstance(fov, Fov)

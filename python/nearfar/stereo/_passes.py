@@ -27,7 +27,7 @@ from nearfar._scene.scene import Scene
 from nearfar.hmd._hmd import EYES
 from nearfar.hmd._stereo import StereoFrame
 from nearfar.stereo._geometry import RigGeometry
-from nearfar.stereo._moments import Moment, map_motion, shifted
+from nearfar.stereo._moments import Moment, map_motion, shift_pixels
 from nearfar.stereo._settings import UNUSED, HybridSettings
 
 _BITS = {"left": 1, "right": 2, "center": 4}
@@ -222,7 +222,7 @@ class Passes:
 
     def _cameras(self, moment: Moment) -> list[Camera]:
         """Cameras of the eyes and the third one."""
-        return [shifted(camera, self.jitter) for camera in self.rig.cameras(moment.position, moment.orientation)]
+        return [shift_pixels(camera, self.jitter) for camera in self.rig.cameras(moment.position, moment.orientation)]
 
     def _motion(self, name: str, camera: Camera, images: Images, mask: NDArray[np.bool_] | None) -> NDArray[np.float32]:
         """Compute the motion of each pixel's surface in one of the pictures; NaN outside a mask."""

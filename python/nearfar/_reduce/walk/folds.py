@@ -23,7 +23,7 @@ _HIGHEST = 1e6
 """Height in metres above which all pictures count as folded."""
 
 
-def walkable(kind: str, r1: float, r2: float, height: float) -> float:
+def walkable_distance(kind: str, r1: float, r2: float, height: float) -> float:
     """Horizontal distance in metres from the centre at which the picture folds; infinite for the conventional method.
 
     `height` is the user's height above or below the centre, metres. It is rounded up to a multiple of `STEP`, which
@@ -39,7 +39,7 @@ def _walkable(kind: str, r1: float, r2: float, steps: int) -> float:
     return fold_margin((0.0, steps * STEP, 0.0), center=(0.0, 0.0, 0.0), r1=r1, r2=r2, kind=kind)
 
 
-def climbs(path: Floats, centers: Floats, reach: float) -> Floats:
+def height_differences(path: Floats, centers: Floats, reach: float) -> Floats:
     """Greatest height difference (K,) between centres (K, 3) and the part of a path (N, 3) within reach of each."""
     starts, ends = (path[:-1], path[1:]) if len(path) > 1 else (path, path)
     steps, climb = ends - starts, np.zeros(len(centers))

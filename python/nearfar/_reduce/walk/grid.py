@@ -62,7 +62,7 @@ class Grid:
         rounded[rows, column] -= rounded.sum(axis=1)
         return np.asarray(rounded[:, :2], np.int64)
 
-    def clipped(self, cells: Cells, starts: Floats, ends: Floats) -> tuple[Floats, Floats]:
+    def clip_segments(self, cells: Cells, starts: Floats, ends: Floats) -> tuple[Floats, Floats]:
         """Clip segments (N, 2) to their cells (N, 2): parameters of start and end of each part, empty if start > end.
 
         A cell is a hexagon: the points nearer to its centre than to any other.
@@ -80,7 +80,7 @@ class Grid:
             begin, end = np.maximum(begin, enter), np.minimum(end, leave)
         return begin, end
 
-    def visited(self, path: Floats) -> tuple[Cells, Floats]:
+    def cells_of_path(self, path: Floats) -> tuple[Cells, Floats]:
         """Cells (K, 2) visited by the straight pieces of a path, in order of first visit, and values (K, 3).
 
         `path` is (N, 3) as x, height, z. The values are the path's least and greatest height in the cell, and the
@@ -92,7 +92,7 @@ class Grid:
             samples = (starts[pieces] + parameters[:, None] * (ends[pieces] - starts[pieces]))[:, [0, 2]]
             cells = (self.nearest(samples)[:, None] + _SIX).reshape(-1, 2)
             piece = np.repeat(pieces, len(_SIX))
-            begin, end = self.clipped(cells, starts[piece][:, [0, 2]], ends[piece][:, [0, 2]])
+            begin, end = self.clip_segments(cells, starts[piece][:, [0, 2]], ends[piece][:, [0, 2]])
             is_inside = begin <= end
             piece, begin, end = piece[is_inside], begin[is_inside], end[is_inside]
             low, high = starts[piece, 1], ends[piece, 1]
@@ -102,10 +102,10 @@ class Grid:
         order = np.argsort(facts[:, 2], kind="stable")
         return cells[order], facts[order]
 
-    def touched(self, corners: Floats) -> Cells:
+    def cells_of_area(self, corners: Floats) -> Cells:
         """Cells (K, 2) that intersect a polygon with corners (N, 2), N ≥ 3."""
         closed = np.insert(np.concatenate([corners, corners[:1]]), 1, 0.0, axis=1)
-        border, _ = self.visited(closed)
+        border, _ = self.cells_of_path(closed)
         # Rows and columns of the grid are slanted, so that all four corners of the bounds count.
         low, high = corners.min(axis=0), corners.max(axis=0)
         ends = self.nearest(np.array([[x, z] for x in (low[0], high[0]) for z in (low[1], high[1])]))

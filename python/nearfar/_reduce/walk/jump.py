@@ -28,7 +28,7 @@ def forward(camera: Camera) -> NDArray[np.float64]:
     return -rotation(camera.orientation)[:, 2]
 
 
-def predicted(step: ArrayLike, camera: Camera, distance: float) -> float:
+def predict_jump(step: ArrayLike, camera: Camera, distance: float) -> float:
     """Predict the jump f·|ΔO⊥|/ρ in pixels of a point straight ahead, ρ metres from the old centre.
 
     The map shows a far point P in the direction P − O. A step ΔO of the centre rotates it by |ΔO⊥|/ρ, where ΔO⊥ is the

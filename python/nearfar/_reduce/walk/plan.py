@@ -14,9 +14,9 @@ from nearfar._partition.load_curve import load_curve
 from nearfar._reduce.baking import MapKeywords, MapSettings
 from nearfar._reduce.choose_radii import Radii, RadiusKeywords, RadiusSettings, choose_radii, complete_settings
 from nearfar._reduce.drawing import MORPHS, MorphKind
-from nearfar._reduce.walk.folds import climbs, walkable
+from nearfar._reduce.walk.folds import height_differences, walkable_distance
 from nearfar._reduce.walk.grid import Grid, grids
-from nearfar._reduce.walk.regions import Regions, check_hysteresis, checked_keep, spacing_for
+from nearfar._reduce.walk.regions import Regions, check_hysteresis, check_keep, spacing_for
 from nearfar._scene.scene import Scene, core_of
 from nearfar._trace.rays import surface_heights
 
@@ -107,7 +107,7 @@ def regions(
     eye_height = _check_length("eye_height", radius_settings.eye_height)
     min_walk = check_hysteresis(hysteresis, reach)
     check.choice("morph", morph, MORPHS)
-    checked_keep(keep)
+    check_keep(keep)
     if radius_settings.r2 is not None and reach >= radius_settings.r2:
         raise ValueError(
             f"reach: expected less than r2 = {radius_settings.r2:g} m, beyond which all is in the map, got {reach:g}"
@@ -120,7 +120,7 @@ def regions(
         centers = _on_ground(scene, _corners(scene, area), spacing, eye_height)
     common_radii = _common_radii(scene, centers, radius_settings)
     if path is not None and np.ptp(eyes[:, 1]) > 0.0:
-        _check_heights(centers, climbs(eyes, centers, reach), common_radii, morph)
+        _check_heights(centers, height_differences(eyes, centers, reach), common_radii, morph)
     return Regions(scene, centers, radii=common_radii, hysteresis=min_walk, morph=morph, baking=map_settings, keep=keep)
 
 
@@ -171,7 +171,7 @@ def _on_path(eyes: Floats, spacing: float) -> Floats:
     """Centres (K, 3) in a path's order; the height is the mean of the path's least and greatest height in the cell."""
     ground_points = eyes[:, [0, 2]]
     _check_region_count(float(np.hypot(*np.diff(ground_points, axis=0).T).sum()) / spacing)
-    candidates = [(grid, *grid.visited(eyes)) for grid in grids(ground_points, spacing)]
+    candidates = [(grid, *grid.cells_of_path(eyes)) for grid in grids(ground_points, spacing)]
     grid, cells, cell_heights = min(candidates, key=lambda choice: len(choice[1]))
     points, (low, high, _) = grid.centers(cells), cell_heights.T
     return np.column_stack([points[:, 0], 0.5 * (low + high), points[:, 1]])
@@ -182,7 +182,7 @@ def _on_ground(scene: Scene, corners: Floats, spacing: float, eye_height: float)
     extent = np.ptp(corners, axis=0) / spacing + 1.0
     _check_region_count(float(extent.prod()))
     candidates: list[tuple[Grid, NDArray[np.int64]]] = [
-        (grid, grid.touched(corners)) for grid in grids(np.concatenate([corners, corners[:1]]), spacing)
+        (grid, grid.cells_of_area(corners)) for grid in grids(np.concatenate([corners, corners[:1]]), spacing)
     ]
     grid, cells = min(candidates, key=lambda choice: len(choice[1]))
     points = grid.centers(cells)
@@ -214,7 +214,7 @@ def _common_radii(scene: Scene, centers: Floats, settings: RadiusSettings) -> Ra
 def _check_heights(centers: Floats, heights: Floats, radii: Radii, morph: str) -> None:
     """Raise ValueError if the path climbs so much within a region that its picture would fold."""
     steepest = int(np.argmax(heights))
-    if walkable(morph, radii.r1, radii.r2, float(heights[steepest])) < radii.reach:
+    if walkable_distance(morph, radii.r1, radii.r2, float(heights[steepest])) < radii.reach:
         x, y, z = centers[steepest]
         raise ValueError(
             f"path: expected eyes near the height of the centre, got a path that is {heights[steepest]:.3g} m above or "

@@ -54,7 +54,7 @@ class Regions:
         self._hysteresis = check_hysteresis(hysteresis, radii.reach)
         self._morph = check.choice("morph", morph, MORPHS)
         self._baking = MapSettings() if baking is None else check.instance("baking", baking, MapSettings)
-        self._keep = checked_keep(keep)
+        self._keep = check_keep(keep)
         self._cache: OrderedDict[int, ReducedScene] = OrderedDict()
         self._prefetched: tuple[int, Recentering[ReducedScene]] | None = None
         self._bytes = np.zeros(len(positions), np.int64)
@@ -200,7 +200,7 @@ class Regions:
         start, end = (self._centers[self._number(name, value)] for name, value in (("i", i), ("j", j)))
         check.instance("camera", camera, Camera)
         range_m = self._radii.r2 if distance is None else check.positive("distance", distance)
-        return jump.predicted(end - start, camera, range_m)
+        return jump.predict_jump(end - start, camera, range_m)
 
     def walk(self, *, fade: float = 0.5, transition: str = "fade", ahead: bool = True) -> Walk:
         """Begin a walk, whose pictures come from the region that the user is in.
@@ -282,7 +282,7 @@ def check_hysteresis(hysteresis: SupportsFloat, reach: float) -> float:
     return band
 
 
-def checked_keep(keep: int) -> int:
+def check_keep(keep: int) -> int:
     """Check the number of cached reduced scenes: at least the present, the previous and the next one."""
     return check.integer("keep", keep, 3, MAX_CACHED)
 

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 from nearfar._base import check
 from nearfar._camera.camera import Camera
 from nearfar._reduce.reduced_scene import ReducedScene
-from nearfar._reduce.walk.folds import walkable
+from nearfar._reduce.walk.folds import walkable_distance
 from nearfar._render.blend import blend
 from nearfar._render.frame import Frame
 
@@ -36,7 +36,7 @@ class _ShownRegion:
     def margin(self, user: Point) -> float:
         """Metres that the user can still walk before its picture folds."""
         reduced, (x, y, z) = self.reduced, np.subtract(user, self.reduced.center)
-        return walkable(reduced.morph, reduced.r1, reduced.r2, abs(y)) - math.hypot(x, z)
+        return walkable_distance(reduced.morph, reduced.r1, reduced.r2, abs(y)) - math.hypot(x, z)
 
 
 class Walk:
