@@ -130,7 +130,7 @@ class ZoneOptions(Options):
         for name, radius in (("--r1", self.r1), ("--r2", self.r2)):
             if radius is not None:
                 check.at_least_zero(name, radius)
-        check.radii(*default_radii.completed(self.r1, self.r2))
+        check.radii(*default_radii.complete_radii(self.r1, self.r2))
         super().__post_init__()
 
     @cached_property

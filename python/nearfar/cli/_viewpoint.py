@@ -54,7 +54,7 @@ def stand(
     distance: float | None = None,
 ) -> Stand:
     """Choose a user's position and view so that the boundary is in the picture; given values are kept."""
-    away = default_radii.aside(r1, r2) if distance is None else distance
+    away = default_radii.user_distance(r1, r2) if distance is None else distance
     if user is None and target is None:
         chosen, forward, crosses = crossing.choose(scene, place, away, r1, r2, fov=fov)
         return Stand(chosen, place.middle or viewpoint.ahead(chosen, forward), crosses)

@@ -58,7 +58,7 @@ def subtrees(source: SceneSource, folder: Path, layout: Layout, client: Any) -> 
         _write_source(source, pickled)
         job = _Job(folder.absolute(), layout, pickled, pickled.stat().st_mtime_ns)
         places = _places(source, folder, layout, layout.tiers - 1, (0, 0, 0))
-        with closing(cluster.in_order(partial(_build, job), places, client, ahead=SUBTREES_AHEAD)) as results:
+        with closing(cluster.in_order(partial(_build, job), places, client, backlog=SUBTREES_AHEAD)) as results:
             yield _InOrder(results, layout)
     finally:
         pickled.unlink(missing_ok=True)

@@ -14,7 +14,7 @@ from typing import Any, BinaryIO
 import numpy as np
 from numpy.typing import NDArray
 
-from nearfar._base import aside, progress, side_by_side
+from nearfar._base import files, progress, side_by_side
 from nearfar.orthoview import _splat_gltf as gltf, _spz as spz
 from nearfar.orthoview._gaussians import SIGMA, Gaussians
 from nearfar.orthoview._splat_cells import Cell, Cells
@@ -99,8 +99,8 @@ def write(
 def _folder_beside(target: Path) -> Iterator[Path]:
     """Temporary folder beside the target, on the same disk; first removes folders that killed processes left."""
     parts = target.with_name(f"{target.name[:100]}.parts")
-    aside.clear(parts)
-    with aside.temporary_beside(parts, folder=True) as folder:
+    files.clear(parts)
+    with files.temporary_beside(parts, folder=True) as folder:
         try:
             yield folder
         finally:

@@ -12,8 +12,7 @@ from numpy.typing import NDArray
 from nearfar import _core
 from nearfar._scene.report import count
 from nearfar._scene.units import extent_note
-from nearfar._trace.behind import is_hit_from_behind
-from nearfar._trace.rays import cast_rays
+from nearfar._trace.rays import cast_rays, is_hit_from_behind
 from nearfar.stream._assign import Rings
 
 RAYS = 256
