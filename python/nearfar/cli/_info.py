@@ -12,7 +12,8 @@ import typer
 import nearfar as nf
 from nearfar._base import formats
 from nearfar.cli import _options as options, _source, _viewpoint
-from nearfar.cli._options import SCENE_OR_FOLDER, option
+from nearfar.cli._groups import flag, option
+from nearfar.cli._options import SCENE_OR_FOLDER
 from nearfar.cli._output import bytes_text, check_target, count, metres, show, triangles_text
 from nearfar.cli._render import camera
 from nearfar.cli._scenes import SceneOptions, is_reduced, open_scene
@@ -26,15 +27,12 @@ PREVIEW = (480, 300)
 def info(
     *,
     scene: Annotated[str | None, SCENE_OR_FOLDER] = None,
-    gpu: Annotated[bool, typer.Option("--gpu", help="List the graphics adapters, and why any is not used.")] = False,
-    preview: Annotated[
-        Path | None,
-        option(
-            "--preview",
-            "FILE",
-            "Also render a small picture of the scene, .png. It takes the time of a search tree and one frame.",
-        ),
-    ] = None,
+    gpu: bool = flag("--gpu", "List the graphics adapters, and why any is not used."),
+    preview: Path | None = option(
+        None,
+        "FILE",
+        "Also render a small picture of the scene, .png. It takes the time of a search tree and one frame.",
+    ),
     file: SceneOptions,
     as_json: options.Json = False,
 ) -> None:
@@ -115,7 +113,7 @@ def _suffix(note: str) -> str:
 
 def describe(scene: nf.Scene, source: str, seconds: float) -> dict[str, Any]:
     """Return the document of a scene; schema "info"."""
-    return formats.header("info", VERSION, origin=[float(value) for value in scene.origin]) | {
+    return formats.header("info", VERSION, origin=scene.origin.tolist()) | {
         "source": source,
         "triangles": int(scene.triangle_count),
         "objects": len(scene.object_names),

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Any
 
 import typer
 
@@ -15,7 +15,8 @@ import nearfar as nf
 from nearfar._base import cache, check
 from nearfar._base.remote import is_url
 from nearfar._trace.viewpoint import Viewpoint
-from nearfar.cli._options import RingOptions, option
+from nearfar.cli._groups import option
+from nearfar.cli._options import RingOptions
 from nearfar.cli._scenes import is_procedural, open_scene
 from nearfar.cli._viewpoint import choose
 from nearfar.serve._scene import LoadedScene
@@ -26,21 +27,17 @@ from nearfar.serve._site import CACHE_BYTES, Site
 class RegionOptions(RingOptions):
     """Regions that are made on request, and the size of their cache."""
 
-    grid: Annotated[
-        float, option("--grid", "METRES", "Spacing of the grid to which the centres of scenes' regions move.")
-    ] = 2.0
-    cache_bytes: Annotated[
-        int, option("--cache-bytes", "BYTES", "Bytes on disk for the regions of each scene; 0 keeps none.")
-    ] = CACHE_BYTES
+    grid: float = option(2.0, "METRES", "Spacing of the grid to which the centres of scenes' regions move.")
+    cache_bytes: int = option(CACHE_BYTES, "BYTES", "Bytes on disk for the regions of each scene; 0 keeps none.")
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        check.integer("--cache-bytes", self.cache_bytes, 0, 1 << 62)
+        check.integer("cache_bytes", self.cache_bytes, 0, 1 << 62)
 
     @property
     def settings(self) -> dict[str, Any]:
         """Arguments of `LoadedScene`."""
-        return {"grid": self.grid, "radii": self.metres, "face_size": self.texels, "samples": self.samples}
+        return {"grid": self.grid, "radii": self.metres, "face_size": self.face_size, "samples": self.samples}
 
 
 def read(
