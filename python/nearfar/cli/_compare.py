@@ -132,7 +132,7 @@ def compare(
             clock,
             pictures={"samples": view.samples, "channels": ("color", "position")},
             reduction=place_and_map | {"face_size": texels, "backend": backend},
-            drawing={"method": "exact", "env": False} if exact else None,
+            exact=exact,
             saved=saved_reduction,
         )
         frames, reduced = rendered.frames, rendered.reduced

@@ -61,20 +61,20 @@ def reduce(
         with clock.step("place"):
             place = _viewpoint.choose(loaded, scene, zones.point)
             radii = zones.choose_radii(loaded, place)
-            inner, outer = radii.r1, radii.r2
-            stand = _viewpoint.stand(loaded, place, inner, outer)
+            r1, r2 = radii.r1, radii.r2
+            stand = _viewpoint.stand(loaded, place, r1, r2)
         view = camera(stand.user, stand.target, 90.0, picture.pixels)
         with clock.step("load curve"):
             curve = nf.load_curve(loaded, center=place.eye)
-        reduction = {"center": place.eye, "r1": inner, "r2": outer, "face_size": zones.face_size, "backend": backend}
+        reduction = {"center": place.eye, "r1": r1, "r2": r2, "face_size": zones.face_size, "backend": backend}
         reduction |= {"samples": picture.samples, "channels": ("color", "range") if with_range else ("color",)}
-        pictures_of: dict[str, Any] = {"samples": picture.samples, "channels": ("color",)}
-        rendered = render_all(loaded, view, clock, pictures=pictures_of, reduction=reduction)
+        settings: dict[str, Any] = {"samples": picture.samples, "channels": ("color",)}
+        rendered = render_all(loaded, view, clock, pictures=settings, reduction=reduction)
         frames, reduced = rendered.frames, rendered.reduced
-        wide = default_radii.PUBLISHED * outer
-        if radii.is_by_ground and wide > inner:
+        published_r1 = default_radii.PUBLISHED * r2
+        if radii.is_by_ground and published_r1 > r1:
             with clock.step("published radii"):
-                frames["published"] = reduced.with_r1(wide).render(view, **pictures_of)
+                frames["published"] = reduced.with_r1(published_r1).render(view, **settings)
         with clock.step("files"):
             reduced.save(folder)
             if equirectangular is not None and reduced.env is not None:
@@ -82,8 +82,8 @@ def reduce(
         with clock.step("pictures"):
             pictures = {name: frame.to_image() for name, frame in frames.items()}
             _pictures.save_pictures(folder, pictures)
-            plotted = _pictures.save_curve(folder, curve, outer)
-        margin = nf.fold_margin(stand.user, center=place.eye, r1=inner, r2=outer)
+            has_plot = _pictures.save_curve(folder, curve, r2)
+        margin = nf.fold_margin(stand.user, center=place.eye, r1=r1, r2=r2)
         document = formats.header("report", VERSION, origin=loaded.origin.tolist(), color_space="sRGB") | {
             "source": scene,
             **{name: getattr(loading, name) for name in ("up", "on_invalid", "scale", "blend")},
@@ -98,20 +98,20 @@ def reduce(
             "center": list(place.eye),
             "user": list(stand.user),
             "target": list(stand.target),
-            "r1": inner,
-            "r2": outer,
+            "r1": r1,
+            "r2": r2,
             "radii_reason": radii.reason,
             "face_size": zones.face_size,
             "samples": picture.samples,
             "size": list(picture.pixels),
             "load_curve": curve_points(curve),
-            "findings": findings.of_reduction(reduced.stats, outer)
-            + findings.of_view(crosses=stand.crosses, fold_margin=margin, r2=outer),
+            "findings": findings.of_reduction(reduced.stats, r2)
+            + findings.of_view(crosses=stand.crosses, fold_margin=margin, r2=r2),
             "files": sorted([*(path.name for path in folder.iterdir()), "report.json", "report.md"]),
         }
         formats.write_json(folder / "report.json", document)
         (folder / "report.md").write_text(_markdown(document), encoding="utf-8")
-    if not plotted:
+    if not has_plot:
         typer.echo("nearfar: left load_curve.png out, because matplotlib is not installed", err=True)
     show(document, _rows(document, output), title=scene, as_json=as_json)
 
@@ -153,11 +153,9 @@ def _markdown(document: dict[str, Any]) -> str:
 def _on_published(document: dict[str, Any]) -> str:
     if "published" not in document["pictures"]:
         return ""
-    wide, narrow = default_radii.PUBLISHED * document["r2"], document["r1"]
-    return (
-        f"The last picture has r1 = {wide:g} m, the published ratio to r2: it shears the ground more than {narrow:g} m."
-        "\n\n"
-    )
+    r1, published_r1 = document["r1"], default_radii.PUBLISHED * document["r2"]
+    ratio = f"The last picture has r1 = {published_r1:g} m, the published ratio to r2"
+    return f"{ratio}: it shears the ground more than {r1:g} m.\n\n"
 
 
 def _rows(document: dict[str, Any], output: Path) -> list[tuple[str, str]]:

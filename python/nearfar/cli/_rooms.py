@@ -61,7 +61,7 @@ class RoomOptions(Options):
         )
 
 
-def tell(url: str, rooms: Rooms | None, key: str | None) -> None:
+def print_links(url: str, rooms: Rooms | None, key: str | None) -> None:
     """Print how users enter rooms."""
     if rooms is None:
         return

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import signal
 import threading
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
@@ -19,9 +19,7 @@ from nearfar.cli._scenes import ServedOptions
 from nearfar.serve import _addresses, _log
 from nearfar.serve._certificate import Certificate
 from nearfar.serve._limits import Limits
-from nearfar.serve._scene import LoadedScene
 from nearfar.serve._server import Server
-from nearfar.serve._site import Site
 
 _DEFAULT = Limits()
 
@@ -102,7 +100,7 @@ def serve(
     if log != "off" and not only_check:
         _log.begin(as_json=log == "json")
     with (
-        _ended() as end,
+        _end_signal() as end,
         Server(
             sites,
             host=address.host,
@@ -115,40 +113,35 @@ def serve(
         ) as server,
     ):
         if only_check:
-            _tell_what_is_there(server, sites, scenes)
+            for name, site in sites.items():
+                typer.echo(f"{server.url}{f'{name}/' if name else ''} can be served: {site.title}")
+            for scene in scenes:
+                typer.echo(_sites.loaded(scene))
             return
-        _tell(server, sources, certificate)
-        _rooms.tell(server.urls[0], rooms, meeting.rooms_key)
-        _sites.tell_of(scenes)
+        _print_addresses(server, sources, certificate)
+        _rooms.print_links(server.urls[0], rooms, meeting.rooms_key)
+        _sites.print_when_loaded(scenes)
         end.wait()
 
 
-def _tell(server: Server, sources: list[str], certificate: Certificate | None) -> None:
-    first, *others = server.urls
-    shown = sources[0] if len(sources) == 1 else f"{len(sources)} scenes"
-    typer.echo(f"{first} shows {shown}; Ctrl-C ends it.")
-    for url in others:
+def _print_addresses(server: Server, sources: list[str], certificate: Certificate | None) -> None:
+    first_url, *further_urls = server.urls
+    content = sources[0] if len(sources) == 1 else f"{len(sources)} scenes"
+    typer.echo(f"{first_url} shows {content}; Ctrl-C ends it.")
+    for url in further_urls:
         typer.echo(f"  also {url}")
     if certificate is not None:
         typer.echo(f"certificate {certificate.certificate}, {certificate.days} days left, SHA-256:")
         typer.echo(f"  {certificate.fingerprint}")
 
 
-def _tell_what_is_there(server: Server, sites: Mapping[str, Site], scenes: Sequence[LoadedScene]) -> None:
-    """Print everything that can be served; raise ValueError for a scene that cannot."""
-    for name, site in sites.items():
-        typer.echo(f"{server.url}{f'{name}/' if name else ''} can be served: {site.title}")
-    for scene in scenes:
-        typer.echo(_sites.loaded(scene))
-
-
 @contextmanager
-def _ended() -> Iterator[threading.Event]:
+def _end_signal() -> Iterator[threading.Event]:
     """Yield an event that is set by SIGINT and SIGTERM."""
     end = threading.Event()
-    before = {number: signal.signal(number, lambda *_: end.set()) for number in (signal.SIGINT, signal.SIGTERM)}
+    previous = {number: signal.signal(number, lambda *_: end.set()) for number in (signal.SIGINT, signal.SIGTERM)}
     try:
         yield end
     finally:
-        for number, handler in before.items():
+        for number, handler in previous.items():
             signal.signal(number, handler)

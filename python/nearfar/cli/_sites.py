@@ -14,7 +14,6 @@ import typer
 import nearfar as nf
 from nearfar._base import cache, check
 from nearfar._base.remote import is_url
-from nearfar._trace.viewpoint import Viewpoint
 from nearfar.cli._groups import option
 from nearfar.cli._options import RingOptions
 from nearfar.cli._scenes import is_procedural, open_scene
@@ -46,9 +45,9 @@ def read(
     """Return sites by name, with an empty name for a single one, and the scenes that are being loaded."""
     named = [_split_source(source) for source in sources]
     names = [name for name, _ in named]
-    twice = next((name for name in names if names.count(name) > 1), None)
-    if twice is not None:
-        raise ValueError(f"SOURCE: expected different names, got {twice!r} twice: write NAME=SOURCE")
+    repeated = next((name for name in names if names.count(name) > 1), None)
+    if repeated is not None:
+        raise ValueError(f"SOURCE: expected different names, got {repeated!r} twice: write NAME=SOURCE")
     sites, scenes = {}, []
     for name, text in named:
         if _is_folder(text):
@@ -66,17 +65,17 @@ def loaded(scene: LoadedScene) -> str:
     return f"{scene.title} is loaded: {scene.wait().triangle_count:,} triangles"
 
 
-def tell_of(scenes: Sequence[LoadedScene]) -> None:
+def print_when_loaded(scenes: Sequence[LoadedScene]) -> None:
     """Print for each scene when it is loaded or why it cannot be, in background threads."""
 
-    def tell(scene: LoadedScene) -> None:
+    def print_result(scene: LoadedScene) -> None:
         try:
             typer.echo(loaded(scene))
         except ValueError as error:
             typer.echo(f"nearfar: {error}", err=True)
 
     for scene in scenes:
-        threading.Thread(target=tell, args=(scene,), daemon=True).start()
+        threading.Thread(target=print_result, args=(scene,), daemon=True).start()
 
 
 def _split_source(source: str) -> tuple[str, str]:
@@ -92,7 +91,7 @@ def _is_folder(text: str) -> bool:
 
 
 def _scene(text: str, loading: nf.LoadOptions, regions: RegionOptions) -> LoadedScene:
-    start = partial(_start, text)
+    start = partial(choose, source=text)
     if not is_procedural(text):
         # Report a missing file now, and not at a client's first request.
         Path(text).stat()
@@ -100,7 +99,3 @@ def _scene(text: str, loading: nf.LoadOptions, regions: RegionOptions) -> Loaded
     load = partial(open_scene, text, loading)
     source = cache.key("procedural", nf.__version__, text)
     return LoadedScene(load, title=text, source=source, start=start, **regions.settings)
-
-
-def _start(text: str, scene: nf.Scene) -> Viewpoint:
-    return choose(scene, text)
