@@ -61,7 +61,6 @@ class Samples:
         return np.array([KINDS[kind](one) for one in self.materials])[self.material]
 
     def where(self, mask: NDArray[np.bool_]) -> Samples:
-        """Select samples by a mask."""
         return replace(self, **{name: getattr(self, name)[mask] for name in ("object", "material", "neutral", "far")})
 
 
@@ -175,7 +174,6 @@ def cross_validated(samples: Samples, name: str) -> Array:
 
 
 def validity(samples: Samples, predicted: Array) -> Validity:
-    """Compute the errors of predicted logarithms."""
     off = samples.logarithm - predicted
     # 1 − SSIM is at most 1, for pictures that have nothing in common.
     ssim = samples.far - np.minimum(samples.neutral * np.exp(predicted), 1.0)

@@ -112,24 +112,17 @@ class Shape:
 
     @functools.cached_property
     def scene(self) -> nf.Scene:
-        """Scene for casting rays."""
         return nf.Scene.from_arrays(self.vertices, self.faces, copy=True)
 
     @functools.cached_property
     def normals(self) -> Array:
-        """Normal of each vertex (V, 3)."""
-        return vertex_normals(self.vertices, self.faces)
-
-
-def vertex_normals(vertices: Array, faces: NDArray[np.int64]) -> Array:
-    """Area-weighted mean of the normals of the faces around each vertex (V, 3)."""
-    corners = vertices[faces]
-    across = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    sums = np.stack(
-        [np.bincount(faces.ravel(), np.repeat(across[:, axis], 3), len(vertices)) for axis in range(3)], axis=1
-    )
-    length = np.linalg.norm(sums, axis=1, keepdims=True)
-    return (sums / np.where(length > 0, length, 1)).astype(np.float32)
+        """Area-weighted mean of the normals of the faces around each vertex (V, 3)."""
+        corners = self.vertices[self.faces]
+        scaled = np.repeat(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), 3, axis=0)
+        count = len(self.vertices)
+        sums = np.stack([np.bincount(self.faces.ravel(), part, count) for part in scaled.T], axis=1)
+        length = np.linalg.norm(sums, axis=1, keepdims=True)
+        return (sums / np.where(length > 0, length, 1)).astype(np.float32)
 
 
 def look(shape: Shape, camera: nf.Camera) -> Surface:
@@ -141,13 +134,15 @@ def look(shape: Shape, camera: nf.Camera) -> Surface:
     faces = shape.faces[numbers[hit]]
     parts = shape.vertices[faces]
     # Barycentric coordinates by areas: computed from edges they would lose digits in slivers.
-    one, two, three = (parts[:, n] - position for n in range(3))
-    weights = np.stack([_length(np.cross(*pair)) for pair in ((two, three), (three, one), (one, two))], axis=1)
+    to_corners = parts - position[:, None]
+    areas = np.cross(np.roll(to_corners, -1, axis=1), np.roll(to_corners, -2, axis=1))
+    weights = np.sqrt(np.einsum("nck,nck->nc", areas, areas))
     weights /= np.maximum(weights.sum(axis=1, keepdims=True), np.finfo(np.float32).tiny)
     normal = _unit(np.einsum("nc,nck->nk", weights, shape.normals[faces]))
     mapped = np.einsum("nc,nck->nk", weights, _unit(shape.vertices)[faces])
     eye = np.asarray(camera.position, np.float32)
-    return Surface(hit, position, normal, mapped, _unit(eye - position), _axes(camera))
+    axes = rotation(camera.orientation).T.astype(np.float32)
+    return Surface(hit, position, normal, mapped, _unit(eye - position), axes)
 
 
 def shade(surface: Surface, materials: Sequence[Material]) -> Image:
@@ -213,16 +208,8 @@ def _pattern(at: Array, frequency: float) -> Array:
     return np.asarray((waves[0] + waves[1] + waves[2]) / 3)
 
 
-def _axes(camera: nf.Camera) -> Array:
-    return rotation(camera.orientation).T.astype(np.float32)
-
-
 def _dot(one: Array, other: Array) -> Array:
     return np.asarray(np.einsum("nk,nk->n", one, other))
-
-
-def _length(vectors: Array) -> Array:
-    return np.asarray(np.sqrt(_dot(vectors, vectors)))
 
 
 def _unit(vectors: Array) -> Array:

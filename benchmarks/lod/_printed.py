@@ -31,12 +31,10 @@ class Printed:
 
     @property
     def value(self) -> float:
-        """The figure as a number."""
         return float(self.text)
 
     @property
     def decimals(self) -> int:
-        """Number of digits after the point."""
         return len(self.text.partition(".")[2])
 
     def beside(self, value: float) -> str:

@@ -22,7 +22,6 @@ Array = NDArray[np.float64]
 
 
 def objects(*, quick: bool) -> dict[str, Shape]:
-    """Objects by name; few and small ones with `quick`."""
     shapes = {name: make() for name, make in _appearance.PROCEDURAL.items()}
     if not quick:
         scanned = {name: _appearance.scanned(name) for name in _appearance.SCANNED}
@@ -31,7 +30,6 @@ def objects(*, quick: bool) -> dict[str, Shape]:
 
 
 def run(plan: Plan, shapes: Mapping[str, Shape]) -> dict[str, Array]:
-    """Compute scores (L, S, M) of each object."""
     return {name: _appearance.scores(shape, plan) for name, shape in shapes.items()}
 
 
@@ -48,7 +46,6 @@ def table_of_factors(samples: Samples) -> str:
 
 
 def table_of_coefficients(samples: Samples) -> str:
-    """Table of coefficients with intervals."""
     found = zip(_correction.NAMES, *_correction.intervals(samples), strict=True)
     rows = [[name, value, (low, high)] for name, value, low, high in found]
     header = " | coefficient {:+.3f} | 95 %, objects left out in turn {:+.3f} to {:+.3f}"

@@ -100,14 +100,12 @@ Rule = Callable[[View, int], Outcome]
 
 
 def merge(parts: Sequence[Outcome]) -> Outcome:
-    """Merge the outcomes of several views."""
     counts = [len(part.scores) for part in parts]
     foreseen = float(np.average([part.foreseen for part in parts], weights=counts))
     return Outcome(sum(part.triangles for part in parts), np.concatenate([part.scores for part in parts]), foreseen)
 
 
 def ours(views: Sequence[View], budgets: Sequence[int]) -> Outcome:
-    """Score our choice with a budget for each view."""
     return merge([view.under_budget(budget) for view, budget in zip(views, budgets, strict=True)])
 
 
@@ -127,7 +125,6 @@ def at_equal_mean(views: Sequence[View], budgets: Sequence[int], mean: float) ->
 
 
 def coarsest(view: View) -> Levels:
-    """Coarsest levels of all objects in view."""
     full, last = view.case.in_full(view.camera), np.array([len(model) - 1 for model in view.case.models])
     return np.where(full < 0, full, last[view.case.crowd.model_index]).astype(np.int32)
 

@@ -210,8 +210,7 @@ def main() -> None:
     assert ours.samples is not None
     assert ours.samples.views is not None
 
-    center = (float(levels.center[0]), float(levels.center[1]), float(levels.center[2]))
-    stand = Stand(Screen.from_arguments(nf.hmd.RIFT_S, None, None), center, levels.radius, 1.05 * levels.radius)
+    stand = Stand.around(levels, Screen.from_arguments(nf.hmd.RIFT_S, None, None))
     different, shown = turns(VIEWS, "even")
     chosen = np.linspace(1, VIEWS - 1, asked.views).round().astype(int)
     with one_sample() as pyrender:

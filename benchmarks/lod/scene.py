@@ -45,7 +45,6 @@ def model(seed: int) -> nf.lod.LodModel:
 
 
 def places(random: np.random.Generator) -> NDArray[np.float64]:
-    """Random places in a ball, with random orientations."""
     matrices = np.tile(np.eye(4), (OBJECTS, 1, 1))
     for matrix in matrices:
         matrix[:] = trimesh.transformations.random_rotation_matrix(random.random(3))

@@ -70,15 +70,9 @@ def load(path: Path | None = None) -> Study:
     """Read the table; FileNotFoundError without a data folder."""
     with (path or data.require(FILE)).open(encoding="utf-8", newline="") as file:
         rows = list(csv.DictReader(file))
-    columns = {name: [row[name] for row in rows] for name in (field.name for field in fields(Study))}
-    return Study(
-        np.array(columns["participant"], np.int64),
-        np.array(columns["hmd"]),
-        np.array(columns["object"]),
-        np.array(columns["level"], np.int64),
-        np.array(columns["d"], np.float64),
-        np.array(columns["k"], np.float64),
-    )
+    kinds = {"participant": np.int64, "level": np.int64, "d": np.float64, "k": np.float64}
+    names = [field.name for field in fields(Study)]
+    return Study(**{name: np.array([row[name] for row in rows], kinds.get(name)) for name in names})
 
 
 def made_up(participants: int = TABULATED, objects: int = 10, *, gap: float = 0.0) -> Study:
@@ -139,7 +133,6 @@ class Moments:
 
 
 def moments(values: Array) -> Moments:
-    """Compute the moments of one column."""
     return Moments(
         len(values),
         float(values.mean()),
@@ -183,7 +176,6 @@ def paired(study: Study, column: str, by: str, one: str, other: str) -> tuple[Ar
 
 
 def by_participant(study: Study, column: str) -> Array:
-    """Mean of a column for each participant."""
     return np.array([getattr(study, column)[study.participant == who].mean() for who in np.unique(study.participant)])
 
 

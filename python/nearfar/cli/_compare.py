@@ -73,7 +73,6 @@ class ViewOptions(options.PictureOptions):
 
     @cached_property
     def stand_keywords(self) -> dict[str, Any]:
-        """Keyword arguments of `_viewpoint.stand`."""
         eye, target = options.read_point("--user", self.user), options.read_point("--target", self.target)
         return {"fov": self.fov, "user": eye, "target": target, "distance": self.distance}
 
@@ -225,7 +224,6 @@ def _rows(document: dict[str, Any], output: Path) -> list[tuple[str, str]]:
 
 
 def _text(value: float | None) -> str:
-    """Format a measure with four digits; a dash for None."""
     return "–" if value is None else f"{value:.4g}"
 
 

@@ -72,6 +72,5 @@ def open_source(text: str, loading: nf.LoadOptions) -> nf.SceneSource:
 
 
 def _span(source: nf.SceneSource) -> str:
-    """Return the extent in x and z in the format of `--box`."""
     (x0, _, z0), (x1, _, z1) = source.bounds.tolist()
     return f"{x0:g},{z0:g},{x1:g},{z1:g}"

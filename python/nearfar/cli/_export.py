@@ -65,7 +65,6 @@ class BundleOptions(options.RingOptions):
 
     @cached_property
     def settings(self) -> nf.stream.ExportSettings:
-        """Settings of `nearfar.stream.export`."""
         if self.lossless and self.quality is not None:
             raise ValueError(f"quality: expected none with --lossless, got {self.quality}")
         return nf.stream.ExportSettings(
@@ -133,7 +132,6 @@ def _region_entry(region: nf.stream.Bundle) -> dict[str, Any]:
 
 
 def _rows(region: nf.stream.Bundle) -> list[tuple[str, str]]:
-    """Return table rows for the centre of a region and its rings."""
     rings = [(_ring_title(number, ring["radius"]), _ring_text(ring)) for number, ring in enumerate(region.summary())]
     return [("centre", metres(region.center)), *rings]
 

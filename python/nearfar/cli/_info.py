@@ -151,7 +151,6 @@ def _reduced_rows(document: dict[str, Any]) -> list[tuple[str, str]]:
 
 
 def _save_preview(scene: nf.Scene, source: str, reduced: nf.ReducedScene | None, path: Path) -> None:
-    """Render a small picture from the default viewpoint to a file."""
     user_view = None if reduced is None else _source.view_of(source)
     viewpoint = _viewpoint.choose(scene, source, None if reduced is None else reduced.center)
     eye_and_target = (viewpoint.eye, viewpoint.target) if user_view is None else (user_view.user, user_view.target)

@@ -38,7 +38,6 @@ class SimplifyOptions(Options):
 
     @cached_property
     def keywords(self) -> dict[str, Any]:
-        """Arguments of `simplify`."""
         ratios = None if self.ratios is None else read_numbers("--ratios", self.ratios, "numbers such as 0.5,0.2,0.05")
         return {"method": self.method, "normals": self.normals} | ({} if ratios is None else {"ratios": ratios})
 
@@ -54,12 +53,10 @@ class MeasureOptions(Options):
 
     @cached_property
     def device(self) -> nf.Hmd:
-        """The headset."""
         return options.headset(self.hmd)
 
     @cached_property
     def settings(self) -> nf.lod.MeasureSettings:
-        """Settings of `measure`."""
         return nf.lod.MeasureSettings(**asdict(self) | {"hmd": self.device})
 
 
@@ -74,7 +71,6 @@ class SwitchOptions(Options):
 
     @cached_property
     def limit(self) -> nf.lod.LodThreshold:
-        """The threshold."""
         return nf.lod.LodThreshold(self.k, self.d, self.threshold)
 
 

@@ -45,7 +45,6 @@ def read_point(name: str, text: str | None) -> Point | None:
 
 
 def read_size(name: str, text: str) -> tuple[int, int]:
-    """Parse "WIDTHxHEIGHT" in pixels, such as "1280x720"."""
     try:
         width, height = (int(part) for part in text.split("x"))
     except ValueError:
@@ -55,7 +54,6 @@ def read_size(name: str, text: str) -> tuple[int, int]:
 
 
 def check_angle(fov: float) -> None:
-    """Reject invalid fields of view before the work starts."""
     if not 0.0 < fov < 180.0:
         raise ValueError(f"--fov: expected degrees between 0 and 180, got {fov:g}")
 
@@ -137,7 +135,6 @@ class PictureOptions(Options):
 
     @cached_property
     def pixels(self) -> tuple[int, int]:
-        """Width and height."""
         return read_size("--size", self.size)
 
 

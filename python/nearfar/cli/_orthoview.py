@@ -54,7 +54,6 @@ class ViewOptions(Options):
 
     @cached_property
     def settings(self) -> nf.orthoview.ViewSettings:
-        """Settings of `nearfar.orthoview.build`."""
         fields: dict[str, Any] = asdict(self) | {"directions": _read_directions(self.directions)}
         del fields["geometry"]
         return nf.orthoview.ViewSettings(**fields)
@@ -162,7 +161,6 @@ def _read_light(text: str) -> str | tuple[float, ...] | None:
 
 
 def _read_directions(text: str) -> int | str:
-    """Parse a number of directions, or `auto`."""
     return int(text) if re.fullmatch("-?[0-9]{1,9}", text) else text
 
 
@@ -226,7 +224,6 @@ def _show(tree: nf.orthoview.OrthoTree, as_json: bool, **facts: Any) -> None:
 
 
 def _splat_rows(counts: dict[str, int]) -> list[tuple[str, str]]:
-    """Return table rows for files written for splat viewers."""
     (parts,) = (f"{count(counts[name])} {name}" for name in ("cells", "tiles") if name in counts)
     splat_bytes = bytes_text(counts["bytes"] / counts["splats"])
     return [
@@ -236,7 +233,6 @@ def _splat_rows(counts: dict[str, int]) -> list[tuple[str, str]]:
 
 
 def _geometry_rows(facts: dict[str, Any] | None) -> list[tuple[str, str]]:
-    """Return table rows for the triangles of leaves."""
     if facts is None:
         return []
     static, moving = f"{count(facts['triangles'])} triangles in {count(facts['leaves'])} leaves", facts["moving"]

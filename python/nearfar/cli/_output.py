@@ -59,7 +59,6 @@ class _TrialWrite(Exception):  # noqa: N818
 
 
 def count(value: int) -> str:
-    """Format a count with thousands separators."""
     return f"{value:,}"
 
 
@@ -85,7 +84,6 @@ def radii_rows(document: dict[str, Any]) -> list[tuple[str, str]]:
 
 
 def _radii_text(document: dict[str, Any]) -> str:
-    """Format the radii for a report, with the reason for them."""
     reason = document["radii_reason"]
     return f"r₁ = {document['r1']:g} m, r₂ = {document['r2']:g} m" + (f" ({reason})" if reason else "")
 

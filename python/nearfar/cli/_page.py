@@ -38,7 +38,6 @@ class Page:
 
     @property
     def footer(self) -> str:
-        """The line below everything."""
         return f"Written by {self.document['generator']}."
 
     def save(self, folder: Path, name: str) -> None:
@@ -48,7 +47,6 @@ class Page:
         (folder / "report.html").write_text(self.html(folder), encoding="utf-8")
 
     def markdown(self) -> str:
-        """Format the report as Markdown."""
         lines = [f"# {self.title}", ""]
         for paragraph in self.paragraphs:
             lines += [paragraph, ""]
@@ -122,7 +120,6 @@ def _add(parent: Element, tag: str, text: str = "", *, is_broken: bool = False) 
 
 
 def _add_row(parent: Element, tag: str, cells: list[str]) -> None:
-    """Add a row of a table with cells of this tag."""
     row = _add(parent, "tr", is_broken=cells[-1] in BROKEN)
     for cell in cells:
         _add(row, tag, cell)

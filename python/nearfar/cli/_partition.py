@@ -84,5 +84,4 @@ def describe(scene: nf.Scene, source: str, center: options.Point, radii: Choice)
 
 
 def curve_points(curve: nf.LoadCurve) -> list[dict[str, float | int]]:
-    """Return the load curve at `CURVE_RADII`."""
     return [{"radius": radius, "triangles": int(curve.count(radius))} for radius in CURVE_RADII]

@@ -126,7 +126,6 @@ def _difference(reference: NDArray[np.uint8], test: NDArray[np.uint8]) -> dict[s
 
 
 def _markdown(document: dict[str, Any]) -> str:
-    """Format the report as Markdown."""
     share = 100.0 * document["triangles_left"] / max(document["triangles"], 1)
     differences = [
         [name, count(value["pixels"]), f"{100 * value['share']:.2f} %", f"{value['rmse']:.4f}"]

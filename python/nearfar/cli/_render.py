@@ -35,7 +35,6 @@ class ViewOptions(options.EyeOptions):
 
     @property
     def degrees(self) -> float:
-        """Horizontal field of view without a headset."""
         return 90.0 if self.fov is None else self.fov
 
 

@@ -62,7 +62,6 @@ class RoomOptions(Options):
 
 
 def print_links(url: str, rooms: Rooms | None, key: str | None) -> None:
-    """Print how users enter rooms."""
     if rooms is None:
         return
     links = (
