@@ -118,8 +118,8 @@ def fluted(detail: int = 5) -> Shape:
 
     ball = trimesh.creation.icosphere(subdivisions=detail)
     x, y, z = np.asarray(ball.vertices).T
-    wide = 1 - 0.15 * np.abs(np.sin(6 * np.arctan2(z, x)))
-    return unit(np.stack([wide * x, 1.3 * y, wide * z], axis=1), ball.faces)
+    flutes = 1 - 0.15 * np.abs(np.sin(6 * np.arctan2(z, x)))
+    return unit(np.stack([flutes * x, 1.3 * y, flutes * z], axis=1), ball.faces)
 
 
 PROCEDURAL: dict[str, Callable[[], Shape]] = {"rock": rock, "knot": knot, "fluted": fluted}

@@ -152,15 +152,15 @@ def shade(surface: Surface, materials: Sequence[Material]) -> Image:
     waves = {one: _pattern(surface.mapped if one[1] else surface.position, one[0]) for one in patterns}
     height, width = (side // FINER for side in surface.hit.shape)
     pictures = np.empty((len(materials), height, width), np.uint8)
-    whole = np.empty(surface.hit.shape, np.float32)
+    fine_picture = np.empty(surface.hit.shape, np.float32)
     for picture, material in zip(pictures, materials, strict=True):
         base: Array | np.float32 = np.float32(BASE)
         if material.contrast:
             base = base * (1 + np.float32(material.contrast) * waves[material.frequency, material.mapped])
-        whole.fill(BACKGROUND)
-        whole[surface.hit] = np.minimum(colors(light[material.roughness], base, material.metallic), 1.0)
+        fine_picture.fill(BACKGROUND)
+        fine_picture[surface.hit] = np.minimum(colors(light[material.roughness], base, material.metallic), 1.0)
         # Summing slices is many times as fast as summing axes of length two.
-        rows = functools.reduce(np.add, (whole[n::FINER] for n in range(FINER)))
+        rows = functools.reduce(np.add, (fine_picture[n::FINER] for n in range(FINER)))
         mean = functools.reduce(np.add, (rows[:, n::FINER] for n in range(FINER))) / FINER**2
         picture[:] = _CODES[np.round(mean * ((1 << 16) - 1)).astype(np.uint16)]
     return pictures
@@ -184,11 +184,11 @@ def _light(surface: Surface, roughness: Iterable[float]) -> dict[float, Light]:
     mirrors = {rough: (np.zeros(len(nv), np.float32), np.zeros(len(nv), np.float32)) for rough in roughness}
     for direction, bright in LIGHTS:
         towards = _unit(np.asarray(direction, np.float32) @ surface.axes)
-        half = _unit(surface.view + towards)
+        half_vector = _unit(surface.view + towards)
         nl = np.clip(surface.normal @ towards, 0.001, 1)
-        nh = np.clip(_dot(surface.normal, half), 0, 1)
-        away = 1 - np.clip(_dot(surface.view, half), 0, 1)
-        s = away * away * away * away * away
+        nh = np.clip(_dot(surface.normal, half_vector), 0, 1)
+        grazing_cosine = 1 - np.clip(_dot(surface.view, half_vector), 0, 1)
+        s = grazing_cosine * grazing_cosine * grazing_cosine * grazing_cosine * grazing_cosine
         diffuse += nl * (1 - s) * np.float32(bright / np.pi)
         # The factor of nl D G / (4 nl nv) common to all roughnesses, with a small term against division by zero.
         shared = nl * nl * nv / (4 * nl * nv + 0.001) * np.float32(bright / np.pi)

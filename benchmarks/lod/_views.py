@@ -66,8 +66,8 @@ class Case:
         size = self.headset.panel_size
         places = self.warp(np.stack([rows, columns], axis=-1), fov=self.headset.fov, size=size, fill=-1.0)
         inside = np.all(places >= 0, axis=-1)
-        at = np.rint(np.where(inside[..., None], places, 0)).astype(np.int64)
-        return at[..., 0], at[..., 1], inside
+        nearest = np.rint(np.where(inside[..., None], places, 0)).astype(np.int64)
+        return nearest[..., 0], nearest[..., 1], inside
 
     def scores(self, number: int, levels: Levels) -> NDArray[np.float64]:
         """Score of each object (N,) in a view with given levels; NaN for objects with too few visible pixels."""
@@ -91,8 +91,10 @@ class Case:
         scale = self.headset.size[1] / (self.headset.fov.up - self.headset.fov.down) / np.maximum(distance, 1e-6)
         errors = np.full((max(map(len, self.models)), len(distance)), np.inf)
         for number, model in enumerate(self.models):
-            mine = self.crowd.model_index == number
-            errors[: len(model), mine] = np.outer(model.errors, self.crowd.radii[mine] / model.radius * scale[mine])
+            is_of_model = self.crowd.model_index == number
+            errors[: len(model), is_of_model] = np.outer(
+                model.errors, self.crowd.radii[is_of_model] / model.radius * scale[is_of_model]
+            )
         return errors
 
     def triangles(self, levels: Levels) -> int:

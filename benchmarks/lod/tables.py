@@ -89,8 +89,8 @@ def turns(
 
 
 def _triangles(counts: NDArray[np.float64], scene: Crowd, levels: NDArray[np.int32]) -> float:
-    seen = levels >= 0
-    return float(counts[scene.model_index[seen], levels[seen]].sum())
+    in_view = levels >= 0
+    return float(counts[scene.model_index[in_view], levels[in_view]].sum())
 
 
 def present(names: Sequence[str]) -> list[str]:
@@ -176,9 +176,9 @@ def times(models: Models, size: int, count: int, headset: Headset, backend: Back
     cameras = [headset.camera(2 * np.pi * frame / TIMED) for frame in range(TIMED)]
 
     def turn(mode: Any) -> None:
-        how = nf.lod.Selector(lens=headset.lens, mode=mode)
+        selector = nf.lod.Selector(lens=headset.lens, mode=mode)
         for camera in cameras:
-            nf.render(world, camera, lod=how, channels=("color",), backend=backend)
+            nf.render(world, camera, lod=selector, channels=("color",), backend=backend)
 
     return {mode: best(partial(turn, mode), repeat=2, warm=False).wall / TIMED for mode in ("off", *MODES)}
 

@@ -89,8 +89,8 @@ def expand(function: Command, **defaults: Any) -> Command:
             for name, value in values.items():
                 if options[name].values and value is not None:
                     check.choice(options[name].flag, value, options[name].values)
-            made = {name: hints[name](**{key: values.pop(key) for key in keys}) for name, keys in groups.items()}
-            function(**made, **values)
+            arguments = {name: hints[name](**{key: values.pop(key) for key in keys}) for name, keys in groups.items()}
+            function(**arguments, **values)
         except ValueError as error:
             begin = re.match(r"\w+(?=(\[\d+\])?: )", str(error))
             if begin is None or begin[0] not in options:

@@ -145,10 +145,10 @@ def _text(level: dict[str, Any]) -> str:
     parts = [f"{count(level['triangles'])} triangles", f"error {level['error']:.3g} m"]
     if level["curve"] is not None:
         where = "never" if level["distance"] is None else f"from {level['distance']:.3g} m on"
-        share = f"{level['screen_coverage']:.2%} of the picture"
+        coverage = f"{level['screen_coverage']:.2%} of the picture"
         if level["limit_of_measurement"]:
-            where, share = f"at all sizes measured, {where}", f"{share}; larger is beyond what was measured"
-        parts.append(f"good enough {where} ({share})")
+            where, coverage = f"at all sizes measured, {where}", f"{coverage}; larger is beyond what was measured"
+        parts.append(f"good enough {where} ({coverage})")
     if not level["shown"]:
         parts.append("never shown" + ("" if level["written"] else ", left out of the file"))
     return ", ".join(parts) + (f"; {level['note']}" if level["note"] else "")

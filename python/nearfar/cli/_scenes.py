@@ -140,8 +140,8 @@ def make_procedural(text: str, loading: nf.LoadOptions) -> nf.Scene | nf.dataset
     for item in filter(None, settings.split(",")):
         key, _, value = item.partition("=")
         if key not in defaults:
-            near = difflib.get_close_matches(key, defaults, 1)
-            hint = f" (did you mean {near[0]}?)" if near else ""
+            similar = difflib.get_close_matches(key, defaults, 1)
+            hint = f" (did you mean {similar[0]}?)" if similar else ""
             raise ValueError(f"{name}: expected settings from {', '.join(defaults)}, got {check.shortened(key)}{hint}")
         try:
             arguments[key] = int(value)

@@ -58,5 +58,5 @@ def _stated(report: dict[str, Any], loading: nf.LoadOptions) -> nf.LoadOptions:
     stated = {name: report.get(name) for name in ("up", "scale", "on_invalid", "blend")}
     if isinstance(parts, dict):
         stated |= {name: parts.get(name) for name in PARTS if getattr(loading, name) is None}
-    known: dict[str, Any] = {name: value for name, value in stated.items() if value is not None}
-    return replace(loading, **known)
+    options: dict[str, Any] = {name: value for name, value in stated.items() if value is not None}
+    return replace(loading, **options)

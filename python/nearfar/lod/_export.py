@@ -160,7 +160,7 @@ def export(
     sizes = [switches(model, view=view, threshold=limit) for model in table.models]
     has_levels = table.row_of >= 0
     placements, numbers = _core.placements_of(core, has_levels)
-    others = core.without_objects(has_levels)
+    unleveled_scene = core.without_objects(has_levels)
     written = [np.flatnonzero(size.is_ever_shown | all_levels) for size in sizes]
     sizes = [size.of_levels(levels) for size, levels in zip(sizes, written, strict=True)]
     # Objects without levels come first, then each object's levels, one static instance for each.
@@ -169,9 +169,13 @@ def export(
     counts = np.array([len(row) for row in rows], np.int64)
     meshes = [mesh for row in rows for mesh in row]
     objects = np.repeat(numbers, counts).astype(np.int32)
-    combined = _core.with_instances(others, meshes, np.repeat(placements, counts, axis=0), objects, len(meshes))
+    combined = _core.with_instances(
+        unleveled_scene, meshes, np.repeat(placements, counts, axis=0), objects, len(meshes)
+    )
     encoder = glb.Encoder(combined, scene.object_names, scene._undrawn)
-    _save(target, _encode_scene(encoder, combined, others, counts, [sizes[m] for m in table.model_of[numbers]]))
+    _save(
+        target, _encode_scene(encoder, combined, unleveled_scene, counts, [sizes[m] for m in table.model_of[numbers]])
+    )
 
 
 def _encode_scene(

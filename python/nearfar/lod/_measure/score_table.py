@@ -77,10 +77,10 @@ class ScoreTable:
     def fill(self, size: int, numbers: list[int], among: NDArray[np.intp] | None = None) -> None:
         """Score levels at a size from all turns, or those `among`, where scores are unknown, by blocks of views."""
         table = self.scores[:, size - 1]
-        asked = np.zeros(len(self.turns), bool)
-        asked[slice(None) if among is None else among] = True
-        self.is_used[numbers, size - 1] |= asked
-        missing = np.flatnonzero(asked & np.isnan(table[numbers]).any(axis=0)) if numbers else np.empty(0, int)
+        is_requested = np.zeros(len(self.turns), bool)
+        is_requested[slice(None) if among is None else among] = True
+        self.is_used[numbers, size - 1] |= is_requested
+        missing = np.flatnonzero(is_requested & np.isnan(table[numbers]).any(axis=0)) if numbers else np.empty(0, int)
         block = max(1, MAX_BLOCK_PIXELS // self.stand.pixel_count(size))
         for start in range(0, len(missing), block):
             views = missing[start : start + block]
@@ -88,11 +88,11 @@ class ScoreTable:
             new = {number: places for number, places in new.items() if len(places)}
             cameras = [self.stand.camera(size, self.turns[view]) for view in views]
             compared = [Compared(self.levels[number].scene, places) for number, places in new.items()]
-            found = scores(self.levels[0].scene, compared, cameras, self.settings.samples, self.backend)
+            new_scores = scores(self.levels[0].scene, compared, cameras, self.settings.samples, self.backend)
             self.renders += len(views)
             for number in new:
                 self._report(size, float(np.isfinite(table[numbers]).mean()))
-                table[number, views[new[number]]] = next(found)
+                table[number, views[new[number]]] = next(new_scores)
                 self.renders += len(new[number])
             if self.cache is not None:
                 self.cache.save_at_times()

@@ -28,8 +28,8 @@ class Samples:
     @property
     def filled(self) -> NDArray[np.float64]:
         """`score` (K, D) for the curve fit: skipped sizes repeat the last score before them."""
-        known = ~np.isnan(self.score)
-        last = np.maximum.accumulate(np.where(known, np.arange(len(self.sigma)), 0), axis=1)
+        is_known = ~np.isnan(self.score)
+        last = np.maximum.accumulate(np.where(is_known, np.arange(len(self.sigma)), 0), axis=1)
         return np.take_along_axis(self.score, last, axis=1)
 
     def __repr__(self) -> str:
@@ -49,15 +49,15 @@ def check_percentile(percentile: float | Mean) -> float | Mean:
 
 def of_views(scores: NDArray[Any], percentile: float | Mean) -> NDArray[np.float64]:
     """Reduce scores (…, V) to a percentile of the views, or their mean (…); NaN where a view is unknown."""
-    found = np.full(scores.shape[:-1], np.nan)
+    statistics = np.full(scores.shape[:-1], np.nan)
     is_known = np.isfinite(scores).all(axis=-1)
     # Contiguous rows are always summed in the same order, whatever array they come from.
     rows = np.ascontiguousarray(scores[is_known], np.float64)
     if isinstance(percentile, str):
-        found[is_known] = rows.mean(axis=1)
+        statistics[is_known] = rows.mean(axis=1)
     else:
-        found[is_known] = np.percentile(rows, percentile, axis=1, method="averaged_inverted_cdf")
-    return found
+        statistics[is_known] = np.percentile(rows, percentile, axis=1, method="averaged_inverted_cdf")
+    return statistics
 
 
 def curves_through(samples: Samples) -> Curve4PL:

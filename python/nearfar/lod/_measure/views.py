@@ -47,10 +47,10 @@ def _even(number: int, count: int) -> Quaternion:
     Point i of N is arccos(1 − (2i + 1)/N) away from +z, where the camera is, and i golden angles about it. The turn is
     the shortest one: its axis is perpendicular to the line of sight, like the published ones, and determines the roll.
     """
-    share, angle = (number + 0.5) / count, number * GOLDEN_ANGLE
+    fraction, angle = (number + 0.5) / count, number * GOLDEN_ANGLE
     # For cos θ = 1 − 2 share, sin(θ/2) = √share and cos(θ/2) = √(1 − share).
-    sine = math.sqrt(share)
-    return sine * math.sin(angle), -sine * math.cos(angle), 0.0, math.sqrt(1.0 - share)
+    sine = math.sqrt(fraction)
+    return sine * math.sin(angle), -sine * math.cos(angle), 0.0, math.sqrt(1.0 - fraction)
 
 
 def _published(views: int) -> tuple[list[Quaternion], NDArray[np.intp]]:

@@ -46,12 +46,12 @@ def models_of(
     # Strings of fixed and of variable length, and objects, which may be strings.
     if index.dtype.kind not in "UTO" or not all(isinstance(name, str) for name in index.flat):
         return row, model_index
-    asked: list[str] = index.ravel().tolist()
-    unknown = [name for name in asked if name not in number_of]
+    model_names: list[str] = index.ravel().tolist()
+    unknown = [name for name in model_names if name not in number_of]
     if unknown:
-        listed = check.shortened(list(number_of))
-        raise ValueError(f"model_index: expected names of models, {listed}, got {check.shortened(unknown[0])}")
-    return row, np.array([number_of[name] for name in asked], np.int64).reshape(index.shape)
+        known_names = check.shortened(list(number_of))
+        raise ValueError(f"model_index: expected names of models, {known_names}, got {check.shortened(unknown[0])}")
+    return row, np.array([number_of[name] for name in model_names], np.int64).reshape(index.shape)
 
 
 def curves_of(models: Sequence[MeasuredLevels]) -> tuple[NDArray[np.float64], NDArray[np.int64], NDArray[np.float64]]:

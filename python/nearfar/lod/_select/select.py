@@ -75,12 +75,14 @@ class Selector:
         curves = inputs.curves_of(models)
         places, sizes = check.spheres(centers, radii)
         index = inputs.whole_numbers("model_index", model_index, np.int64, len(places))
-        before = None if previous is None else inputs.whole_numbers("previous", previous, np.int32, len(places))
+        previous_levels = (
+            None if previous is None else inputs.whole_numbers("previous", previous, np.int32, len(places))
+        )
         cameras = inputs.cameras_of(camera)
         reference = reference_solid_angle(widest(cameras)) if rules.reference is None else rules.reference
         shared: dict[str, Any] = {
             **_view_arguments(rules, cameras, gaze),
-            "previous": before,
+            "previous": previous_levels,
             "line": rules.score_threshold.line(reference),
             "cull": rules.cull,
             "hysteresis": rules.hysteresis,

@@ -99,11 +99,11 @@ def acuity(
     ----------
     Guenter, Finch, Drucker, Tan, Snyder (2012), Eq. 1.
     """
-    away = _eccentricities(eccentricity_deg)
+    eccentricity = _eccentricities(eccentricity_deg)
     rise, pixel = check.at_least_zero("slope", slope), check.at_least_zero("pixel_deg", pixel_deg)
     least = check.positive("limit_deg", limit_deg)
     with np.errstate(over="ignore"):
-        return np.asarray(np.minimum(1.0, max(least, pixel) / (rise * away + least)))
+        return np.asarray(np.minimum(1.0, max(least, pixel) / (rise * eccentricity + least)))
 
 
 def distortion(
@@ -140,8 +140,8 @@ def distortion(
     tangent = _tangents(eccentricity_deg)
     scale = checked_lens(lens, view, lens_radius)
     r, slope = _through(lens, tangent, scale)
-    share = (1 + tangent**2) / (1 + (scale * r) ** 2) / slope
-    return np.asarray(np.where(np.isfinite(share), share, 1.0))
+    factor = (1 + tangent**2) / (1 + (scale * r) ** 2) / slope
+    return np.asarray(np.where(np.isfinite(factor), factor, 1.0))
 
 
 def panel_magnification(
@@ -189,16 +189,16 @@ def panel_magnification(
 
 def _eccentricities(value: ArrayLike) -> NDArray[np.float64]:
     """Check angles from the axis or the gaze, degrees of any shape."""
-    away = check.array("eccentricity_deg", value, columns=None, dtype=np.float64)
-    if not (away >= 0).all():
-        raise ValueError(f"eccentricity_deg: expected numbers of at least 0, got {away.min()}")
-    return away
+    eccentricity = check.array("eccentricity_deg", value, columns=None, dtype=np.float64)
+    if not (eccentricity >= 0).all():
+        raise ValueError(f"eccentricity_deg: expected numbers of at least 0, got {eccentricity.min()}")
+    return eccentricity
 
 
 def _tangents(eccentricity_deg: ArrayLike) -> NDArray[np.float64]:
     """Tangents of angles from the axis; ∞ from 90° on."""
-    away = _eccentricities(eccentricity_deg)
-    return np.where(away < 90, np.tan(np.radians(np.minimum(away, 89.999999999))), np.inf)
+    eccentricity = _eccentricities(eccentricity_deg)
+    return np.where(eccentricity < 90, np.tan(np.radians(np.minimum(eccentricity, 89.999999999))), np.inf)
 
 
 def _through(lens: RadialLens, tangent: NDArray[np.float64], scale: float) -> tuple[NDArray[Any], NDArray[Any]]:

@@ -50,14 +50,14 @@ class Switches:
     def is_ever_shown(self) -> NDArray[np.bool_]:
         """Whether a level is ever shown (K,): it is good enough up to a greater size than all coarser ones."""
         coarser = np.maximum.accumulate(self.solid_angle[::-1])[::-1]
-        shown = self.solid_angle > np.append(coarser[1:], 0.0)
-        shown[0] = True
-        return shown
+        is_shown = self.solid_angle > np.append(coarser[1:], 0.0)
+        is_shown[0] = True
+        return is_shown
 
     def of_levels(self, numbers: ArrayLike) -> Switches:
         """Return the switches of some levels, by ascending numbers (N,) that start with 0."""
-        chosen = level_numbers("numbers", numbers, len(self.solid_angle))
-        return Switches(**{field.name: getattr(self, field.name)[chosen] for field in fields(self)})
+        indices = level_numbers("numbers", numbers, len(self.solid_angle))
+        return Switches(**{field.name: getattr(self, field.name)[indices] for field in fields(self)})
 
     def coverages(self) -> list[float]:
         """`MSFT_screencoverage`: coverage at which each level ends and the next begins; 0 for the last level."""

@@ -83,7 +83,7 @@ def _stretch(surface: Surface) -> float:
     """Metres of surface per unit of texture coordinates."""
     corners, uvs = surface.positions[surface.faces].astype(np.float64), surface.attributes["uvs"][surface.faces]
     area = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1).sum()
-    one, other = (uvs[:, 1] - uvs[:, 0]).astype(np.float64), (uvs[:, 2] - uvs[:, 0]).astype(np.float64)
-    drawn = np.abs(one[:, 0] * other[:, 1] - one[:, 1] * other[:, 0])
+    first_side, second_side = (uvs[:, 1] - uvs[:, 0]).astype(np.float64), (uvs[:, 2] - uvs[:, 0]).astype(np.float64)
+    drawn = np.abs(first_side[:, 0] * second_side[:, 1] - first_side[:, 1] * second_side[:, 0])
     drawn = drawn[np.isfinite(drawn)].sum()
     return float(np.sqrt(area / drawn)) if drawn > 0 else 0.0

@@ -71,8 +71,8 @@ class QuadricSimplifier:
         all_faces = np.concatenate([faces, np.column_stack([feet, apex_numbers])])
         run_target = target
         for _ in range(_MAX_RUNS):
-            moved, roots = self._run(all_points, all_faces, run_target)
-            places = (moved / self._scale + self._middle).astype(np.float32)
+            new_points, roots = self._run(all_points, all_faces, run_target)
+            places = (new_points / self._scale + self._middle).astype(np.float32)
             # Flat parts collapse onto existing corners: such faces are degenerate.
             collapsed = first_alike(places)[roots][faces]
             remaining = np.flatnonzero(_is_triangle(collapsed))
@@ -90,7 +90,9 @@ class QuadricSimplifier:
     ) -> tuple[NDArray[np.float64], NDArray[np.int32]]:
         """Return the new positions of points, and for each point the one into which it was merged."""
         with _ONE_AT_A_TIME:
-            moved, new_faces, merged = self._package.simplify(points, faces, target_count=target, return_collapses=True)
+            new_points, new_faces, merged = self._package.simplify(
+                points, faces, target_count=target, return_collapses=True
+            )
         roots = np.arange(len(points), dtype=np.int32)
         if len(merged):
             # Each point is merged at most once; pointer doubling finds the final point.
@@ -101,7 +103,7 @@ class QuadricSimplifier:
         expected = roots[faces]
         expected = expected[_is_triangle(expected)]
         places = points.copy()
-        places[expected] = moved[new_faces]
+        places[expected] = new_points[new_faces]
         return places, roots
 
 
