@@ -6,14 +6,13 @@ import math
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Literal
 
 import typer
 
 import nearfar as nf
 from nearfar._base import check
 from nearfar._reduce import default_radii
-from nearfar._render import backend
 from nearfar._trace.viewpoint import Viewpoint
 from nearfar.cli._groups import Options, option
 
@@ -74,7 +73,7 @@ WithRange = Annotated[
     bool, typer.Option("--range", help="Bake range in metres too, from which far pixels get their position.")
 ]
 Backend = Annotated[
-    backend.Backend | None,
+    Literal["auto", "cpu", "gpu"] | None,
     typer.Option(help="Renderer; `nearfar info --gpu` lists the graphics adapters. By default auto."),
 ]
 Json = Annotated[bool, typer.Option("--json", help="Print a JSON document instead of text.")]

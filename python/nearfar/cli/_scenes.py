@@ -8,13 +8,13 @@ import math
 from dataclasses import dataclass, fields
 from functools import cached_property
 from pathlib import Path
+from typing import Literal
 
 import typer
 
 import nearfar as nf
 from nearfar._base import check, files
 from nearfar._reduce import folder
-from nearfar._scene.options import Blend, OnInvalid
 from nearfar.cli._groups import Options, choice, option
 from nearfar.cli._options import read_numbers
 
@@ -37,7 +37,7 @@ class FileOptions(Options):
 
     up: str = option("y", "AXIS", "Axis of the file that points up: x, y, z, -x, -y or -z.")
     scale: float | None = option(None, "METRES", "Metres in a unit of the file, 0.001 for millimetres.")
-    on_invalid: OnInvalid = choice("raise", "Stop at vertices that are not finite, or drop their faces.")
+    on_invalid: Literal["raise", "drop"] = choice("raise", "Stop at vertices that are not finite, or drop their faces.")
     max_bytes: int | None = option(
         None,
         "BYTES",
@@ -58,7 +58,9 @@ class FileOptions(Options):
 class ServedOptions(FileOptions):
     """Options for loading the files of scenes that are served."""
 
-    blend: Blend = choice("opaque", "Draw materials that blend opaque, or cut them out where alpha is below 1/2.")
+    blend: Literal["opaque", "cutout"] = choice(
+        "opaque", "Draw materials that blend opaque, or cut them out where alpha is below 1/2."
+    )
 
 
 @dataclass(frozen=True, kw_only=True)
