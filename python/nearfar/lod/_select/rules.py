@@ -175,8 +175,8 @@ class LodRules(Alternatives):
     def _content(self) -> tuple[Any, ...]:
         """The threshold and the values of all fields after it; weights as bytes."""
         values = (getattr(self, field.name) for field in fields(self)[3:])
-        rest = (value.tobytes() if isinstance(value, np.ndarray) else value for value in values)
-        return (self.score_threshold, *rest)
+        contents = (value.tobytes() if isinstance(value, np.ndarray) else value for value in values)
+        return (self.score_threshold, *contents)
 
 
 class LodKeywords(TypedDict, total=False):
