@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 
 from nearfar import _core
 from nearfar._base import check, files
-from nearfar.stream import _room_names
+from nearfar.stream._room_arguments import room_name
 
 KEY_BYTES = 16
 """Least size of a key, bytes."""
@@ -127,7 +127,7 @@ def token(room: str, key: bytes, *, hours: float = 24.0) -> str:
     TypeError
         If an argument has another type.
     """
-    name, secret = _room_names.room("room", room), _check_key("key", key)
+    name, secret = room_name("room", room), _check_key("key", key)
     if check.in_range("hours", hours, 0.0, _MAX_HOURS) == 0.0:
         raise ValueError("hours: expected more than 0, got 0")
     # Rounded up to whole seconds, so that a short validity does not expire at once.
