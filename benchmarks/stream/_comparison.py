@@ -48,7 +48,7 @@ def quality(
     end = max(lines[name].total for name in ("vis0", "vis1", "clovrd"))
     found: dict[str, list[list[float]]] = {"ovc": [], "ofc": []}
     for eye, look in users(bundle.center):
-        own = replace(parts, cameras=(camera_of(eye, look, size),), most=ALL_STATES)
+        own = replace(parts, cameras=(camera_of(eye, look, size),), max_cached=ALL_STATES)
         path = HeadPath.parse(eye, bundle.center)
         rows = []
         for name in STRATEGIES:

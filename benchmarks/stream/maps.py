@@ -15,7 +15,7 @@ from benchmarks.stream._near import large_city, street_center
 from nearfar import _core
 from nearfar.stream import _map_files as codec
 from nearfar.stream._decode import Decoded, Layout, decode_map
-from nearfar.stream._encode import ACROSS, Files, encode_maps, scale_of
+from nearfar.stream._encode import TILES_PER_ROW, Files, encode_maps, scale_of
 from nearfar.stream._manifest import names_of
 from nearfar.stream._maps import TILE
 from nearfar.stream._radii import PUBLISHED
@@ -31,7 +31,7 @@ def maps_table(rings: nf.stream.Rings, size: int, samples: int) -> tuple[str, nf
     maps, every = timed(bake, rings)
     scale, files = scale_of(maps, ERROR), Files()
     listed = list(encode_maps(maps, files, quality=QUALITY, scale=scale))
-    layout = Layout(size, TILE, ACROSS, scale)
+    layout = Layout(size, TILE, TILES_PER_ROW, scale)
     rows: list[list[object]] = []
     totals = np.zeros(5)
     for ring, described in enumerate(listed):
@@ -77,7 +77,7 @@ def codec_table(maps: nf.stream.RingMaps) -> str:
     assert env.range is not None
     codes = scale.codes(env.range)
     listed, encoding = timed(lambda: list(encode_maps(maps, files, quality=QUALITY, scale=scale)))
-    _, decoding = timed(decode_map, listed, Layout(size, TILE, ACROSS, scale), decoded_from(files))
+    _, decoding = timed(decode_map, listed, Layout(size, TILE, TILES_PER_ROW, scale), decoded_from(files))
     settings: dict[str, Any] = {"count": 1, "size": size, "tile": TILE, "step": scale.step}
     planes, planes_time = timed(lambda: [whole_range(face, scale.step) for face in codes])
     plain, plain_time = timed(plainly_encoded, codes)

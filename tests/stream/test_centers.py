@@ -80,7 +80,7 @@ def test_neighbours_on_grids_and_lines_are_adjacent() -> None:
 @pytest.mark.parametrize("seed", range(4))
 def test_all_centres_are_connected(seed: int) -> None:
     points = scattered(150, seed, 3.0)
-    points[::3] = points[1::3] + np.array((_centers.APART, 0.0, 0.0))
+    points[::3] = points[1::3] + np.array((_centers.MIN_DISTANCE, 0.0, 0.0))
     near, reached, edge = _centers.neighbours(points), {0}, [0]
     while edge:
         edge = [n for place in edge for n in near[place] if n not in reached]

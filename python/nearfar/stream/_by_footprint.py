@@ -42,9 +42,9 @@ class Portions:
 
         Faces without an object have no footprint, so they belong to the last portion.
         """
-        seen = footprints(rings.scene, center=rings.center)
-        chosen = np.flatnonzero((rings.ring > 0) & (rings.ring <= rings.count) & (seen > 0.0))
-        ordered = chosen[np.argsort(-seen[chosen], kind="stable")]
+        angles = footprints(rings.scene, center=rings.center)
+        visible = np.flatnonzero((rings.ring > 0) & (rings.ring <= rings.count) & (angles > 0.0))
+        ordered = visible[np.argsort(-angles[visible], kind="stable")]
         count = max(min(PORTIONS, len(ordered)), 1)
         portion = np.where(rings.ring == 0, 0, count + 1).astype(np.int32)
         portion[ordered] = 1 + np.arange(len(ordered)) * count // max(len(ordered), 1)
@@ -63,11 +63,10 @@ def encode_whole(env: EnvMap, files: Files, quality: int | None, scale: RangeSca
     """Encode a map like ring 0's colour and ring 1's range: one file per face for each of the two."""
     assert env.range is not None
     codes = scale.codes(env.range)
-    nothing, no_tiles = np.zeros((1, *codes.shape[1:]), bool), np.zeros(0, np.int64)
+    unchanged, no_tiles = np.zeros((1, *codes.shape[1:]), bool), np.zeros(0, np.int64)
+    encode_ranges = partial(codec.encode_ranges, tile=TILE, step=scale.step)
     jobs = [partial(codec.encode_color, face, quality) for face in env.color]
-    jobs += [
-        partial(codec.encode_ranges, face[None], None, nothing, no_tiles, tile=TILE, step=scale.step) for face in codes
-    ]
+    jobs += [partial(encode_ranges, face[None], None, unchanged, no_tiles) for face in codes]
     encoded = list(side_by_side.results(jobs))
     return {
         "color": [files.add(data, "webp") for data in encoded[:6]],

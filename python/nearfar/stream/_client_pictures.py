@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import OrderedDict
 from dataclasses import dataclass, field, replace
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -26,7 +27,7 @@ from nearfar.stream._stage import Shown
 
 TEXELS = 3
 """Map texels along a pixel of a cube face; odd, so that a pixel's centre is also a texel's centre."""
-KEPT = 4
+MAX_CACHED = 4
 """Greatest number of cached pictures, and of cached client states; consecutive frames often share them."""
 CHANNELS = ("color", "object_id")
 
@@ -49,8 +50,8 @@ class SceneParts:
     maps: RingMaps
     cameras: tuple[Camera, ...]
     """Views, which are moved to the user's eye."""
-    most: int = KEPT
-    """Number of cached states; the least recently used one is dropped."""
+    max_cached: int = MAX_CACHED
+    """Greatest number of cached states; the least recently used one is dropped."""
     reduced: OrderedDict[tuple[bool, int], ReducedScene] = field(default_factory=OrderedDict)
     """Cached states by (whether objects are ordered by footprint, number of the ring or portion)."""
     portions: Portions | None = None
@@ -62,18 +63,18 @@ class SceneParts:
         if rings.rest <= rings.count:
             raise ValueError("scene: expected faces that all belong to objects, which are counted; name the objects")
         if camera is None:
-            faces = (Camera(bundle.center, fov=CubeFace(face), size=(size, size)) for face in range(6))
-            maps = bake_maps(rings, face_size=TEXELS * size, object_id=True)
-            return cls(rings, maps, tuple(faces))
-        maps = bake_maps(rings, face_size=int(bundle._manifest["map"]["face_size"]), object_id=True)
-        return cls(rings, maps, (camera,))
+            cameras = tuple(Camera(bundle.center, fov=CubeFace(face), size=(size, size)) for face in range(6))
+            face_size = TEXELS * size
+        else:
+            cameras, face_size = (camera,), int(bundle._manifest["map"]["face_size"])
+        return cls(rings, bake_maps(rings, face_size=face_size, object_id=True), cameras)
 
     def state(self, number: int, *, by_footprint: bool) -> ReducedScene:
         """Return the scene of a client that has all rings, or portions by footprint, up to a number."""
         key = (by_footprint, number)
         if key not in self.reduced:
             self.reduced[key] = self._portion(number) if by_footprint else self._ring(number)
-            if len(self.reduced) > self.most:
+            if len(self.reduced) > self.max_cached:
                 self.reduced.popitem(last=False)
         self.reduced.move_to_end(key)
         return self.reduced[key]
@@ -87,23 +88,17 @@ class SceneParts:
         scene, rings = self.rings.scene, self.rings
         if self.portions is None:
             self.portions = Portions.from_rings(rings, scene=scene)
-        there = np.flatnonzero(self.portions.portion <= min(number, self.portions.count))
-        names = [scene.object_names[place] for place in there]
-        ring = rings.count if number > self.portions.count else None
-        return self._whole_objects(names, ring, rings.radii[-1])
+        sent = np.flatnonzero(self.portions.portion <= min(number, self.portions.count))
+        names = [scene.object_names[index] for index in sent]
+        return self._whole_objects(names, rings.count if number > self.portions.count else None, rings.radii[-1])
 
     def _whole_objects(self, names: list[str], ring: int | None, radius: float) -> ReducedScene:
         """Return whole objects in front of a ring's map, or without a map."""
-        zones = partition(
-            self.rings.scene.subset(objects=names),
-            center=self.rings.center,
-            r1=NEAR_SHARE * radius,
-            r2=radius,
-            unit="object",
-        )
+        scene, center = self.rings.scene.subset(objects=names), self.rings.center
+        zones = partition(scene, center=center, r1=NEAR_SHARE * radius, r2=radius, unit="object")
         env = None if ring is None else self.maps.map(ring)
-        kept: dict[str, Any] = {"morph": "cylinder", "boundary": "r2", "is_whole": False}
-        return ReducedScene(zones.scene, zones, env, counts={**zones.summary(), "rays": 0}, **kept)
+        settings: dict[str, Any] = {"morph": "cylinder", "boundary": "r2", "is_whole": False}
+        return ReducedScene(zones.scene, zones, env, counts={**zones.summary(), "rays": 0}, **settings)
 
 
 @dataclass(eq=False)
@@ -113,26 +108,19 @@ class Pictures:
     parts: SceneParts
     by_footprint: bool
     renders: int = 0
-    _kept: OrderedDict[tuple[Shown | None, Eye], Picture] = field(default_factory=OrderedDict)
+
+    def __post_init__(self) -> None:
+        self._picture = lru_cache(MAX_CACHED)(self._render)
 
     def client_picture(self, shown: Shown, eye: Eye) -> Picture:
         """Return the picture of a client in a state."""
-        return self._find(shown, eye)
+        return self._picture(shown, eye)
 
     def truth(self, eye: Eye) -> Picture:
         """Return the picture of the full scene."""
-        return self._find(None, eye)
+        return self._picture(None, eye)
 
-    def _find(self, shown: Shown | None, eye: Eye) -> Picture:
-        key = (shown, eye)
-        if key not in self._kept:
-            self._kept[key] = self._make(shown, eye)
-            if len(self._kept) > KEPT:
-                self._kept.popitem(last=False)
-        self._kept.move_to_end(key)
-        return self._kept[key]
-
-    def _make(self, shown: Shown | None, eye: Eye) -> Picture:
+    def _render(self, shown: Shown | None, eye: Eye) -> Picture:
         views = [replace(camera, position=eye) for camera in self.parts.cameras]
         if shown is not None and shown.ring < 0:
             blank = np.concatenate([np.zeros(view.size[::-1]) for view in views])
@@ -145,14 +133,14 @@ class Pictures:
     def _frame(self, shown: Shown | None, view: Camera) -> Frame:
         if shown is None:
             return truth.render(self.parts.rings.scene, view, channels=CHANNELS)
-        frame = self._of_ring(shown, shown.ring, view)
+        frame = self._ring_frame(shown, shown.ring, view)
         if shown.share == 0.0:
             return frame
-        both = blend(frame, self._of_ring(shown, shown.ring + 1, view), shown.share)
+        blended = blend(frame, self._ring_frame(shown, shown.ring + 1, view), shown.share)
         # Object numbers are taken from the picture with the greater share of the colour.
-        return both if shown.share >= 0.5 else replace(both, object_id=frame.object_id)
+        return blended if shown.share >= 0.5 else replace(blended, object_id=frame.object_id)
 
-    def _of_ring(self, shown: Shown, ring: int, view: Camera) -> Frame:
+    def _ring_frame(self, shown: Shown, ring: int, view: Camera) -> Frame:
         reduced = self.parts.state(ring, by_footprint=self.by_footprint)
         frame = reduced.with_growth(shown.radius, shown.strength).render(view, channels=CHANNELS)
         if reduced.env is not None:

@@ -6,6 +6,7 @@ import math
 import tempfile
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path, PurePosixPath
 from typing import Any
 
@@ -81,55 +82,32 @@ def decode_map(
 
     Range is None if only ring 0 is given.
     """
-    side, tile, step, codes = layout.face_size, layout.tile, layout.scale.step, None
+    side, tile, codes = layout.face_size, layout.tile, None
 
-    def picture(name: str, size: tuple[int, int]) -> NDArray[np.float32]:
-        found: NDArray[np.float32] = decoded(name, lambda data: codec.decode_color(data, size))
-        return found
+    def decode_color(name: str, *size: int) -> Any:
+        return decoded(name, partial(codec.decode_color, size=size))
 
-    faces = np.stack([picture(name, (side, side)) for name in maps[0]["color"]])
-    for described in maps[1:]:
-        tiles = np.array(described["tiles"], np.int64)
+    def decode_ranges(name: str, before: codec.Codes | None, count: int, tiles: NDArray[np.int64]) -> Any:
+        settings: Any = {"before": before, "count": count, "size": side, "tiles": tiles, "tile": tile}
+        return decoded(name, partial(codec.decode_ranges, step=layout.scale.step, **settings))
+
+    faces = np.stack([decode_color(name, side, side) for name in maps[0]["color"]])
+    for entry in maps[1:]:
+        tiles = np.array(entry["tiles"], np.int64)
         if codes is None:
-            codes, changed = _first_ranges(described["range"], tiles, layout, decoded)
+            named = zip(entry["range"], codec.by_face(tiles, side // tile), strict=True)
+            parts = [decode_ranges(name, None, 1, face_tiles) for name, (_, face_tiles) in named]
+            codes, changed = (np.concatenate(arrays) for arrays in zip(*parts, strict=True))
         elif len(tiles):
-            before = codes
-
-            def next_codes(data: bytes, before: codec.Codes = before, tiles: Any = tiles) -> Any:
-                return codec.decode_ranges(data, before, 6, side, tiles, tile, step)
-
-            codes, changed = decoded(described["range"], next_codes)
+            codes, changed = decode_ranges(entry["range"], codes, 6, tiles)
         if len(tiles):
-            sheet = picture(described["color"], (layout.across * tile, -(-len(tiles) // layout.across) * tile))
-            _put_changes(faces, sheet, changed, tiles, tile)
+            # Replace changed texels and their neighbours by those of the image of tiles.
+            rows = -(-len(tiles) // layout.across)
+            sheet = decode_color(entry["color"], layout.across * tile, rows * tile)
+            replaced = codec.tiles_of(codec.with_neighbours(changed), tiles, tile)[..., None]
+            new = codec.tiles_of_sheet(sheet, len(tiles), tile)
+            codec.put_tiles(faces, tiles, np.where(replaced, new, codec.tiles_of(faces, tiles, tile)))
     return faces, None if codes is None else layout.scale.ranges(codes)
-
-
-def _first_ranges(
-    names: Sequence[str], tiles: NDArray[np.int64], layout: Layout, decoded: Decoded
-) -> tuple[codec.Codes, NDArray[np.bool_]]:
-    """Decode the codes of all texels from six files, and which texels ring 1 changes."""
-    side, tile, step = layout.face_size, layout.tile, layout.scale.step
-
-    def face(name: str, own: NDArray[np.int64]) -> Any:
-        return decoded(name, lambda data: codec.decode_ranges(data, None, 1, side, own, tile, step))
-
-    own = [numbers for _, numbers in codec.by_face(tiles, side // tile)]
-    parts = [face(name, numbers) for name, numbers in zip(names, own, strict=True)]
-    return np.concatenate([codes for codes, _ in parts]), np.concatenate([changed for _, changed in parts])
-
-
-def _put_changes(
-    faces: NDArray[np.float32],
-    sheet: NDArray[np.float32],
-    changed: NDArray[np.bool_],
-    tiles: NDArray[np.int64],
-    tile: int,
-) -> None:
-    """Replace changed texels and their neighbours in the listed tiles by those of an image."""
-    known = codec.tiles_of(codec.with_neighbours(changed), tiles, tile)[..., None]
-    shown = codec.tiles_of_sheet(sheet, len(tiles), tile)
-    codec.put_tiles(faces, tiles, np.where(known, shown, codec.tiles_of(faces, tiles, tile)))
 
 
 def ring_scene(name: str, parts: Sequence[str], read: Read, place: str) -> Scene:
@@ -157,16 +135,14 @@ def join_rings(moving: Scene | None, rings: Sequence[tuple[str, Scene]]) -> Scen
         return Scene(empty_core((0.0, 0.0, 0.0)), Names(())) if moving is None else moving
     base = empty_core(rings[0][1]._core.origin) if moving is None else moving._core
     core, meshes = _core.with_surfaces(base, [_about_origin(scene._core) for _, scene in rings])
-    own = () if moving is None else moving.object_names
-    names = distinct([*own, *(name for name, _ in rings)])
+    moving_names = () if moving is None else moving.object_names
+    names = distinct([*moving_names, *(name for name, _ in rings)])
     placements = np.tile(np.eye(4)[:3], (len(rings), 1, 1))
-    for placement, (_, scene) in zip(placements, rings, strict=True):
-        placement[:, 3] = scene.origin - np.asarray(core.origin)
-    numbers = np.arange(len(own), len(names), dtype=np.int32)
-    whole = _core.with_instances(core, meshes, placements, numbers, 0)
+    placements[:, :, 3] = [scene.origin - np.asarray(core.origin) for _, scene in rings]
+    numbers = np.arange(len(moving_names), len(names), dtype=np.int32)
+    joined = _core.with_instances(core, meshes, placements, numbers, 0)
     rest = placements if moving is None else np.concatenate([moving._rest, placements])
-    frames = None if moving is None else moving._frames
-    return Scene(whole, Names(names), frames=frames, rest=rest)
+    return Scene(joined, Names(names), frames=None if moving is None else moving._frames, rest=rest)
 
 
 def _about_origin(core: _core.Scene) -> _core.Scene:

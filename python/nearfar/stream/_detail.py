@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -15,14 +15,13 @@ from nearfar._base import progress
 from nearfar._camera.camera import Camera, Fov
 from nearfar._render.level_choice import Lod, choose_levels, rule_of
 from nearfar._scene.levels import Leveled
-from nearfar._scene.scene import Scene
 from nearfar.stream._assign import Rings
 from nearfar.stream._manifest import NEAR_SHARE
 
 MAX_HALVINGS = 32
 """Halvings that reduce any texture to one texel."""
 
-SHARPEST = 60.0
+EYE_PIXELS_PER_DEGREE = 60.0
 """Pixels per degree that the eye cannot resolve; used for unknown clients."""
 
 VIEW_DEG = 90.0
@@ -59,39 +58,38 @@ class Detail:
         leveled = rings.scene.leveled
         if self.rule is None or leveled is None:
             return rings
-        away = np.linalg.norm(leveled.centers - rings.center, axis=1)
+        distances = np.linalg.norm(leveled.centers - rings.center, axis=1)
         ahead = np.zeros_like(leveled.centers)
-        ahead[:, 2] = -np.maximum(away - self.reach, 0.0)
+        ahead[:, 2] = -np.maximum(distances - self.reach, 0.0)
         levels, _ = choose_levels(self.rule, replace(leveled, centers=ahead), [self._camera()])
         is_static = rings.ring[leveled.numbers] > 0
         return replace(rings, scene=rings.scene.at_levels(np.where(is_static, levels, 0)))
 
-    def halvings(self, divided: Sequence[Rings]) -> NDArray[np.uint32]:
+    def halvings(self, regions: Sequence[Rings]) -> NDArray[np.uint32]:
         """Return how often the sides of each texture can be halved while its texels suffice for all users.
 
         Along the direction in which they are finest, no face gets larger texels than the client's pixels, unless they
         were larger before. Textures that no ring shows become one texel.
         """
-        count = divided[0].scene._core.texture_count
+        count = regions[0].scene._core.texture_count
         if self.pixels_per_degree is None or not count:
             return np.zeros(count, np.uint32)
-        texels, least = np.full(count, np.inf), [least_distances(rings, self.reach) for rings in divided]
-        shown: Iterable[tuple[Scene, NDArray[np.float64]]] = (
-            [(divided[0].scene, np.min(least, axis=0))]  # all regions show the same levels
-            if self.rule is None
-            else zip((self.select_levels(rings).scene for rings in divided), least, strict=True)
-        )
+        texels, least = np.full(count, np.inf), [least_distances(rings, self.reach) for rings in regions]
+        if self.rule is None:
+            # All regions show the same levels.
+            regions, least = regions[:1], [np.min(least, axis=0)]
         with progress.bar("textures") as report:
-            for scene, distances in shown:
-                np.minimum(texels, _core.texels_per_radian(scene._core, distances, report=report), out=texels)
+            for rings, distances in zip(regions, least, strict=True):
+                core = self.select_levels(rings).scene._core
+                np.minimum(texels, _core.texels_per_radian(core, distances, report=report), out=texels)
         with np.errstate(divide="ignore"):
             times = np.floor(np.log2(texels / math.degrees(self.pixels_per_degree)))
         return np.clip(times, 0, MAX_HALVINGS).astype(np.uint32)
 
     def _camera(self) -> Camera:
         """Return the client's view straight ahead."""
-        sharp = SHARPEST if self.pixels_per_degree is None else self.pixels_per_degree
-        side = math.ceil(2.0 * math.tan(math.radians(VIEW_DEG / 2.0)) * math.degrees(sharp))
+        focal_px = math.degrees(self.pixels_per_degree or EYE_PIXELS_PER_DEGREE)
+        side = math.ceil(2.0 * math.tan(math.radians(VIEW_DEG / 2.0)) * focal_px)
         return Camera((0.0, 0.0, 0.0), fov=Fov.symmetric(VIEW_DEG), size=(side, side))
 
 

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nearfar._base import check
+from nearfar.stream._link import check_ascending
 
 
 @dataclass(frozen=True)
@@ -17,15 +18,15 @@ class HeadPath:
 
     times: NDArray[np.float64]
     """(N,) seconds, ascending."""
-    places: NDArray[np.float64]
+    positions: NDArray[np.float64]
     """(N, 3) world metres."""
     center: tuple[float, float, float]
     """The centre O."""
 
     @classmethod
-    def parse(cls, given: ArrayLike | None, center: tuple[float, float, float]) -> HeadPath:
+    def parse(cls, path: ArrayLike | None, center: tuple[float, float, float]) -> HeadPath:
         """Check the caller's positions; None stands for the centre."""
-        values = np.array(center) if given is None else check.plain("head_path", given)
+        values = np.array(center) if path is None else check.plain("head_path", path)
         if values.ndim == 1:
             return cls(np.zeros(1), np.array([check.vector("head_path", values)]), center)
         rows = check.array("head_path", values, columns=4, dtype=np.float64, finite=True)
@@ -33,20 +34,15 @@ class HeadPath:
             raise ValueError("head_path: expected at least one row, got none")
         if np.abs(rows).max() > check.FARTHEST:
             raise ValueError(f"head_path: expected numbers up to {check.FARTHEST:g}, got {np.abs(rows).max():g}")
-        times = rows[:, 0]
-        falls = np.flatnonzero(np.diff(times) <= 0.0)
-        if len(falls):
-            raise ValueError(
-                f"head_path: expected ascending times, got {times[falls[0] + 1]:g} after {times[falls[0]]:g}"
-            )
-        return cls(times, rows[:, 1:], center)
+        check_ascending("head_path", rows[:, 0])
+        return cls(rows[:, 0], rows[:, 1:], center)
 
     def position(self, time: float) -> tuple[float, float, float]:
         """Return the position of the eye at a time."""
-        x, y, z = (float(np.interp(time, self.times, column)) for column in self.places.T)
+        x, y, z = (float(np.interp(time, self.times, column)) for column in self.positions.T)
         return x, y, z
 
-    def away(self, time: float) -> float:
+    def axis_distance(self, time: float) -> float:
         """Return the distance in metres from the vertical axis through the centre at a time."""
         x, _, z = self.position(time)
         return math.hypot(x - self.center[0], z - self.center[2])

@@ -23,7 +23,7 @@ _HASH = re.compile("[0-9a-f]{64}")
 ORIENTATION = "Vulkan/WebGPU cube faces"
 """Order and directions of the maps' faces."""
 
-MAX = 2**62
+MAX_COUNT = 2**62
 """Greatest number of triangles and objects."""
 
 NEAR_SHARE = 0.7
@@ -58,6 +58,11 @@ def names_of(value: Any) -> list[str]:
     return [value] if isinstance(value, str) else list(value)
 
 
+def geometry_files(entry: Mapping[str, Any] | None) -> tuple[str, ...]:
+    """Return the file names of an entry with a GLB: the GLB, its buffers and its images."""
+    return () if entry is None else (*names_of(entry["geometry"]), *entry["parts"])
+
+
 def layout_of(manifest: Mapping[str, Any], region: Mapping[str, Any]) -> Layout:
     """Return the division of a region's maps into files; ValueError for impossible values."""
     return Layout.parse({**manifest["map"], "range": region["range"]})
@@ -65,7 +70,7 @@ def layout_of(manifest: Mapping[str, Any], region: Mapping[str, Any]) -> Layout:
 
 def _check(manifest: dict[str, Any]) -> None:
     """Raise an error for a manifest that cannot be used; the caller converts it to FormatError."""
-    check.integer("triangles", manifest["triangles"], 0, MAX)
+    check.integer("triangles", manifest["triangles"], 0, MAX_COUNT)
     check.texts("notes", manifest["notes"])
     low, high = manifest["bounds"]
     check.vector("bounds", low), check.vector("bounds", high)
@@ -75,9 +80,15 @@ def _check(manifest: dict[str, Any]) -> None:
     check.choice("morph", manifest["morph"]["kind"], ("cylinder",))
     if check.positive("near_share", manifest["morph"]["near_share"]) != NEAR_SHARE:
         raise ValueError(f"near_share: expected {NEAR_SHARE}, got {manifest['morph']['near_share']}")
-    _check_growth(manifest["growth"])
+    growth = manifest["growth"]
+    check.choice("growth", growth["first"], ("strength",))
+    for name in ("speed", "reach"):
+        check.positive(name, growth[name])
+    check.at_least_zero("fade", growth["fade"])
     if "display" in manifest:
-        _check_display(manifest["display"])
+        for name in ("pixels_per_degree", "split_px"):
+            if manifest["display"][name] is not None:
+                check.positive(name, manifest["display"][name])
     files = manifest["files"]
     for name, entry in files.items():
         _check_file(name, entry)
@@ -89,20 +100,11 @@ def _check(manifest: dict[str, Any]) -> None:
         _check_region(region, number, len(regions))
         _check_rings(region, layout_of(manifest, region), files)
     check.choice("orientation", manifest["map"]["orientation"], (ORIENTATION,))
-    _check_dynamic(manifest["dynamic"], files)
-
-
-def _check_display(display: dict[str, Any]) -> None:
-    for name in ("pixels_per_degree", "split_px"):
-        if display[name] is not None:
-            check.positive(name, display[name])
-
-
-def _check_growth(growth: dict[str, Any]) -> None:
-    check.choice("growth", growth["first"], ("strength",))
-    for name in ("speed", "reach"):
-        check.positive(name, growth[name])
-    check.at_least_zero("fade", growth["fade"])
+    if (dynamic := manifest["dynamic"]) is not None:
+        check.integer("triangles", dynamic["triangles"], 0, MAX_COUNT)
+        check.items("instances", dynamic["instances"], dict, "descriptions of instances")
+        check.text("geometry", dynamic["geometry"])
+        _check_geometry(dynamic, files)
 
 
 def _check_region(region: dict[str, Any], number: int, count: int) -> None:
@@ -143,16 +145,7 @@ def _check_by_footprint(entry: dict[str, Any], layout: Layout, files: dict[str, 
 
 def _check_counts(entry: dict[str, Any]) -> None:
     for name in ("objects", "triangles", "stored"):
-        check.integer(name, entry[name], 0, MAX)
-
-
-def _check_dynamic(dynamic: dict[str, Any] | None, files: dict[str, Any]) -> None:
-    if dynamic is None:
-        return
-    check.integer("triangles", dynamic["triangles"], 0, MAX)
-    check.items("instances", dynamic["instances"], dict, "descriptions of instances")
-    check.text("geometry", dynamic["geometry"])
-    _check_geometry(dynamic, files)
+        check.integer(name, entry[name], 0, MAX_COUNT)
 
 
 def _check_file(name: str, entry: dict[str, Any]) -> None:

@@ -11,7 +11,7 @@ import numpy as np
 from nearfar import _core
 from nearfar._base import progress
 from nearfar.stream._assign import Rings
-from nearfar.stream._detail import SHARPEST, Detail
+from nearfar.stream._detail import EYE_PIXELS_PER_DEGREE, Detail
 from nearfar.stream._manifest import NEAR_SHARE
 
 MAX_REACH = 0.348
@@ -36,10 +36,8 @@ class Splitting:
     @classmethod
     def from_pixels(cls, split_px: float | None, detail: Detail) -> Splitting | None:
         """Convert an error in pixels of the client's display; None if nothing is to be split."""
-        if split_px is None:
-            return None
-        sharp = SHARPEST if detail.pixels_per_degree is None else detail.pixels_per_degree
-        return cls(split_px * math.radians(1.0 / sharp), detail.reach)
+        pixels_per_degree = detail.pixels_per_degree or EYE_PIXELS_PER_DEGREE
+        return None if split_px is None else cls(split_px * math.radians(1.0 / pixels_per_degree), detail.reach)
 
     def check(self, center: tuple[float, float, float], radii: tuple[float, ...]) -> None:
         """Raise ValueError if the rings about a centre cannot be split within the tolerance."""
@@ -48,10 +46,10 @@ class Splitting:
                 f"radii: expected a first radius of at least {self.reach / MAX_REACH:.3f} m with split_px, for users "
                 f"up to {self.reach:g} m from a centre, got {radii[0]:g} m"
             )
-        nothing: Any = {"vertices": np.zeros((0, 3)), "faces": np.zeros((0, 3), np.uint32)}
+        no_mesh: Any = {"vertices": np.zeros((0, 3)), "faces": np.zeros((0, 3), np.uint32)}
         try:
             for ring in range(1, len(radii) + 1):
-                _core.tessellate_arrays(**nothing, **self._settings(center, radii, ring))
+                _core.tessellate_arrays(**no_mesh, **self._settings(center, radii, ring))
         except ValueError as error:
             raise ValueError(f"split_px: {error}") from None
 
@@ -60,26 +58,24 @@ class Splitting:
 
         ValueError for a ring that cannot be split finely enough, or that would add too many triangles.
         """
-        room = MAX_ADDED_TRIANGLES
+        addable = MAX_ADDED_TRIANGLES
         core, codes = rings.scene._core, rings.codes()
         with progress.bar("splitting") as report:
-            for ring in range(1, rings.count + 1):
-                chosen = codes == ring
-                if chosen.any():
-                    settings = self._settings(rings.center, rings.radii, ring)
-                    try:
-                        core, added = _split_within(room, core, {**settings, "chosen": chosen, "report": report})
-                    except ValueError as error:
-                        raise ValueError(f"split_px: too small for ring {ring} of this scene: {error}") from None
-                    room -= added
+            for ring in sorted({*codes.tolist()} & {*range(1, rings.count + 1)}):
+                settings = {**self._settings(rings.center, rings.radii, ring), "chosen": codes == ring}
+                try:
+                    core, added = _split_within(addable, core, {**settings, "report": report})
+                except ValueError as error:
+                    raise ValueError(f"split_px: too small for ring {ring} of this scene: {error}") from None
+                addable -= added
         return replace(rings, scene=rings.scene._derived(core, rings.scene._rest))
 
     def _settings(self, center: tuple[float, float, float], radii: tuple[float, ...], ring: int) -> dict[str, Any]:
         return {"center": center, **stages(radii, ring), "reach": self.reach, "tolerance": self.tolerance}
 
 
-def _split_within(room: int, core: Any, settings: dict[str, Any]) -> tuple[Any, int]:
-    """Split triangles if that adds at most `room`; return the scene and the number of added triangles.
+def _split_within(addable: int, core: Any, settings: dict[str, Any]) -> tuple[Any, int]:
+    """Split triangles if that adds at most `addable`; return the scene and the number of added triangles.
 
     The number grows at most with the square of the fineness. Where it could exceed the limit, coarser splits are
     counted first, so that a split that is too fine ends long before memory is exhausted.
@@ -89,14 +85,14 @@ def _split_within(room: int, core: Any, settings: dict[str, Any]) -> tuple[Any, 
         tolerance = times * settings["tolerance"]
         split, counts = _core.tessellate_scene(core, **{**settings, "tolerance": tolerance})
         added = counts["after"] - counts["before"]
-        if added > room:
+        if added > addable:
             raise ValueError(
                 f"it would add more than {MAX_ADDED_TRIANGLES:,} triangles to the rings; choose more pixels, fewer "
                 "pixels_per_degree or a greater first radius, or leave splitting to the client"
             )
         if times == 1:
             return split, added
-        times = 1 if added * times**2 <= room else times // 2
+        times = 1 if added * times**2 <= addable else times // 2
 
 
 def stages(radii: tuple[float, ...], ring: int) -> dict[str, Any]:

@@ -19,9 +19,9 @@ from nearfar._scene.scene import Scene, core_of
 from nearfar.stream import _store
 from nearfar.stream._assign import Rings, ascending, assign
 from nearfar.stream._by_footprint import Portions, encode_whole
-from nearfar.stream._centers import centers_of, halfway, neighbours, reach_of
+from nearfar.stream._centers import centers_of, half_gap, neighbours, reach_of
 from nearfar.stream._detail import Detail
-from nearfar.stream._encode import ACROSS, Files, Geometry, TextureFiles, encode_maps, scale_of
+from nearfar.stream._encode import TILES_PER_ROW, Files, Geometry, TextureFiles, encode_maps, scale_of
 from nearfar.stream._growth import Growth
 from nearfar.stream._manifest import EMPTY_RING, NAME, NEAR_SHARE, ORIENTATION, VERSION
 from nearfar.stream._map_files import RangeScale
@@ -46,7 +46,9 @@ def write_bundle(
     core_of(scene)
     centers, given = centers_of(center, grid), None if radii is None else ascending("radii", radii)
     near = neighbours(centers)
-    detail = Detail.from_options(scene.leveled, lod, settings.pixels_per_degree, reach_of(grid, halfway(centers, near)))
+    detail = Detail.from_options(
+        scene.leveled, lod, settings.pixels_per_degree, reach_of(grid, half_gap(centers, near))
+    )
     _store.check_target(path, f"nearfar.{NAME}")
     splitting = Splitting.from_pixels(settings.split_px, detail)
     divided = rings_about(scene, centers, given, splitting)
@@ -155,7 +157,7 @@ def manifest_of(
         triangles=scene.triangle_count,
         bounds=scene.bounds.tolist(),
         display={"pixels_per_degree": settings.pixels_per_degree, "split_px": settings.split_px},
-        map={"face_size": settings.face_size, "orientation": ORIENTATION, "tile": TILE, "across": ACROSS},
+        map={"face_size": settings.face_size, "orientation": ORIENTATION, "tile": TILE, "across": TILES_PER_ROW},
         regions=regions,
         dynamic=dynamic,
         tileset=_store.file_entry(tileset),

@@ -21,7 +21,7 @@ from nearfar._reduce.reduced_scene import ReducedScene
 from nearfar._scene.scene import Scene
 from nearfar.stream import _store
 from nearfar.stream._assign import Rings, assign
-from nearfar.stream._encode import ACROSS, Files, Geometry, TextureFiles, encode_maps, scale_of
+from nearfar.stream._encode import TILES_PER_ROW, Files, Geometry, TextureFiles, encode_maps, scale_of
 from nearfar.stream._growth import Growth
 from nearfar.stream._manifest import EMPTY_RING, NAME, ORIENTATION, VERSION
 from nearfar.stream._map_files import with_neighbours
@@ -79,7 +79,7 @@ def files_of(reduced: ReducedScene) -> dict[str, bytes]:
         growth=Growth((reduced.r2,)).to_manifest(),
         triangles=reduced.stats["triangles"],
         bounds=bounds.tolist(),
-        map={"face_size": maps.first.face_size, "orientation": ORIENTATION, "tile": TILE, "across": ACROSS},
+        map={"face_size": maps.first.face_size, "orientation": ORIENTATION, "tile": TILE, "across": TILES_PER_ROW},
         regions=[region],
         dynamic=dynamic,
         tileset=_store.file_entry(tileset),
