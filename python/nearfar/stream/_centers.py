@@ -76,7 +76,7 @@ def centers_of(center: ArrayLike | Regions, grid: SupportsFloat | None) -> Float
     if grid is not None:
         # A dict keeps the order of the requests.
         points = np.array(list(dict.fromkeys(snap(point, grid) for point in points)))
-    _check_apart(points)
+    _check_distances(points)
     return points
 
 
@@ -115,14 +115,12 @@ def reach_of(grid: float | None, half_gap: float = 0.0) -> float:
     return max(Growth.reach, half_gap) + (0.0 if grid is None else math.sqrt(0.5) * float(grid))
 
 
-def _check_apart(points: Floats) -> None:
+def _check_distances(points: Floats) -> None:
     for number, point in enumerate(points[1:], 1):
         near = np.flatnonzero(np.abs(points[:number] - point).max(axis=1) < MIN_DISTANCE)
         if len(near):
-            text = (
-                f"expected centres at least {MIN_DISTANCE:g} m apart, got ({', '.join(f'{v:g}' for v in point)}) twice"
-            )
-            raise ValueError(f"center: {text}, at index {near[0]} and {number}")
+            got = f"({', '.join(f'{v:g}' for v in point)}) twice, at index {near[0]} and {number}"
+            raise ValueError(f"center: expected centres at least {MIN_DISTANCE:g} m apart, got {got}")
 
 
 def _is_between(ends: Floats, points: Floats) -> NDArray[np.bool_]:

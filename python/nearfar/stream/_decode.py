@@ -50,7 +50,7 @@ class Layout:
             raise ValueError(f"tile: expected a divisor of {size}, got {tile}")
         across = check.integer("across", described["across"], 1, codec.MAX_PIXELS // tile)
         least, step = (check.positive(name, described["range"][name]) for name in ("least", "step"))
-        if not math.isfinite(least * math.exp(min(codec.NOTHING * step, 700.0))) or codec.NOTHING * step > 700.0:
+        if not math.isfinite(least * math.exp(min(codec.NO_SURFACE * step, 700.0))) or codec.NO_SURFACE * step > 700.0:
             raise ValueError(f"step: expected ranges that are finite, got {step:g}")
         return cls(size, tile, across, RangeScale(least, step))
 

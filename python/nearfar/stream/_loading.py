@@ -95,7 +95,8 @@ class Loader:
             return
         for name in later[0].files:
             size, total = self.sizes[name][1], sum(self.sizes[other][1] for other in self._ahead)
-            if name not in self.transport.arrived.keys() | self._ahead and total + size <= MAX_PREFETCH_BYTES:
+            is_known = name in self.transport.arrived or name in self._ahead
+            if not is_known and total + size <= MAX_PREFETCH_BYTES:
                 self._ahead.add(name)
                 self.transport.ask(name, self.sizes[name][0])
 

@@ -41,11 +41,9 @@ def measured(
 def _moments(line: Timeline, path: HeadPath, every: float, end: float) -> list[float]:
     """Choose the times of the measured frames."""
     frames = line.frames
-    is_jump = np.zeros(len(frames["time"]), bool)
-    is_jump[1:] = (np.diff(frames["ring"]) != 0) | (np.diff(frames["share"] > 0.0))
-    if line.strategy != "clovr":
-        is_jump[:] = True
-    is_jump[[0, -1]] = True
+    is_jump = np.ones(len(frames["time"]), bool)
+    if line.strategy == "clovr":
+        is_jump[1:-1] = ((np.diff(frames["ring"]) != 0) | (np.diff(frames["share"] > 0.0)))[:-1]
     steps = np.arange(1, math.floor(end / every) + 1) * every
     if len(path.times) == 1:
         # A still user's picture does not change after the last growth.
@@ -56,9 +54,9 @@ def _moments(line: Timeline, path: HeadPath, every: float, end: float) -> list[f
 def _shown_at(line: Timeline, time: float) -> Shown:
     frames = line.frames
     # Times of frames are rounded; the tolerance is far below half a frame of a fast display.
-    place = max(int(np.searchsorted(frames["time"], time + 1e-6, side="right")) - 1, 0)
-    values: dict[str, Any] = {name: float(frames[name][place]) for name in ("radius", "strength", "share")}
-    return Shown(ring=int(frames["ring"][place]), **values)
+    index = max(int(np.searchsorted(frames["time"], time + 1e-6, side="right")) - 1, 0)
+    values: dict[str, Any] = {name: float(frames[name][index]) for name in ("radius", "strength", "share")}
+    return Shown(ring=int(frames["ring"][index]), **values)
 
 
 def mean_over_time(times: NDArray[np.float64], values: NDArray[np.float64], end: float) -> float:

@@ -44,46 +44,43 @@ def write_bundle(
 ) -> None:
     """Write a scene as a bundle; arguments as in `export`."""
     core_of(scene)
-    centers, given = centers_of(center, grid), None if radii is None else ascending("radii", radii)
+    centers, fixed_radii = centers_of(center, grid), None if radii is None else ascending("radii", radii)
     near = neighbours(centers)
-    detail = Detail.from_options(
-        scene.leveled, lod, settings.pixels_per_degree, reach_of(grid, half_gap(centers, near))
-    )
+    reach = reach_of(grid, half_gap(centers, near))
+    detail = Detail.from_options(scene.leveled, lod, settings.pixels_per_degree, reach)
     _store.check_target(path, f"nearfar.{NAME}")
     splitting = Splitting.from_pixels(settings.split_px, detail)
-    divided = rings_about(scene, centers, given, splitting)
-    textures = TextureFiles(scene, settings.quality).halved(detail.halvings(divided))
+    all_rings = rings_about(scene, centers, fixed_radii, splitting)
+    textures = TextureFiles(scene, settings.quality).halved(detail.halvings(all_rings))
     files, regions, dynamic = Files(), list[dict[str, Any]](), None
-    for rings, beside in zip(divided, near, strict=True):
-        shown = detail.select_levels(rings)
-        geometry = Geometry(shown if splitting is None else splitting.split(shown), files, textures, settings)
+    for rings, numbers in zip(all_rings, near, strict=True):
+        leveled = detail.select_levels(rings)
+        geometry = Geometry(leveled if splitting is None else splitting.split(leveled), files, textures, settings)
         dynamic = geometry.moving() if not regions else dynamic
         maps, scale = bake(rings, settings)
         entries = list(ring_entries(maps, scale, geometry.groups("ring"), files, settings))
-        by_footprint = None
+        region = region_entry(rings, scale, entries, findings_of(rings), numbers)
         if settings.by_footprint:
-            portions = Geometry(Portions.from_rings(rings, scene=shown.scene), files, textures, settings)
-            by_footprint = {
+            portions = Geometry(Portions.from_rings(rings, scene=leveled.scene), files, textures, settings)
+            region["by_footprint"] = {
                 "portions": list(portions.groups("portion")),
                 "map": encode_whole(maps.map(rings.count), files, settings.quality, scale),
             }
-        regions.append(
-            region_entry(rings, scale, entries, findings_of(rings), by_footprint=by_footprint, neighbours=beside)
-        )
-    last = closing_files(scene, settings, regions, dynamic, files)
-    _store.write(path, {**files.content, **last})
+        regions.append(region)
+    manifest = manifest_of(scene_facts(scene, settings), settings.face_size, regions, dynamic, scene._notes, files)
+    _store.write(path, {**files.content, **closing_files(manifest, files)})
 
 
 def rings_about(
     scene: Scene, centers: Iterable[ArrayLike], radii: tuple[float, ...] | None, splitting: Splitting | None = None
 ) -> list[Rings]:
     """Divide the objects about each centre, by the same radii or by those chosen for each centre."""
-    places = [check.vector("center", center) for center in centers]
-    bounds = [(place, choose_radii(scene, place) if radii is None else radii) for place in places]
+    points = [check.vector("center", center) for center in centers]
+    regions = [(point, choose_radii(scene, point) if radii is None else radii) for point in points]
     if splitting is not None:
-        for place, own in bounds:
-            splitting.check(place, own)
-    return [assign(scene, center=place, radii=own) for place, own in bounds]
+        for point, region_radii in regions:
+            splitting.check(point, region_radii)
+    return [assign(scene, center=point, radii=region_radii) for point, region_radii in regions]
 
 
 def bake(rings: Rings, settings: ExportSettings) -> tuple[RingMaps, RangeScale]:
@@ -107,8 +104,6 @@ def region_entry(
     scale: RangeScale,
     entries: list[dict[str, Any]],
     findings: Sequence[str],
-    *,
-    by_footprint: dict[str, Any] | None = None,
     neighbours: Sequence[int] = (),
 ) -> dict[str, Any]:
     """Return a region's manifest entry, from the entries of its rings and the findings on them."""
@@ -118,49 +113,50 @@ def region_entry(
         "findings": findings,
         "range": scale.to_manifest(),
         "rings": entries,
-        "by_footprint": by_footprint,
+        "by_footprint": None,
         "neighbours": neighbours,
     }
 
 
-def closing_files(
-    scene: Scene,
-    settings: ExportSettings,
-    regions: list[dict[str, Any]],
-    dynamic: dict[str, Any] | None,
-    files: Files,
-) -> dict[str, bytes]:
-    """Encode the tileset and the manifest of a bundle, by name; they are written after its other files."""
-    from nearfar.stream import _tileset
-
-    first = regions[0]
-    tileset = _tileset.encode(first["center"], first["rings"], dynamic, files.content)
-    manifest = manifest_of(scene, settings, regions, dynamic, files, tileset)
-    return {_store.TILESET: tileset, _store.MANIFEST: formats.to_json(manifest, compact=True).encode()}
+def scene_facts(scene: Scene, settings: ExportSettings) -> dict[str, Any]:
+    """Return the first entries of a manifest, which describe the scene and how clients show it."""
+    return {
+        "color_space": "sRGB",
+        "morph": {"kind": "cylinder", "near_share": NEAR_SHARE},
+        "growth": Growth((1.0,), speed=settings.speed).to_manifest(),
+        "triangles": scene.triangle_count,
+        "bounds": scene.bounds.tolist(),
+        "display": {"pixels_per_degree": settings.pixels_per_degree, "split_px": settings.split_px},
+    }
 
 
 def manifest_of(
-    scene: Scene,
-    settings: ExportSettings,
+    facts: dict[str, Any],
+    face_size: int,
     regions: list[dict[str, Any]],
     dynamic: dict[str, Any] | None,
+    notes: Sequence[str],
     files: Files,
-    tileset: bytes,
 ) -> dict[str, Any]:
-    """Return the manifest of a bundle."""
+    """Return the manifest of a bundle whose tileset is still empty."""
     return formats.header(
         NAME,
         VERSION,
-        color_space="sRGB",
-        morph={"kind": "cylinder", "near_share": NEAR_SHARE},
-        growth=Growth((1.0,), speed=settings.speed).to_manifest(),
-        triangles=scene.triangle_count,
-        bounds=scene.bounds.tolist(),
-        display={"pixels_per_degree": settings.pixels_per_degree, "split_px": settings.split_px},
-        map={"face_size": settings.face_size, "orientation": ORIENTATION, "tile": TILE, "across": TILES_PER_ROW},
+        **facts,
+        map={"face_size": face_size, "orientation": ORIENTATION, "tile": TILE, "across": TILES_PER_ROW},
         regions=regions,
         dynamic=dynamic,
-        tileset=_store.file_entry(tileset),
-        notes=list(scene._notes),
+        tileset=_store.file_entry(b""),
+        notes=list(notes),
         files=files.file_entries(),
     )
+
+
+def closing_files(manifest: dict[str, Any], files: Files) -> dict[str, bytes]:
+    """Encode the tileset and the manifest of a bundle, by name; they are written after its other files."""
+    from nearfar.stream import _tileset
+
+    first = manifest["regions"][0]
+    tileset = _tileset.encode(first["center"], first["rings"], manifest["dynamic"], files.content)
+    document = formats.to_json({**manifest, "tileset": _store.file_entry(tileset)}, compact=True)
+    return {_store.TILESET: tileset, _store.MANIFEST: document.encode()}

@@ -62,8 +62,7 @@ class _Remote:
 
     def read(self, name: str) -> bytes:
         with as_os_errors(f"{self.place}/{name}", "read"):
-            content: bytes = self._system.cat_file(f"{self._path}/{name}")
-            return content
+            return bytes(self._system.cat_file(f"{self._path}/{name}"))
 
     def sizes(self) -> Mapping[str, int] | None:
         return None
@@ -80,22 +79,12 @@ def reader(path: str | os.PathLike[str]) -> Reader:
     return _Folder(folder)
 
 
-def check_target(path: str | os.PathLike[str], wanted: str) -> None:
-    """Reject a target that cannot take a bundle, before the work starts.
+def check_target(path: str | os.PathLike[str], manifest_format: str) -> None:
+    """Reject a folder or URL that cannot take a bundle, before the work starts.
 
-    Parameters
-    ----------
-    path
-        The folder or URL.
-    wanted
-        Format of the manifests whose folders may be replaced.
-
-    Raises
-    ------
-    ValueError
-        For a URL whose file system is unknown or read-only, and if fsspec is missing.
-    OSError
-        For a local folder that cannot be written, has no parent folder or contains other files.
+    Folders with manifests of the given format may be replaced. ValueError for a URL whose file system is unknown or
+    read-only, and if fsspec is missing; OSError for a local folder that cannot be written, has no parent folder or
+    contains other files.
     """
     if is_url(path):
         remote.system(str(path))
@@ -106,7 +95,7 @@ def check_target(path: str | os.PathLike[str], wanted: str) -> None:
     if not folder.parent.is_dir():
         message = "expected a path whose parent is a folder, got one without"
         raise FileNotFoundError(errno.ENOENT, f"path: {message}", os.fspath(folder))
-    _refuse_foreign_manifest(folder / MANIFEST, wanted)
+    _refuse_foreign_manifest(folder / MANIFEST, manifest_format)
     with suppress(_TrialError), files.atomic_folder(folder, marker=MANIFEST):
         raise _TrialError
 
@@ -115,13 +104,13 @@ class _TrialError(Exception):
     """Ends a trial write, so that the target stays unchanged."""
 
 
-def _refuse_foreign_manifest(path: Path, wanted: str) -> None:
+def _refuse_foreign_manifest(path: Path, manifest_format: str) -> None:
     """Reject a folder with another program's manifest.json, which would be replaced; a damaged one may be ours."""
     try:
         document = formats.from_json(path.read_bytes())
     except (OSError, ValueError, RecursionError):
         return
-    if not isinstance(document, dict) or document.get("format") != wanted:
+    if not isinstance(document, dict) or document.get("format") != manifest_format:
         message = f"path: holds a {MANIFEST} of another program, expected a new or empty folder, or a bundle"
         raise FileExistsError(errno.EEXIST, message, os.fspath(path.parent))
 
@@ -177,12 +166,12 @@ def differs(place: str, name: str, field: str, expected: object, found: object) 
     return FormatError(f"{place}/{name}: expected {expected} as {field}, as the manifest lists it, got {found}")
 
 
-def check_presence(source: Reader, listed: Mapping[str, Mapping[str, Any]]) -> None:
+def check_presence(source: Reader, entries: Mapping[str, Mapping[str, Any]]) -> None:
     """Compare the files of a local folder with the listed sizes; FormatError that names the first wrong one."""
     sizes = source.sizes()
     if sizes is None:
         return
-    for name, entry in listed.items():
+    for name, entry in entries.items():
         if name not in sizes:
             raise missing(source.place, name)
         if sizes[name] != entry["bytes"]:

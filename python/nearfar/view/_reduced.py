@@ -12,18 +12,16 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nearfar._base import formats
 from nearfar._camera.camera import Camera, CubeFace
 from nearfar._cubemap.envmap import EnvMap
 from nearfar._cubemap.layouts import envmap_directions
 from nearfar._partition.partition import partition
 from nearfar._reduce.reduced_scene import ReducedScene
 from nearfar._scene.scene import Scene
-from nearfar.stream import _store
+from nearfar.stream import _stages
 from nearfar.stream._assign import Rings, assign
-from nearfar.stream._encode import TILES_PER_ROW, Files, Geometry, TextureFiles, encode_maps, scale_of
+from nearfar.stream._encode import Files, Geometry, TextureFiles, scale_of
 from nearfar.stream._growth import Growth
-from nearfar.stream._manifest import EMPTY_RING, NAME, ORIENTATION, VERSION
 from nearfar.stream._map_files import with_neighbours
 from nearfar.stream._maps import TILE, RingMaps
 from nearfar.stream._settings import MAX_FACE_SIZE, ExportSettings
@@ -43,8 +41,6 @@ def files_of(reduced: ReducedScene) -> dict[str, bytes]:
 
     ValueError for the conventional method, which has no morph.
     """
-    from nearfar.stream import _tileset
-
     if reduced.morph == "none":
         raise ValueError("morph: expected 'blend' or 'cylinder' to show, got 'none'; see ReducedScene.with_morph")
     near = reduced._near_part
@@ -55,39 +51,26 @@ def files_of(reduced: ReducedScene) -> dict[str, bytes]:
     geometry = Geometry(rings, files, textures, SETTINGS)
     dynamic = geometry.moving()
     scale = scale_of(maps, SETTINGS.range_error)
-    pictures = encode_maps(maps, files, quality=SETTINGS.quality, scale=scale)
-    region: dict[str, Any] = {
+    region = {
         "center": list(reduced.center),
         "fold_margin": max(reduced._core.fold_margin(reduced.center, None, 1.0), 0.0),
         "neighbours": [],
         "findings": [],
         "range": scale.to_manifest(),
-        "rings": [
-            {**ring, "map": picture}
-            for ring, picture in zip([EMPTY_RING, *geometry.groups("ring")], pictures, strict=True)
-        ],
+        "rings": list(_stages.ring_entries(maps, scale, geometry.groups("ring"), files, SETTINGS)),
         "by_footprint": None,
     }
-    tileset = _tileset.encode(region["center"], region["rings"], dynamic, files.content)
-    bounds = near.bounds if near.triangle_count else np.array([reduced.center, reduced.center])
-    manifest = formats.header(
-        NAME,
-        VERSION,
-        color_space="sRGB",
-        morph={"kind": reduced.morph, "near_share": reduced.r1 / reduced.r2},
-        unit="triangle",
-        growth=Growth((reduced.r2,)).to_manifest(),
-        triangles=reduced.stats["triangles"],
-        bounds=bounds.tolist(),
-        map={"face_size": maps.first.face_size, "orientation": ORIENTATION, "tile": TILE, "across": TILES_PER_ROW},
-        regions=[region],
-        dynamic=dynamic,
-        tileset=_store.file_entry(tileset),
-        notes=list(near.report.notes),
-        files=files.file_entries(),
-    )
-    text = formats.to_json(manifest, compact=True).encode()
-    return {**files.content, _store.TILESET: tileset, _store.MANIFEST: text}
+    facts = {
+        "color_space": "sRGB",
+        "morph": {"kind": reduced.morph, "near_share": reduced.r1 / reduced.r2},
+        "unit": "triangle",
+        "growth": Growth((reduced.r2,)).to_manifest(),
+        "triangles": reduced.stats["triangles"],
+        "bounds": near.bounds.tolist() if near.triangle_count else [[*reduced.center], [*reduced.center]],
+    }
+    face_size, notes = maps.first.face_size, near.report.notes
+    manifest = _stages.manifest_of(facts, face_size, [region], dynamic, notes, files)
+    return {**files.content, **_stages.closing_files(manifest, files)}
 
 
 def _rings(near: Scene, reduced: ReducedScene) -> Rings:
