@@ -13,7 +13,7 @@ from nearfar._base import cache, check
 from nearfar.cli._groups import Options
 from nearfar.cli._options import option
 from nearfar.serve import _addresses
-from nearfar.serve._rooms import Rooms, kept_key, read_key, token
+from nearfar.serve._rooms import Rooms, ensure_key, read_key, token
 
 
 def invite(
@@ -28,7 +28,7 @@ def invite(
 ) -> None:
     """Print a token that lets one user at a time into a room."""
     made = token(room, read_key(rooms_key), hours=hours)
-    typer.echo(made if url is None else f"{_addresses.page(url)}?room={quote(room, safe='')}&token={made}")
+    typer.echo(made if url is None else f"{_addresses.check_page(url)}?room={quote(room, safe='')}&token={made}")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -76,7 +76,7 @@ class RoomOptions(Options):
             **counts,
             # A new user is told of all others at once, with 72 bytes each.
             queue_bytes=max(Rooms.queue_bytes, 128 + 72 * counts.get("users", 0)),
-            key=kept_key(cache.folder() / "rooms" / "key" if self.rooms_key is None else self.rooms_key),
+            key=ensure_key(cache.folder() / "rooms" / "key" if self.rooms_key is None else self.rooms_key),
             needs_token=self.rooms_key is not None,
             peers=not self.no_peers,
             datagrams=not self.no_datagrams,

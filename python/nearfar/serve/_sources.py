@@ -19,20 +19,20 @@ PICTURE = re.compile(rb"^\s*(?:map_\w+|bump|disp|decal|refl)\s+(?:.*\s)?(\S+)\s*
 """Pattern of pictures that materials refer to."""
 
 
-def key(path: Path, how: Mapping[str, object]) -> str | None:
+def key(path: Path, settings: Mapping[str, object]) -> str | None:
     """Hash a file, the files that it refers to, the loading settings, and the version of nearfar.
 
     References of glTF and OBJ are followed; other formats are assumed to be self-contained. None if the file cannot be
     read, so that the loader reports the error.
     """
     try:
-        found = {path.name: _digest(path)}
-        for other in _referred(path):
+        digests = {path.name: _digest(path)}
+        for name in _referred(path):
             # A missing file changes the scene, so it changes the key.
-            found[str(other)] = _digest(path.parent / other) if (path.parent / other).is_file() else "none"
+            digests[name] = _digest(path.parent / name) if (path.parent / name).is_file() else "none"
     except (OSError, ValueError):
         return None
-    return cache.key("serve.source", __version__, found, dict(how))
+    return cache.key("serve.source", __version__, digests, dict(settings))
 
 
 def _referred(path: Path) -> Iterator[str]:

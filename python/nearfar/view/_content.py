@@ -20,11 +20,11 @@ Read = Callable[[], bytes]
 
 def open_files(path: str | os.PathLike[str]) -> Mapping[str, Read]:
     """Return a reader for each file of the bundle or reduced scene at a path; the latter is converted in memory."""
-    saved = reduced_folder(path)
-    if saved is None:
-        bundle = stream.open(path)
-        return of_bundle(bundle, bundle._reader.read)
-    return of_reduced(ReducedScene.load(saved))
+    reduced = reduced_folder(path)
+    if reduced is not None:
+        return of_reduced(ReducedScene.load(reduced))
+    bundle = stream.open(path)
+    return of_bundle(bundle, bundle._reader.read)
 
 
 def reduced_folder(path: str | os.PathLike[str]) -> Path | None:
@@ -38,15 +38,10 @@ def reduced_folder(path: str | os.PathLike[str]) -> Path | None:
 
 def of_bundle(bundle: Bundle, read: Callable[[str], bytes]) -> dict[str, Read]:
     """Return readers for the files of a bundle, which are read on request."""
-    manifest = formats.to_json(bundle._manifest).encode()
-    listed = (*bundle.files, _store.TILESET)
-    return {**{name: partial(read, name) for name in listed}, _store.MANIFEST: lambda: manifest}
+    manifest = partial(bytes, formats.to_json(bundle._manifest).encode())
+    return {**{name: partial(read, name) for name in (*bundle.files, _store.TILESET)}, _store.MANIFEST: manifest}
 
 
 def of_reduced(reduced: ReducedScene) -> dict[str, Read]:
     """Convert a reduced scene to a bundle and return readers for its files."""
-
-    def reader_of(content: bytes) -> Read:
-        return lambda: content
-
-    return {name: reader_of(content) for name, content in _reduced.files_of(reduced).items()}
+    return {name: partial(bytes, content) for name, content in _reduced.files_of(reduced).items()}

@@ -5,18 +5,17 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-import numpy as np
-
 from nearfar._base import check
 from nearfar._camera.camera import Camera, Fov
+from nearfar.stream.collect._player import rotated, rotation_of
 
-STEEPEST = 1.5
+MAX_PITCH = 1.5
 """Greatest absolute pitch, radians."""
 
 MIN_ANGLE, MAX_ANGLE = 10.0, 150.0
 """Range of the vertical field of view, degrees."""
 
-LEVEL = 1e-6
+TOLERANCE = 1e-6
 """Tolerance for the sine of a camera's roll, and for the relative asymmetry of a field of view's tangents."""
 
 
@@ -37,16 +36,16 @@ def pose_of(camera: Camera) -> Pose:
     fov = check.instance("camera", camera, Camera).fov
     if not isinstance(fov, Fov):
         raise TypeError(f"camera: expected a perspective camera (nearfar.Fov), got {type(fov).__name__}")
-    if abs(fov.left + fov.right) > LEVEL * fov.right or abs(fov.down + fov.up) > LEVEL * fov.up:
+    if abs(fov.left + fov.right) > TOLERANCE * fov.right or abs(fov.down + fov.up) > TOLERANCE * fov.up:
         raise ValueError("camera: expected the same field of view to both sides, up and down, got others")
     x, y, z, w = camera.orientation
-    ahead = np.array([-2 * (x * z + w * y), -2 * (y * z - w * x), 2 * (x * x + y * y) - 1])
+    ahead = rotated(camera.orientation)
     right_y = 2 * (x * y + w * z)
-    if abs(right_y) > LEVEL:
+    if abs(right_y) > TOLERANCE:
         raise ValueError(f"camera: expected one without roll, got {math.degrees(math.asin(right_y)):.3g} degrees")
     pitch = math.atan2(ahead[1], math.hypot(ahead[0], ahead[2]))
-    if abs(pitch) > STEEPEST:
-        raise ValueError(f"camera: expected a pitch of at most ±{STEEPEST} radians, got {pitch:.4g}")
+    if abs(pitch) > MAX_PITCH:
+        raise ValueError(f"camera: expected a pitch of at most ±{MAX_PITCH} radians, got {pitch:.4g}")
     angle = math.degrees(2.0 * math.atan(fov.up))
     check.in_range("camera: vertical field of view", angle, MIN_ANGLE, MAX_ANGLE)
     return Pose(camera.position, math.atan2(-ahead[0], -ahead[2]), pitch, angle)
@@ -54,13 +53,6 @@ def pose_of(camera: Camera) -> Pose:
 
 def camera_of(pose: Pose, size: tuple[int, int]) -> Camera:
     """Convert a pose to a camera with an image size in pixels."""
-    half_yaw, half_pitch = 0.5 * pose.yaw, 0.5 * pose.pitch
-    orientation = (
-        math.cos(half_yaw) * math.sin(half_pitch),
-        math.sin(half_yaw) * math.cos(half_pitch),
-        -math.sin(half_yaw) * math.sin(half_pitch),
-        math.cos(half_yaw) * math.cos(half_pitch),
-    )
     up = math.tan(math.radians(0.5 * pose.angle))
-    across = up * size[0] / size[1]
-    return Camera(pose.position, orientation, fov=Fov(-across, across, -up, up), size=size)
+    right = up * size[0] / size[1]
+    return Camera(pose.position, rotation_of(pose.yaw, pose.pitch), fov=Fov(-right, right, -up, up), size=size)

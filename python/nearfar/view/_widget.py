@@ -19,17 +19,15 @@ from nearfar._base.errors import Error
 from nearfar._camera.camera import Camera
 from nearfar._reduce.reduced_scene import ReducedScene
 from nearfar.stream._bundle import Bundle
+from nearfar.stream._strategies import STRATEGIES
 from nearfar.view import _content
-from nearfar.view._pose import MAX_ANGLE, MIN_ANGLE, STEEPEST, Pose, camera_of, pose_of
+from nearfar.view._pose import MAX_ANGLE, MAX_PITCH, MIN_ANGLE, Pose, camera_of, pose_of
 
 ANGLE = 75.0
 """Vertical field of view at the start, degrees, as in the page."""
 
-PIECE = 4 << 20
+PIECE_BYTES = 4 << 20
 """Bytes of a file per message, so that other messages can be sent in between."""
-
-STRATEGIES = ("clovr", "clovrd", "vis0", "vis1")
-"""Loading strategies, compared in docs/view.md."""
 
 MIN_SIDE, MAX_SIDE = 16, 8192
 
@@ -72,8 +70,8 @@ class Widget(anywidget.AnyWidget):  # type: ignore[misc, unused-ignore]
         strategy: str,
     ) -> None:
         width, height = check.size("size", size)
-        for name, side in (("size[0]", width), ("size[1]", height)):
-            check.integer(name, side, MIN_SIDE, MAX_SIDE)
+        for axis, side in enumerate((width, height)):
+            check.integer(f"size[{axis}]", side, MIN_SIDE, MAX_SIDE)
         _check_strategy(shown, strategy)
         start = Pose(center, 0.0, 0.0, ANGLE) if camera is None else pose_of(camera)
         self._shown = shown
@@ -81,7 +79,8 @@ class Widget(anywidget.AnyWidget):  # type: ignore[misc, unused-ignore]
         self._last: tuple[str, bytes] | None = None
         self._esm, self._css = _script(), _built("widget/widget.css")
         super().__init__(**start._asdict())
-        for name, value in (("width", width), ("height", height), ("strategy", strategy), ("region", _number(shown))):
+        region = shown.number if isinstance(shown, Bundle) else 0
+        for name, value in {"width": width, "height": height, "strategy": strategy, "region": region}.items():
             self.set_trait(name, value)
         self.on_msg(self._answer)
 
@@ -108,24 +107,24 @@ class Widget(anywidget.AnyWidget):  # type: ignore[misc, unused-ignore]
 
     @traitlets.validate("pitch")
     def _check_pitch(self, proposal: Mapping[str, Any]) -> float:
-        return check.in_range("pitch", proposal["value"], -STEEPEST, STEEPEST)
+        return check.in_range("pitch", proposal["value"], -MAX_PITCH, MAX_PITCH)
 
     @traitlets.validate("angle")
     def _check_angle(self, proposal: Mapping[str, Any]) -> float:
         return check.in_range("angle", proposal["value"], MIN_ANGLE, MAX_ANGLE)
 
-    def _answer(self, _: Any, asked: Any, __: Any) -> None:
+    def _answer(self, _: Any, request: Any, __: Any) -> None:
         """Send a piece of a file to the browser, or an error message."""
-        if not isinstance(asked, dict) or asked.get("kind") != "read":
+        if not isinstance(request, dict) or request.get("kind") != "read":
             return
-        mark = asked.get("id")
+        number = request.get("id")
         try:
-            content = self._content(asked.get("name"))
-            start = check.integer("start", asked.get("start", 0), 0, len(content))
+            content = self._content(request.get("name"))
+            start = check.integer("start", request.get("start", 0), 0, len(content))
         except (Error, OSError, ValueError, TypeError) as error:
-            self.send({"id": mark, "problem": check.one_line(str(error), 300)})
+            self.send({"id": number, "problem": check.one_line(str(error), 300)})
         else:
-            self.send({"id": mark, "bytes": len(content)}, [content[start : start + PIECE]])
+            self.send({"id": number, "bytes": len(content)}, [content[start : start + PIECE_BYTES]])
 
     def _content(self, name: Any) -> bytes:
         """Return the content of a file; the last file is cached, because it is sent in pieces."""
@@ -137,11 +136,11 @@ class Widget(anywidget.AnyWidget):  # type: ignore[misc, unused-ignore]
 
     def _repr_mimebundle_(self, **settings: Any) -> Any:
         """Return the widget, with an image for viewers without widgets, such as saved notebooks."""
-        made = super()._repr_mimebundle_(**settings)
-        if made is None:
+        bundle = super()._repr_mimebundle_(**settings)
+        if bundle is None:
             return None
-        data, *rest = made
-        return ({**data, "image/png": card.png(self._picture())}, *rest)
+        data, *metadata = bundle
+        return ({**data, "image/png": card.png(self._picture())}, *metadata)
 
     def _picture(self) -> Any:
         """Render an image with the current camera; for a bundle only the map of ring 0, which loads quickly."""
@@ -164,7 +163,3 @@ def _files(shown: Bundle | ReducedScene) -> dict[str, _content.Read]:
         # `Bundle.read` caches: a cell may remove the folder before the browser requests files.
         return _content.of_bundle(shown, shown.read)
     return _content.of_reduced(shown)
-
-
-def _number(shown: Bundle | ReducedScene) -> int:
-    return shown.number if isinstance(shown, Bundle) else 0
