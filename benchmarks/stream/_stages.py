@@ -29,22 +29,15 @@ def measured(place: int, *, instanced: bool, samples: int, quick: bool) -> dict[
     return dict(run_module("benchmarks.stream._stages", *map(int, (place, instanced, samples, quick))))
 
 
-class Watch:
-    """Wall and CPU seconds of named jobs."""
-
-    def __init__(self) -> None:
-        self.wall: dict[str, float] = {}
-        self.cpu: dict[str, float] = {}
-
-    def __call__(self, name: str, job: Callable[[], Result]) -> Result:
-        result, spent = timed(job)
-        self.wall[name], self.cpu[name] = spent.wall, spent.cpu
-        return result
-
-
 def stages(place: Place, *, instanced: bool, samples: int, folder: Path) -> dict[str, Any]:
     """Run an export, step by step like `nf.stream.export`; and one map alone, for comparison."""
-    watch = Watch()
+    wall, cpu = dict[str, float](), dict[str, float]()
+
+    def watch(name: str, job: Callable[[], Result]) -> Result:
+        result, spent = timed(job)
+        wall[name], cpu[name] = spent.wall, spent.cpu
+        return result
+
     before = resident()
     scene = watch("make the scene", lambda: place.make(instanced=instanced))
     loaded = resident()
@@ -65,8 +58,8 @@ def stages(place: Place, *, instanced: bool, samples: int, folder: Path) -> dict
     peak = resident("VmHWM")
     watch("one map", lambda: one_map(rings, samples))
     return {
-        "wall": watch.wall,
-        "cpu": watch.cpu,
+        "wall": wall,
+        "cpu": cpu,
         "rays": maps.rays / (6 * FACE_SIZE**2 * (samples + (samples > 1))),
         "triangles": scene.triangle_count,
         "arrays": arrays(scene),

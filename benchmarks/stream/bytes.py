@@ -17,13 +17,13 @@ from benchmarks.harness.timing import best, timed
 from benchmarks.stream import _instances, _stages
 from benchmarks.stream._near import (
     Near,
-    Packed,
     Place,
     error,
     exporter,
     in_front_of_map,
     in_one_file,
     one_scene,
+    packed_rings,
     places,
 )
 from benchmarks.stream.maps import whole_range
@@ -101,16 +101,13 @@ def sizes_and_quality(place: Place, folder: Path) -> tuple[Measured, list[Any]]:
     rings = nf.stream.assign(scene, center=place.center, radii=PUBLISHED)
     near, plain = (Near.encode(rings, compressed=compressed, quality=None) for compressed in (True, False))
     (folder / "plain").mkdir()
-    peers = Packed(plain, folder / "plain")
-    found = {f"gltfpack {' '.join(options)}": peers.rings(*options) for options in PEERS}
-    packed = {name: both for name, both in found.items() if both is not None}
+    peers = {f"gltfpack {' '.join(options)}": packed_rings(plain, folder / "plain", *options) for options in PEERS}
+    packed = {name: both for name, both in peers.items() if both is not None}
     published = Near.encode(rings, compressed=True)
     measured = sizes(bundle, published, plain, {name: both[0] for name, both in packed.items()})
     print(sizes_table(place, near, measured))
     squeezed = sum(len(zlib.compress(data)) for name, data in near.files.content.items() if not name.endswith("webp"))
-    print(
-        f"geometry after zlib {squeezed / 1e3:,.0f} kB; the bundle with manifest and tileset took {spent.wall:.1f} s\n"
-    )
+    print(f"geometry after zlib {squeezed / 1e3:,.0f} kB; bundle, manifest and tileset took {spent.wall:.1f} s\n")
     print_one_file(rings, folder)
     decoded = {"bundle": near.scenes(), **{name: both[1] for name, both in packed.items()}}
     print(errors_table(place, rings, decoded))
@@ -121,8 +118,8 @@ def sizes_and_quality(place: Place, folder: Path) -> tuple[Measured, list[Any]]:
     for name, parts in decoded.items():
         compared[f"{name}: geometry alone"] = in_front_of_map(one_scene(parts, bundle._moving), last)
     print(table(f"{place.name}: pictures", PICTURES, picture_rows(place, scene, base, compared)))
-    del base, compared, decoded, packed, found
-    loadings, expanded = _instances.loadings(place, bundle)
+    del base, compared, decoded, packed, peers
+    loadings, expanded = _instances.measure(place, bundle)
     print(f"near part {expanded:.0f} MB plain with copies; maps {loadings[0].maps / 1e3:,.0f} kB, "
           f"decoded in {loadings[0].decode_maps:.2f} s\n")  # fmt: skip
     print(table(f"{place.name}: loading", _instances.HEADER, _instances.rows(loadings)))
@@ -163,11 +160,11 @@ def picture_rows(
             against_truth[name].append(similarity(true, picture))
             if name != "without loss":
                 against_base[name].append(similarity(pictures["without loss"], picture))
-    found: list[list[object]] = []
-    for name, own in against_base.items():
-        known = [*np.mean(own, axis=0), *np.min(own, axis=0)] if own else [None] * 4
-        found.append([name, *known, *np.mean(against_truth[name], axis=0)])
-    return found
+    rows: list[list[object]] = []
+    for name, values in against_base.items():
+        cells = [*np.mean(values, axis=0), *np.min(values, axis=0)] if values else [None] * 4
+        rows.append([name, *cells, *np.mean(against_truth[name], axis=0)])
+    return rows
 
 
 def similarity(reference: NDArray[np.uint8], test: NDArray[np.uint8]) -> tuple[float, float]:

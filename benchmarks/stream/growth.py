@@ -156,20 +156,20 @@ def draw(measured: list[Measured], folder: Path) -> None:
 
 
 def main() -> None:
-    given = start(__doc__, "--quick", "--plots")
+    options = start(__doc__, "--quick", "--plots")
     with folder_or_temporary() as folder:
-        city = City(folder, given.quick)
+        city = City(folder, options.quick)
         print(f"{city.scene.triangle_count:,} triangles, user {BESIDE:g} m beside the centre")
         measured = []
-        for case in cases(city, given.quick):
-            one = measure(case, 3 if given.quick else 8)
+        for case in cases(city, options.quick):
+            one = measure(case, 3 if options.quick else 8)
             measured.append(one)
             print(f"{case.name}: {one.continuity.min():.5f}", flush=True)
     rows = [(one.case.name, one.continuity.min(), one.continuity.mean(), one.folded) for one in measured]
     header = "change | least {:.5f} | mean {:.5f} | folded pictures"
     print(table("continuity of consecutive pictures", header, rows))
-    if given.plots is not None:
-        draw(measured, given.plots)
+    if options.plots is not None:
+        draw(measured, options.plots)
 
 
 if __name__ == "__main__":

@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
-
-import numpy as np
+from typing import Any
 
 import nearfar as nf
 from benchmarks.harness.report import folder_or_temporary, start, table
@@ -49,46 +49,34 @@ def export_places(quick: bool, chosen: int | None, folder: Path) -> list[Case]:
 def export(place: Place, folder: Path, quick: bool, *, instanced: bool = True) -> Case:
     """Export a place's bundle; without instances also without compression."""
     scene = place.make(instanced=instanced)
-    bundle = write_bundle(scene, place, folder, PUBLISHED, quick, compression="meshopt" if instanced else None)
+    bundle = write_bundle(scene, place, folder, PUBLISHED, quick, "meshopt" if instanced else None)
     name = place.name if instanced else f"{place.name}, copies, plain"
     return Case(replace(place, name=name), scene, bundle)
 
 
 def write_bundle(
-    scene: nf.Scene, place: Place, folder: Path, radii: Sequence[float], quick: bool, **settings: str | None
+    scene: nf.Scene, place: Place, folder: Path, radii: Sequence[float], quick: bool, compression: Any = "meshopt"
 ) -> nf.stream.Bundle:
     """Write a bundle with given radii."""
-    return nf.stream.export(
-        scene,
-        folder,
-        center=place.center,
-        radii=radii,
-        face_size=128 if quick else 1024,
-        by_footprint=True,
-        **settings,  # type: ignore[arg-type]
-    )
+    settings: dict[str, Any] = {"face_size": 128 if quick else 1024, "by_footprint": True, "compression": compression}
+    return nf.stream.export(scene, folder, center=place.center, radii=radii, **settings)
 
 
 def lines_of(case: Case, link: nf.stream.Link, gzip: bool) -> plots.Lines:
     """Simulate all strategies over a link."""
-    return {
-        name: nf.stream.simulate(
-            case.bundle, link=link, strategy=name, gzip=gzip, frame_ms=0.0, triangles_per_second=TRIANGLES_PER_SECOND
-        )
-        for name in STRATEGIES
-    }
+    settings: dict[str, Any] = {"link": link, "gzip": gzip, "triangles_per_second": TRIANGLES_PER_SECOND}
+    return {name: nf.stream.simulate(case.bundle, strategy=name, **settings) for name in STRATEGIES}
 
 
 def by_radius(case: Case, link: nf.stream.Link, gzip: bool, quick: bool) -> dict[str, list[float]]:
     """Seconds of vis0 and vis1 until everything is loaded, by the last radius, with a separate bundle for each."""
-    strategies: tuple[Strategy, ...] = ("vis0", "vis1")
-    found: dict[str, list[float]] = {name: [] for name in strategies}
+    totals: dict[Strategy, list[float]] = {"vis0": [], "vis1": []}
     for count in range(1, len(PUBLISHED) + 1):
         with folder_or_temporary() as folder:
             bundle = write_bundle(case.scene, case.place, folder / "bundle", PUBLISHED[:count], quick)
-            for name in strategies:
-                found[name].append(nf.stream.simulate(bundle, link=link, strategy=name, gzip=gzip).total)
-    return found
+            for name, seconds in totals.items():
+                seconds.append(nf.stream.simulate(bundle, link=link, strategy=name, gzip=gzip).total)
+    return {**totals}
 
 
 def print_times(cases: list[Case], link: nf.stream.Link, gzip: bool) -> None:
@@ -108,30 +96,26 @@ def print_times(cases: list[Case], link: nf.stream.Link, gzip: bool) -> None:
 
 def print_seen(cases: list[Case], lines: dict[str, plots.Lines], size: int, every: float) -> dict[str, plots.Lines]:
     """Print OVC, OFC and continuity for a user 1 m to the left of the centre, in all directions."""
-    found, rows = {}, []
+    measured, rows = {}, []
     for case in cases:
         x, y, z = case.bundle.center
         eye = (x - 1.0, y, z)
         parts = SceneParts.bake(case.scene, case.bundle, None, size)
-        own = found[case.place.name] = {
-            name: replace(
-                line, pictures=_comparison.measure_pictures(line, parts, HeadPath.parse(eye, (x, y, z)), every=every)
-            )
-            for name, line in lines[case.place.name].items()
-        }
+        measure = partial(_comparison.measure_pictures, parts=parts, path=HeadPath.parse(eye, (x, y, z)), every=every)
+        place_lines = {name: replace(line, pictures=measure(line)) for name, line in lines[case.place.name].items()}
+        measured[case.place.name] = place_lines
         pictures = Pictures(parts, by_footprint=False)
         limit = nf.metrics.object_completion(pictures.truth(eye).objects, pictures.truth((x, y, z)).objects)
         rows.append([case.place.name, "truth at the centre", *limit, None, None, None])
-        for name, line in own.items():
-            seen = line.pictures
+        for name, line in place_lines.items():
             # Since the first picture.
-            later = seen["continuity"][np.array(seen["time"]) > line.picture + 0.1]
-            shares = (seen[kind][place] for place in (1, -1) for kind in ("ovc", "ofc"))
+            later = line.pictures["continuity"][line.pictures["time"] > line.picture + 0.1]
+            shares = (line.pictures[kind][index] for index in (1, -1) for kind in ("ovc", "ofc"))
             rows.append([case.place.name, name, *shares, min(later, default=math.nan)])
     header = "place | strategy | first OVC {:.3f} | OFC {:.3f} | last OVC {:.3f} | OFC {:.3f}"
     header += " | least continuity after the picture {:.5f}"
     print(table("a user 1 m to the left of the centre", header, rows))
-    return found
+    return measured
 
 
 def print_comparison(cases: list[Case], link: nf.stream.Link, size: tuple[int, int]) -> None:

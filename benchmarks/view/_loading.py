@@ -41,8 +41,8 @@ class Loading:
     """Seconds until the first picture."""
     rates: list[float]
     """Frames per second in each window."""
-    longest: float
-    """Milliseconds of the longest frame."""
+    longest_ms: float
+    """Duration of the longest frame."""
 
 
 def rates(begins: Sequence[float]) -> list[float]:

@@ -74,20 +74,20 @@ def loads(chromium: Any, folder: Path, count: int, way: str) -> Loads:
 
 
 def main() -> None:
-    given = start(
+    options = start(
         __doc__,
         "--quick",
         bundle=(Path, "the folder of a bundle, instead of the city"),
         pages=([1, 2, 4, 8], "numbers of pages"),
     )
     with folder_or_temporary() as temporary:
-        folder = given.bundle
+        folder = options.bundle
         if folder is None:
             folder = temporary / "bundle"
-            nf.stream.export(nf.datasets.city(blocks=3, detail=1 if given.quick else 2), folder, center=CENTER)
+            nf.stream.export(nf.datasets.city(blocks=3, detail=1 if options.quick else 2), folder, center=CENTER)
         size = nf.stream.open(folder).nbytes
         rows = []
-        for count, way in itertools.product(given.pages, WAYS):
+        for count, way in itertools.product(options.pages, WAYS):
             if way == "in turns" and count == 1:
                 continue
             # A browser becomes slower after drawing for long.
