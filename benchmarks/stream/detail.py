@@ -39,8 +39,10 @@ def parts_of(bundle: nf.stream.Bundle) -> set[str]:
 def texture_row(scene: nf.Scene, distance: float, folder: Path) -> list[float]:
     """Bytes of the helmet's textures whole and cut, and the change of its picture for the nearest user."""
     center = (0.0, 0.4, distance)
-    export = partial(nf.stream.export, scene, center=center, **SETTINGS)
-    full, cut = (export(folder / str(value), pixels_per_degree=value) for value in (None, PIXELS))
+    full, cut = (
+        nf.stream.export(scene, folder / str(value), center=center, **SETTINGS, pixels_per_degree=value)
+        for value in (None, PIXELS)
+    )
     degrees = 2.0 * math.degrees(math.atan(HEIGHT / 2.0 / (distance - REACH)))
     size, fov = (round(PIXELS * degrees),) * 2, nf.Fov.symmetric(degrees)
     view = nf.Camera.look_at((0.0, 0.4, distance - REACH), (0.0, 0.36, 0.0), fov=fov, size=size)

@@ -70,13 +70,14 @@ def lines_of(case: Case, link: nf.stream.Link, gzip: bool) -> plots.Lines:
 
 def by_radius(case: Case, link: nf.stream.Link, gzip: bool, quick: bool) -> dict[str, list[float]]:
     """Seconds of vis0 and vis1 until everything is loaded, by the last radius, with a separate bundle for each."""
-    totals: dict[Strategy, list[float]] = {"vis0": [], "vis1": []}
+    strategies: tuple[Strategy, ...] = ("vis0", "vis1")
+    totals: dict[str, list[float]] = {name: [] for name in strategies}
     for count in range(1, len(PUBLISHED) + 1):
         with folder_or_temporary() as folder:
             bundle = write_bundle(case.scene, case.place, folder / "bundle", PUBLISHED[:count], quick)
-            for name, seconds in totals.items():
-                seconds.append(nf.stream.simulate(bundle, link=link, strategy=name, gzip=gzip).total)
-    return {**totals}
+            for name in strategies:
+                totals[name].append(nf.stream.simulate(bundle, link=link, strategy=name, gzip=gzip).total)
+    return totals
 
 
 def print_times(cases: list[Case], link: nf.stream.Link, gzip: bool) -> None:

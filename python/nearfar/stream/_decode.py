@@ -84,8 +84,8 @@ def decode_map(
     """
     side, tile, codes = layout.face_size, layout.tile, None
 
-    def decode_color(name: str, *size: int) -> Any:
-        return decoded(name, partial(codec.decode_color, size=size))
+    def decode_color(name: str, width: int, height: int) -> Any:
+        return decoded(name, partial(codec.decode_color, size=(width, height)))
 
     def decode_ranges(name: str, before: codec.Codes | None, count: int, tiles: NDArray[np.int64]) -> Any:
         settings: Any = {"before": before, "count": count, "size": side, "tiles": tiles, "tile": tile}

@@ -156,7 +156,7 @@ class Geometry:
 
     def __init__(self, groups: Groups, files: Files, textures: Textures, settings: ExportSettings) -> None:
         self._groups, self._files, self._textures = groups, files, textures
-        core, images = groups.scene._core, [_uri(name) for name, _ in textures]
+        core, images = groups.scene._core, list[str | None](_uri(name) for name, _ in textures)
         # Only names of moving objects are written; there may be millions of others.
         names = list(groups.scene.object_names[: int(core.moving_objects().max(initial=-1)) + 1])
         encoding: dict[str, Any] = {"step": settings.step, "compressed": settings.compression is not None}

@@ -98,16 +98,17 @@ class Tiles:
 
 def _largest(parts: dict[str, Any]) -> int | None:
     """Return the row of the instance to divide: untransformed, with per-face objects; None if there is none."""
-    rows = range(parts.get("standing_count", 0))
-    rows = [row for row in rows if parts["objects"][row] < 0 and parts["meshes"][row].face_count >= MIN_FACES]
+    meshes, static = parts.get("meshes", []), range(parts.get("standing_count", 0))
+    rows = [row for row in static if parts["objects"][row] < 0 and meshes[row].face_count >= MIN_FACES]
     rows = [row for row in rows if np.array_equal(parts["placements"][row], np.eye(4)[:3])]
-    return max(rows, key=lambda row: parts["meshes"][row].face_count, default=None)
+    return max(rows, key=lambda row: meshes[row].face_count, default=None)
 
 
 def _objects_of(parts: dict[str, Any], row: int) -> NDArray[np.int32]:
     """Return the objects of an instance, −1 for faces without one."""
     instance_object = parts["objects"][row : row + 1]
-    return instance_object if instance_object[0] >= 0 else _core.mesh_parts(parts["meshes"][row])["objects"]
+    is_one = instance_object[0] >= 0
+    return np.asarray(instance_object if is_one else _core.mesh_parts(parts["meshes"][row])["objects"])
 
 
 def _divided(arrays: Arrays, is_divisible: NDArray[np.bool_]) -> tuple[list[tuple[_core.Mesh, int]], list[_core.Mesh]]:

@@ -214,7 +214,7 @@ def _read_body(kind: int, stage: Stage, body: bytes) -> Message:
 def _read_trial(stage: Stage, body: bytes) -> Trial:
     trials, over, users, seed, *numbers = _TRIAL.unpack_from(body)
     offset = _TRIAL.size + len(LEVELS) * _TALLY.size
-    tallies = [Tally(*counts, _seconds(time)) for *counts, time in _TALLY.iter_unpack(body[_TRIAL.size : offset])]
+    tallies = [Tally(n, misses, _seconds(time)) for n, misses, time in _TALLY.iter_unpack(body[_TRIAL.size : offset])]
     if len(body) != offset + 1 + body[offset] * _SEAT.size:
         raise _fault("its length is wrong")
     seats = tuple(Seat(user, _vector(position)) for user, *position in _SEAT.iter_unpack(body[offset + 1 :]))
