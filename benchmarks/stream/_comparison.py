@@ -12,9 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
-from nearfar.stream._client_pictures import SceneParts
-from nearfar.stream._head_path import HeadPath
-from nearfar.stream._measures import mean_over_time, measured
+from nearfar.stream._client_pictures import SceneParts, mean_over_time, measured
+from nearfar.stream._client_settings import HeadPath
 from nearfar.stream._strategies import STRATEGIES
 
 USERS, USER_DISTANCE = 20, 2.0

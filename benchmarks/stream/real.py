@@ -113,7 +113,7 @@ def open_connection(link: nf.stream.Link, bundle: nf.stream.Bundle) -> Iterator[
     """Open a link, a browser at its end, and serve a bundle behind it; yield them with the address."""
     with (
         network(link, real=True) as way,
-        way.serve_bundle(Path(bundle._reader.place)) as url,
+        way.serve_bundle(Path(bundle._reader.location)) as url,
         way.browser(url) as chromium,
     ):
         yield way, chromium, url

@@ -15,7 +15,7 @@ from benchmarks.harness.timing import timed
 from benchmarks.stream import _comparison, _strategy_plots as plots
 from benchmarks.stream._near import EYE_HEIGHT, Place, places
 from nearfar.stream._client_pictures import Pictures, SceneParts
-from nearfar.stream._head_path import HeadPath
+from nearfar.stream._client_settings import HeadPath
 from nearfar.stream._radii import PUBLISHED
 from nearfar.stream._strategies import STRATEGIES, Strategy
 

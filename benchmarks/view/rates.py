@@ -117,7 +117,7 @@ class Run:
     def reduced(self, place: Place) -> None:
         """Turn in the page of a bundle."""
         bundle = place_bundle(self._folder, place)
-        with LOCAL.serve_bundle(Path(bundle._reader.place)) as url:
+        with LOCAL.serve_bundle(Path(bundle._reader.location)) as url:
             for size in self._sizes:
                 with started() as chromium, open_bundle(chromium, url, size, eye(place)) as page:
                     self.turn(place.name, "nearfar", page)
@@ -133,7 +133,7 @@ class Run:
     def loading(self, place: Place) -> None:
         """Load a bundle by each strategy."""
         bundle = place_bundle(self._folder, place)
-        folder = Path(bundle._reader.place)
+        folder = Path(bundle._reader.location)
         with network(LINK) as way, way.serve_bundle(folder) as url, way.browser(url) as chromium:
             print(place.name, way.name)
             load = partial(loading, way, chromium, url, bundle, size=self._sizes[0])

@@ -104,7 +104,7 @@ def test_centres_move_to_the_grid(grid: float) -> None:
 
 @pytest.mark.slow
 def test_regions_equal_bundles_of_each_centre(city: nf.Scene, bundle: nf.stream.Bundle, tmp_path: Path) -> None:
-    manifest = json.loads((Path(bundle._reader.place) / "manifest.json").read_text())
+    manifest = json.loads((Path(bundle._reader.location) / "manifest.json").read_text())
     listed: dict[str, Any] = {}
     for number, center in enumerate(CENTERS):
         alone = nf.stream.export(city, tmp_path / str(number), center=center, **SETTINGS)
@@ -123,7 +123,7 @@ def test_regions_equal_bundles_of_each_centre(city: nf.Scene, bundle: nf.stream.
         shared = {name: document[name] for name in ("dynamic", "notes", "map", "bounds", "triangles")}
         assert shared == {name: manifest[name] for name in shared}
     assert listed == manifest["files"]
-    assert set(bundle.files) == {f"files/{path.name}" for path in Path(bundle._reader.place, "files").iterdir()}
+    assert set(bundle.files) == {f"files/{path.name}" for path in Path(bundle._reader.location, "files").iterdir()}
     bundle.verify()
 
 

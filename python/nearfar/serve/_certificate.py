@@ -19,17 +19,8 @@ _MIN_DAYS = 30
 class Certificate:
     """A certificate and its key, both in PEM files.
 
-    Parameters
-    ----------
-    certificate, key
-        PEM files of the certificate chain, with the server's certificate first, and of its key.
-
-    Raises
-    ------
-    ValueError
-        If a file cannot be read, the key does not match the certificate, or the certificate is not valid today.
-    TypeError
-        If an argument is not a path.
+    The chain of certificates begins with the server's. ValueError if a file cannot be read, the key does not match the
+    certificate, or the certificate is not valid today; TypeError if an argument is not a path.
     """
 
     certificate: Path
@@ -62,21 +53,9 @@ class Certificate:
     def self_signed(cls, folder: str | os.PathLike[str], names: list[str]) -> Certificate:
         """Load the self-signed certificate of a folder, or generate one that lasts 13 months.
 
-        It is kept as long as it is valid and has the names, so that a headset must accept it only once.
-
-        Parameters
-        ----------
-        folder
-            Folder of `certificate.pem` and `key.pem`; only its owner can read the key.
-        names
-            Host names and addresses that the certificate must include.
-
-        Raises
-        ------
-        OSError
-            If the folder cannot be written.
-        ValueError
-            If a name is not a valid host name.
+        It is kept as long as it is valid and has the host names and addresses `names`, so that a headset must accept it
+        only once. The folder has `certificate.pem` and `key.pem`; only its owner can read the key. OSError if the
+        folder cannot be written, ValueError if a name is not a valid host name.
         """
         path, names = check.path("folder", folder), list(check.texts("names", names))
         certificate, key = path / "certificate.pem", path / "key.pem"

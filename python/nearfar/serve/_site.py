@@ -98,7 +98,8 @@ def _title(bundle: stream.Bundle) -> str:
 
 def _local_files(bundle: stream.Bundle) -> dict[str, tuple[str, int]]:
     """Return path and size of a local bundle's files, which the server reads itself; ValueError for a linked folder."""
-    place = Path(bundle._reader.place).resolve() / FOLDER
-    if place.is_symlink():
-        raise ValueError(f"{place}: expected a folder of the bundle, got a link")
-    return {name: (os.fspath(place.parent / name), entry["bytes"]) for name, entry in bundle._manifest["files"].items()}
+    folder = Path(bundle._reader.location).resolve() / FOLDER
+    if folder.is_symlink():
+        raise ValueError(f"{folder}: expected a folder of the bundle, got a link")
+    files = bundle._manifest["files"]
+    return {name: (os.fspath(folder.parent / name), entry["bytes"]) for name, entry in files.items()}

@@ -40,14 +40,14 @@ def _referred(path: Path) -> Iterator[str]:
     kind = path.suffix.lower()
     if kind == ".gltf":
         document = json.loads(path.read_bytes())
-        for listed in ("buffers", "images"):
-            uris = (entry.get("uri", "data:") for entry in document.get(listed, ()))
+        for section in ("buffers", "images"):
+            uris = (entry.get("uri", "data:") for entry in document.get(section, ()))
             yield from (unquote(uri) for uri in uris if not uri.startswith("data:"))
     elif kind == ".obj":
         for library in _names(LIBRARY, path):
             yield library
-            place = path.parent / library
-            yield from _names(PICTURE, place) if place.is_file() else ()
+            library_path = path.parent / library
+            yield from _names(PICTURE, library_path) if library_path.is_file() else ()
 
 
 def _names(pattern: re.Pattern[bytes], path: Path) -> list[str]:

@@ -155,8 +155,8 @@ def object_radii(
 
 def ascending(name: str, radii: Iterable[float]) -> tuple[float, ...]:
     """Convert radii to numbers; ValueError unless they are positive and ascending."""
-    listed = islice(check.iterable(name, radii, "radii"), MAX_RINGS + 1)
-    bounds = tuple(check.positive(f"{name}[{n}]", radius) for n, radius in enumerate(listed))
+    limited = islice(check.iterable(name, radii, "radii"), MAX_RINGS + 1)
+    bounds = tuple(check.positive(f"{name}[{n}]", radius) for n, radius in enumerate(limited))
     if not 1 <= len(bounds) <= MAX_RINGS:
         got = len(bounds) if len(bounds) <= MAX_RINGS else "more"
         raise ValueError(f"{name}: expected 1 to {MAX_RINGS} radii, got {got}")

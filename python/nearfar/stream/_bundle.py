@@ -55,8 +55,8 @@ class Bundle(InRegions):
     @property
     def growth(self) -> Growth:
         """Growth of a client's morph after a ring has arrived."""
-        described = self._manifest["growth"]
-        return Growth(self.radii, **{name: described[name] for name in ("speed", "reach", "fade")})
+        entry = self._manifest["growth"]
+        return Growth(self.radii, **{name: entry[name] for name in ("speed", "reach", "fade")})
 
     @property
     def pixels_per_degree(self) -> float | None:
@@ -222,9 +222,10 @@ class Bundle(InRegions):
         """
         number = check.integer("ring", ring, 0, self.count)
         greatest = self.radii[max(number, 1) - 1]
-        shown = (greatest if number else 0.0) if radius is None else check.in_range("radius", radius, 0.0, greatest)
+        full = greatest if number else 0.0
+        morph_radius = full if radius is None else check.in_range("radius", radius, 0.0, greatest)
         rings = [
-            (f"ring {n}", ring_scene(name, entry["parts"], self.read, self._place(name)))
+            (f"ring {n}", ring_scene(name, entry["parts"], self.read, self._location_of(name)))
             for n, entry in enumerate(self._rings[1 : number + 1], 1)
             if (name := entry["geometry"]) is not None
         ]
@@ -232,7 +233,7 @@ class Bundle(InRegions):
         zones = partition(scene, center=self.center, r1=NEAR_SHARE * greatest, r2=greatest)
         counts = {**zones.summary(), "triangles": self._manifest["triangles"], "rays": 0}
         settings: dict[str, Any] = {"morph": "cylinder", "boundary": "r2", "counts": counts, "is_whole": False}
-        return ReducedScene(scene, zones, self.map(number), **settings).with_growth(shown, strength)
+        return ReducedScene(scene, zones, self.map(number), **settings).with_growth(morph_radius, strength)
 
     def show(
         self, *, size: tuple[int, int] = (640, 400), camera: Camera | None = None, strategy: Strategy = "clovr"
@@ -274,23 +275,23 @@ class Bundle(InRegions):
     @cached_property
     def _moving(self) -> Any:
         entry = self._manifest["dynamic"]
-        return None if entry is None else moving_scene(entry, self.read, self._place(entry["geometry"]))
+        return None if entry is None else moving_scene(entry, self.read, self._location_of(entry["geometry"]))
 
     def _read_again(self, name: str) -> bytes:
-        place = self._reader.place
+        location = self._reader.location
         try:
             data = self._reader.read(name)
         except FileNotFoundError:
-            raise _store.missing(place, name) from None
-        return _store.verify(place, name, data, self._file_entries[name])
+            raise _store.missing(location, name) from None
+        return _store.verify(location, name, data, self._file_entries[name])
 
     def _decoded(self, name: str, decode: Callable[[bytes], Any]) -> Any:
         data = self.read(name)
-        with formats.guarded(self._place(name)):
+        with formats.guarded(self._location_of(name)):
             return decode(data)
 
-    def _place(self, name: str) -> str:
-        return f"{self._reader.place}/{name}"
+    def _location_of(self, name: str) -> str:
+        return f"{self._reader.location}/{name}"
 
     @card.repr_html
     def _repr_html_(self) -> str:
@@ -312,7 +313,7 @@ class Bundle(InRegions):
     def __repr__(self) -> str:
         region = f"region {self.number} of {len(self.centers)}, {count(self.count, 'ring')} to {self.radii[-1]:g} m"
         split = "" if self.split_px is None else f", split to {self.split_px:g} px"
-        return f"Bundle({self._reader.place!r}: {region}{split}, {self.nbytes:,} bytes)"
+        return f"Bundle({self._reader.location!r}: {region}{split}, {self.nbytes:,} bytes)"
 
 
 def open(path: str | os.PathLike[str]) -> Bundle:  # noqa: A001

@@ -106,7 +106,7 @@ def half_gap(centers: Floats, near: list[list[int]]) -> float:
     It bounds the distance to the nearest centre of a user who walks straight from one centre to the next.
     """
     pairs = zip(centers, near, strict=True)
-    gaps = (np.linalg.norm(centers[others] - center, axis=1).max() for center, others in pairs if others)
+    gaps = (np.linalg.norm(centers[numbers] - center, axis=1).max() for center, numbers in pairs if numbers)
     return float(max(gaps, default=0.0)) / 2.0
 
 

@@ -37,22 +37,22 @@ class Layout:
 
     face_size: int
     tile: int
-    across: int
+    tiles_per_row: int
     """Tiles in a row of an image of changed tiles."""
     scale: RangeScale
 
     @classmethod
-    def parse(cls, described: dict[str, Any]) -> Layout:
+    def parse(cls, entry: dict[str, Any]) -> Layout:
         """Read the layout from a manifest; ValueError for impossible values."""
-        size = check.integer("face_size", described["face_size"], 1, codec.MAX_PIXELS)
-        tile = check.integer("tile", described["tile"], 1, size)
+        size = check.integer("face_size", entry["face_size"], 1, codec.MAX_PIXELS)
+        tile = check.integer("tile", entry["tile"], 1, size)
         if size % tile:
             raise ValueError(f"tile: expected a divisor of {size}, got {tile}")
-        across = check.integer("across", described["across"], 1, codec.MAX_PIXELS // tile)
-        least, step = (check.positive(name, described["range"][name]) for name in ("least", "step"))
+        tiles_per_row = check.integer("across", entry["across"], 1, codec.MAX_PIXELS // tile)
+        least, step = (check.positive(name, entry["range"][name]) for name in ("least", "step"))
         if not math.isfinite(least * math.exp(min(codec.NO_SURFACE * step, 700.0))) or codec.NO_SURFACE * step > 700.0:
             raise ValueError(f"step: expected ranges that are finite, got {step:g}")
-        return cls(size, tile, across, RangeScale(least, step))
+        return cls(size, tile, tiles_per_row, RangeScale(least, step))
 
     @property
     def tiles(self) -> int:
@@ -63,15 +63,15 @@ class Layout:
         """Raise ValueError for map entries that do not fit the layout."""
         if len(maps[0]["color"]) != 6:
             raise ValueError("map: expected six pictures for ring 0")
-        for number, described in enumerate(maps[1:], 1):
-            listed = check.items("tiles", described["tiles"], int, "numbers of tiles")
-            if any(not before < after for before, after in zip([-1, *listed], [*listed, self.tiles], strict=True)):
+        for number, entry in enumerate(maps[1:], 1):
+            tiles = check.items("tiles", entry["tiles"], int, "numbers of tiles")
+            if any(not before < after for before, after in zip([-1, *tiles], [*tiles, self.tiles], strict=True)):
                 raise ValueError(f"tiles: expected ascending numbers below {self.tiles}")
-            if bool(listed) != isinstance(described["color"], str):
+            if bool(tiles) != isinstance(entry["color"], str):
                 raise ValueError("map: expected a picture exactly where tiles change")
-            if number == 1 and (isinstance(described["range"], str) or len(described["range"]) != 6):
+            if number == 1 and (isinstance(entry["range"], str) or len(entry["range"]) != 6):
                 raise ValueError("map: expected six files of ranges for ring 1")
-            if number > 1 and bool(listed) != isinstance(described["range"], str):
+            if number > 1 and bool(tiles) != isinstance(entry["range"], str):
                 raise ValueError("map: expected ranges exactly where tiles change")
 
 
@@ -102,20 +102,20 @@ def decode_map(
             codes, changed = decode_ranges(entry["range"], codes, 6, tiles)
         if len(tiles):
             # Replace changed texels and their neighbours by those of the image of tiles.
-            rows = -(-len(tiles) // layout.across)
-            sheet = decode_color(entry["color"], layout.across * tile, rows * tile)
+            rows = -(-len(tiles) // layout.tiles_per_row)
+            sheet = decode_color(entry["color"], layout.tiles_per_row * tile, rows * tile)
             replaced = codec.tiles_of(codec.with_neighbours(changed), tiles, tile)[..., None]
             new = codec.tiles_of_sheet(sheet, len(tiles), tile)
             codec.put_tiles(faces, tiles, np.where(replaced, new, codec.tiles_of(faces, tiles, tile)))
     return faces, None if codes is None else layout.scale.ranges(codes)
 
 
-def ring_scene(name: str, parts: Sequence[str], read: Read, place: str) -> Scene:
+def ring_scene(name: str, parts: Sequence[str], read: Read, location: str) -> Scene:
     """Read the geometry of a ring; FormatError that names the file if it is damaged."""
-    return Scene._from_assembled(assembled(name, parts, read, place))
+    return Scene._from_assembled(assembled(name, parts, read, location))
 
 
-def assembled(name: str, parts: Sequence[str], read: Read, place: str, *, moves: bool = False) -> Assembled:
+def assembled(name: str, parts: Sequence[str], read: Read, location: str, *, moves: bool = False) -> Assembled:
     """Assemble the parts of a scene from files; with `moves` all objects are dynamic."""
     from nearfar._scene import load
 
@@ -126,7 +126,7 @@ def assembled(name: str, parts: Sequence[str], read: Read, place: str, *, moves:
         try:
             return load.load(paths[name], LoadOptions(), moves=moves)
         except SceneError as error:
-            raise FormatError(str(error).replace(str(paths[name]), place)) from None
+            raise FormatError(str(error).replace(str(paths[name]), location)) from None
 
 
 def join_rings(moving: Scene | None, rings: Sequence[tuple[str, Scene]]) -> Scene:

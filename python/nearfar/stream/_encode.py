@@ -85,7 +85,7 @@ def _jobs(maps: RingMaps, quality: int | None, scale: RangeScale) -> Iterator[Ca
     for face in first.color:
         yield partial(_file, 0, "webp", codec.encode_color, face, quality)
     yield partial(_file, 0, "", bytes)
-    better = None if quality is None else min(quality + CHANGE_QUALITY_BONUS, 100)
+    change_quality = None if quality is None else min(quality + CHANGE_QUALITY_BONUS, 100)
     encode_ranges = partial(codec.encode_ranges, tile=TILE, step=scale.step)
     color, codes, size = first.color.copy(), scale.codes(first.range), first.face_size
     for ring, change in enumerate(maps.changes, 1):
@@ -98,7 +98,7 @@ def _jobs(maps: RingMaps, quality: int | None, scale: RangeScale) -> Iterator[Ca
             codes.reshape(-1)[texels] = scale.codes(change["range"])
             changed.reshape(-1)[texels] = True
             tile_colors = codec.tiles_of(color, tiles, TILE)
-            yield partial(_file, ring, "webp", encode_changes, tile_colors, changed, tiles, better)
+            yield partial(_file, ring, "webp", encode_changes, tile_colors, changed, tiles, change_quality)
         if ring == 1:
             for face, face_tiles in codec.by_face(tiles, size // TILE):
                 yield partial(_file, ring, "range", encode_ranges, codes[face], None, changed[face], face_tiles)
@@ -115,8 +115,8 @@ def encode_changes(
     colors: NDArray[np.float32], changed: NDArray[np.bool_], tiles: NDArray[np.int64], quality: int | None
 ) -> bytes:
     """Encode the image of the tiles with changed texels; only these texels and their neighbours keep their colours."""
-    known = codec.tiles_of(codec.with_neighbours(changed), tiles, TILE)
-    return codec.encode_color(codec.sheet_of(codec.filled(colors, known), TILES_PER_ROW), quality)
+    is_meaningful = codec.tiles_of(codec.with_neighbours(changed), tiles, TILE)
+    return codec.encode_color(codec.sheet_of(codec.filled(colors, is_meaningful), TILES_PER_ROW), quality)
 
 
 class TextureFiles:

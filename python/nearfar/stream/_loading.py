@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 
-from nearfar.stream._head_path import HeadPath
+from nearfar.stream._client_settings import HeadPath
 from nearfar.stream._stage import BLANK, Rates, Shown, Stage, least_radius
 from nearfar.stream._store import MANIFEST
 from nearfar.stream._strategies import Plan, Step
@@ -94,7 +94,7 @@ class Loader:
         if not later or not later[0].is_ahead:
             return
         for name in later[0].files:
-            size, total = self.sizes[name][1], sum(self.sizes[other][1] for other in self._ahead)
+            size, total = self.sizes[name][1], sum(self.sizes[ahead][1] for ahead in self._ahead)
             is_known = name in self.transport.arrived or name in self._ahead
             if not is_known and total + size <= MAX_PREFETCH_BYTES:
                 self._ahead.add(name)
@@ -137,10 +137,10 @@ def follow(loader: Loader, rates: Rates, path: HeadPath, fold_margin: float, *, 
             break
         course.files += [(name, transport.arrived[name]) for name in transport.advance(time)]
         if time == frame_time:
-            shown = stage.advance(time - previous_time, least_radius(path.axis_distance(time), fold_margin))
+            state = stage.advance(time - previous_time, least_radius(path.axis_distance(time), fold_margin))
             previous_time = time
-            if shown != course.frames[-1].shown:
-                course.frames.append(Frame(time, shown, _drawn_triangles(plan, shown)))
+            if state != course.frames[-1].shown:
+                course.frames.append(Frame(time, state, _drawn_triangles(plan, state)))
         for step in loader.advance(stage):
             if step.ring is not None:
                 stage.arrive(step.ring)
@@ -151,7 +151,7 @@ def follow(loader: Loader, rates: Rates, path: HeadPath, fold_margin: float, *, 
     return course
 
 
-def _drawn_triangles(plan: Plan, shown: Shown) -> int:
+def _drawn_triangles(plan: Plan, state: Shown) -> int:
     """Count the triangles that a frame draws; a cross-fade draws the pictures of both rings."""
-    pictures = range(shown.ring, shown.ring + 1 + (shown.share > 0.0)) if shown.ring >= 0 else ()
+    pictures = range(state.ring, state.ring + 1 + (state.share > 0.0)) if state.ring >= 0 else ()
     return sum(step.triangles for last in pictures for step in plan.steps if step.ring is None or step.ring <= last)

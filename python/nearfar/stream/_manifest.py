@@ -36,7 +36,7 @@ EMPTY_RING: dict[str, Any] = {"radius": 0.0, "objects": 0, "triangles": 0, "stor
 
 def read(reader: _store.Reader) -> dict[str, Any]:
     """Read and check the manifest of a bundle; FormatError that names it if it is damaged or newer."""
-    where = f"{reader.place}/{_store.MANIFEST}"
+    where = f"{reader.location}/{_store.MANIFEST}"
     data = reader.read(_store.MANIFEST)
     with formats.guarded(where):
         document = formats.from_json(data)
@@ -111,8 +111,8 @@ def _check_region(region: dict[str, Any], number: int, count: int) -> None:
     check.vector("center", region["center"])
     check.at_least_zero("fold_margin", region["fold_margin"])
     check.texts("findings", region["findings"])
-    listed = check.items("neighbours", region["neighbours"], int, "numbers of regions")
-    near = [check.integer("neighbours", value, 0, count - 1) for value in listed]
+    numbers = check.items("neighbours", region["neighbours"], int, "numbers of regions")
+    near = [check.integer("neighbours", value, 0, count - 1) for value in numbers]
     if near != sorted({*near} - {number}):
         raise ValueError(f"neighbours: expected ascending numbers of other regions, got {check.shortened(near)}")
 
@@ -149,8 +149,8 @@ def _check_counts(entry: dict[str, Any]) -> None:
 
 
 def _check_file(name: str, entry: dict[str, Any]) -> None:
-    folder, _, own = name.partition("/")
-    if folder != _store.FOLDER or own in ("", ".", "..") or not _NAME.fullmatch(own):
+    folder, _, file_name = name.partition("/")
+    if folder != _store.FOLDER or file_name in ("", ".", "..") or not _NAME.fullmatch(file_name):
         raise ValueError(f"files: expected names below {_store.FOLDER}/, got {check.shortened(name)}")
     _check_described(name, entry)
 
@@ -161,15 +161,15 @@ def _check_described(name: str, entry: dict[str, Any]) -> None:
         raise ValueError(f"{name}: sha256: expected 64 digits of 0-9a-f, got {check.shortened(entry['sha256'])}")
 
 
-def _check_geometry(described: dict[str, Any], files: dict[str, Any]) -> None:
+def _check_geometry(entry: dict[str, Any], files: dict[str, Any]) -> None:
     """Check the file names of a GLB: the GLB, its buffers and its images."""
-    name = described["geometry"]
+    name = entry["geometry"]
     if not (name is None or isinstance(name, str)):
         raise TypeError(f"geometry: expected the name of a file, got {check.type_and_value(name)}")
     _check_listed(name, files, "geometry")
-    _check_listed(check.texts("parts", described["parts"]), files, "parts")
-    if "error" in described:
-        check.at_least_zero("error", described["error"])
+    _check_listed(check.texts("parts", entry["parts"]), files, "parts")
+    if "error" in entry:
+        check.at_least_zero("error", entry["error"])
 
 
 def _check_listed(value: Any, files: dict[str, Any], kind: str) -> None:

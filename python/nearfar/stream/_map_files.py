@@ -172,25 +172,25 @@ def with_neighbours(mask: NDArray[np.bool_]) -> NDArray[np.bool_]:
     return dilated
 
 
-def filled(tiles: NDArray[np.float32], known: NDArray[np.bool_]) -> NDArray[np.float32]:
+def filled(tiles: NDArray[np.float32], is_known: NDArray[np.bool_]) -> NDArray[np.float32]:
     """Replace unknown texels of tiles (N, side, side, 3) by the mean of the smallest block around them with known ones.
 
     Blocks have power-of-two sides, like the tile; a block's mean is the mean of its quarters' means. Smoother fillings
     need more bytes in WebP.
     """
-    count, side = known.shape[:2]
-    is_partial = ~known.all(axis=(1, 2))
+    count, side = is_known.shape[:2]
+    is_partial = ~is_known.all(axis=(1, 2))
     if side == 1 or not is_partial.any():
         return tiles
     if not is_partial.all():
         result = tiles.copy()
-        result[is_partial] = filled(tiles[is_partial], known[is_partial])
+        result[is_partial] = filled(tiles[is_partial], is_known[is_partial])
         return result
     blocks = (count, side // 2, 2, side // 2, 2)
-    known_counts = known.reshape(blocks).sum(axis=(2, 4))
-    sums = np.where(known[..., None], tiles, 0).reshape(*blocks, 3).sum(axis=(2, 4))
+    known_counts = is_known.reshape(blocks).sum(axis=(2, 4))
+    sums = np.where(is_known[..., None], tiles, 0).reshape(*blocks, 3).sum(axis=(2, 4))
     means = filled(sums / np.maximum(known_counts, 1, dtype=np.float32)[..., None], known_counts > 0)
-    return np.where(known[..., None], tiles, means.repeat(2, axis=1).repeat(2, axis=2))
+    return np.where(is_known[..., None], tiles, means.repeat(2, axis=1).repeat(2, axis=2))
 
 
 def tiles_of(faces: NDArray[Any], numbers: NDArray[np.int64], side: int) -> NDArray[Any]:

@@ -14,14 +14,14 @@ from nearfar._scene.scene import Scene
 from nearfar.stream._decode import Read, assembled
 
 
-def moving_scene(entry: dict[str, Any], read: Read, place: str) -> Scene:
+def moving_scene(entry: dict[str, Any], read: Read, location: str) -> Scene:
     """Read the dynamic objects; FormatError that names the file if it is damaged or does not fit its manifest entry.
 
     Meshes come from the glTF reader; placements are taken from the document itself, so that they stay bit-exact.
     """
     name = entry["geometry"]
-    loaded = assembled(name, entry["parts"], read, place, moves=True)
-    with formats.guarded(place):
+    loaded = assembled(name, entry["parts"], read, location, moves=True)
+    with formats.guarded(location):
         origin, nodes = nodes_of(read(name))
         rows = check.items("instances", entry["instances"], dict, "descriptions of instances")
         if not len(rows) == len(nodes) == len(loaded.names if not isinstance(loaded.names, int) else ()):
@@ -30,7 +30,7 @@ def moving_scene(entry: dict[str, Any], read: Read, place: str) -> Scene:
         if not np.isfinite(placements).all():
             raise ValueError("expected finite matrices")
         names = Names(tuple(dict.fromkeys(str(row["object"]) for row in rows)))
-        frames, rest = frames_of(rows, names, placements, place)
+        frames, rest = frames_of(rows, names, placements, location)
         parts = {
             **_core.scene_parts(loaded.core),
             "origin": origin,

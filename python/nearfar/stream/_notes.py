@@ -87,11 +87,11 @@ def _note_endless_objects(names: Sequence[str], triangles: dict[int, int]) -> st
         return ""
     labels = {n: "faces without an object" if n < 0 else f"'{names[n]}'" for n in triangles}
     ordered = sorted(sorted(triangles), key=lambda n: -triangles[n])
-    listed = _enumerate_names([f"{labels[n]} ({count(triangles[n], 'triangle')})" for n in ordered])
+    phrase = _enumerate_names([f"{labels[n]} ({count(triangles[n], 'triangle')})" for n in ordered])
     if len(triangles) == 1:
-        return f"{listed} reaches from within ring 1 beyond the last ring: it is sent whole with ring 1"
+        return f"{phrase} reaches from within ring 1 beyond the last ring: it is sent whole with ring 1"
     total = count(sum(triangles.values()), "triangle")
-    return f"{listed} reach from within ring 1 beyond the last ring, {total} together: they are sent whole with ring 1"
+    return f"{phrase} reach from within ring 1 beyond the last ring, {total} together: they are sent whole with ring 1"
 
 
 def _endless_objects(rings: Rings) -> dict[int, int]:
@@ -140,5 +140,5 @@ def _sphere(number: int) -> NDArray[np.float64]:
 def _enumerate_names(names: list[str]) -> str:
     """Join names to a phrase; only the first few are listed."""
     more = len(names) - MAX_NAMED
-    shown = names if more <= 0 else [*names[:MAX_NAMED], f"{more} more"]
-    return shown[0] if len(shown) == 1 else f"{', '.join(shown[:-1])} and {shown[-1]}"
+    listed = names if more <= 0 else [*names[:MAX_NAMED], f"{more} more"]
+    return listed[0] if len(listed) == 1 else f"{', '.join(listed[:-1])} and {listed[-1]}"

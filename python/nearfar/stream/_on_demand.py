@@ -51,21 +51,9 @@ class OnDemand:
     A region comes in two stages: with maps of 512² texels and one sample, which take a small part of the time, and
     with full-size maps. Geometry is the same in both.
 
-    Parameters
-    ----------
-    scene
-        The scene.
-    grid
-        Spacing in metres of the horizontal grid to which centres move (`snap`).
-    radii
-        Radii of the rings in metres, ascending; by default those of `nearfar.stream.ring_radii` for each centre.
-    lod, settings, keywords
-        As for `nearfar.stream.export`, but without `split_px` and `by_footprint`.
-
-    Raises
-    ------
-    ValueError, TypeError
-        As `nearfar.stream.export` does.
+    `grid` is the spacing in metres of the horizontal grid to which centres move (`snap`). `radii` are the rings' radii
+    in metres, ascending; by default those of `nearfar.stream.ring_radii` for each centre. `lod`, `settings` and
+    `keywords`, and all errors, are those of `nearfar.stream.export`, but without `split_px` and `by_footprint`.
 
     References
     ----------
@@ -104,23 +92,11 @@ class OnDemand:
         return snap(center, self.grid)
 
     def parts(self, center: ArrayLike) -> Iterator[Part]:
-        """Make the region of a position, part by part.
+        """Make the region of a position (world, metres), which `snapped` moves, part by part.
 
-        Parameters
-        ----------
-        center
-            World position in metres; `snapped` moves it.
-
-        Yields
-        ------
-        Part
-            For each stage one part that begins it, then one for each ring from 0 on. The last part has the
-            `manifest.json` and the `tileset.json` of a bundle with this one region.
-
-        Raises
-        ------
-        ValueError
-            For a centre that is not finite, and one without surrounding objects if radii are to be chosen.
+        Each stage has one part that begins it, then one for each ring from 0 on. The last part has the `manifest.json`
+        and the `tileset.json` of a bundle with this one region. ValueError for a centre that is not finite, and for one
+        without surrounding objects if radii are to be chosen.
         """
         point = self.snapped(center)
         scene = self._tiles.about(point, REACH if self._radii is None else self._radii[-1])

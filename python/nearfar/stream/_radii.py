@@ -12,7 +12,7 @@ from nearfar import _core
 from nearfar._base import check
 from nearfar._scene.scene import Scene, core_of
 from nearfar.stream._assign import MAX_RINGS, object_radii
-from nearfar.stream._footprints import footprints
+from nearfar.stream._by_footprint import footprints
 
 Policy = Literal["cost", "published", "equal_area"]
 """Policy for choosing radii."""

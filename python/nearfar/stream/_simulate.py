@@ -11,12 +11,10 @@ from nearfar._base import check
 from nearfar._base.settings import gather
 from nearfar._scene.scene import Scene
 from nearfar.stream._bundle import Bundle
-from nearfar.stream._client_pictures import SceneParts
-from nearfar.stream._client_settings import ClientKeywords, ClientSettings
-from nearfar.stream._head_path import HeadPath
+from nearfar.stream._client_pictures import SceneParts, measured
+from nearfar.stream._client_settings import ClientKeywords, ClientSettings, HeadPath
 from nearfar.stream._link import Link
 from nearfar.stream._loading import Course, Loader, follow
-from nearfar.stream._measures import measured
 from nearfar.stream._stage import Rates
 from nearfar.stream._store import MANIFEST
 from nearfar.stream._strategies import Plan, plan_of

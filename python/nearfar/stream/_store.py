@@ -33,7 +33,7 @@ def file_entry(data: bytes) -> dict[str, Any]:
 class Reader(Protocol):
     """Source of a bundle's files."""
 
-    place: str
+    location: str
     """Folder or URL, for messages."""
 
     def read(self, name: str) -> bytes:
@@ -45,7 +45,7 @@ class Reader(Protocol):
 
 class _Folder:
     def __init__(self, path: Path) -> None:
-        self._path, self.place = path, os.fspath(path)
+        self._path, self.location = path, os.fspath(path)
 
     def read(self, name: str) -> bytes:
         return (self._path / name).read_bytes()
@@ -58,10 +58,10 @@ class _Folder:
 class _Remote:
     def __init__(self, url: str) -> None:
         self._system, self._path = remote.system(url)
-        self.place = url
+        self.location = url
 
     def read(self, name: str) -> bytes:
-        with as_os_errors(f"{self.place}/{name}", "read"):
+        with as_os_errors(f"{self.location}/{name}", "read"):
             return bytes(self._system.cat_file(f"{self._path}/{name}"))
 
     def sizes(self) -> Mapping[str, int] | None:
@@ -147,23 +147,23 @@ def _sizes_at(system: Any, folder: str) -> dict[str, int]:
     return {f"{FOLDER}/{entry['name'].rpartition('/')[2]}": entry["size"] for entry in entries}
 
 
-def verify(place: str, name: str, data: bytes, expected: Mapping[str, Any]) -> bytes:
+def verify(location: str, name: str, data: bytes, expected: Mapping[str, Any]) -> bytes:
     """Return a file's bytes if they have the listed size and hash; FormatError otherwise."""
-    found = file_entry(data)
+    actual = file_entry(data)
     for field in ("bytes", "sha256"):
-        if found[field] != expected[field]:
-            raise differs(place, name, field, expected[field], found[field])
+        if actual[field] != expected[field]:
+            raise differs(location, name, field, expected[field], actual[field])
     return data
 
 
-def missing(place: str, name: str) -> FormatError:
+def missing(location: str, name: str) -> FormatError:
     """Return the error for a listed file that does not exist."""
-    return FormatError(f"{place}/{name}: expected the file that the manifest lists, found none")
+    return FormatError(f"{location}/{name}: expected the file that the manifest lists, found none")
 
 
-def differs(place: str, name: str, field: str, expected: object, found: object) -> FormatError:
+def differs(location: str, name: str, field: str, expected: object, actual: object) -> FormatError:
     """Return the error for a file whose size or hash is not the listed one."""
-    return FormatError(f"{place}/{name}: expected {expected} as {field}, as the manifest lists it, got {found}")
+    return FormatError(f"{location}/{name}: expected {expected} as {field}, as the manifest lists it, got {actual}")
 
 
 def check_presence(source: Reader, entries: Mapping[str, Mapping[str, Any]]) -> None:
@@ -173,6 +173,6 @@ def check_presence(source: Reader, entries: Mapping[str, Mapping[str, Any]]) -> 
         return
     for name, entry in entries.items():
         if name not in sizes:
-            raise missing(source.place, name)
+            raise missing(source.location, name)
         if sizes[name] != entry["bytes"]:
-            raise differs(source.place, name, "bytes", entry["bytes"], sizes[name])
+            raise differs(source.location, name, "bytes", entry["bytes"], sizes[name])

@@ -63,8 +63,8 @@ def plan_of(strategy: Strategy, region: Mapping[str, Any], number: int, dynamic:
     rings = _by_footprint(region, number) if strategy in ("vis0", "vis1") else region["rings"]
     moving = [] if dynamic is None else [Step(None, None, geometry_files(dynamic), dynamic["triangles"])]
     first, *later = (
-        Step(place, _map(ring["map"]), geometry_files(ring), ring["triangles"], is_ahead=place > 1)
-        for place, ring in enumerate(rings)
+        Step(ring_number, _map(ring["map"]), geometry_files(ring), ring["triangles"], is_ahead=ring_number > 1)
+        for ring_number, ring in enumerate(rings)
     )
     radii = tuple(float(ring["radius"]) for ring in rings[1:])
     return Plan((first, *moving, *later), radii, strategy == "clovr", strategy == "vis0")

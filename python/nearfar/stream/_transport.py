@@ -106,12 +106,12 @@ class Transport:
 
     def advance(self, time: float) -> list[str]:
         """Advance to a time; return the names of files that became complete."""
-        known = len(self.arrived)
+        known_count = len(self.arrived)
         while self._events and self._events[0][0] <= time:
             self.now, _, action = heapq.heappop(self._events)
             action()
         self.now = time
-        return list(itertools.islice(self.arrived, known, None))
+        return list(itertools.islice(self.arrived, known_count, None))
 
     def _schedule(self, time: float, action: Callable[[], None]) -> None:
         heapq.heappush(self._events, (time, next(self._order), action))

@@ -83,8 +83,8 @@ def _maps(near: Scene, reduced: ReducedScene, rings: Rings) -> RingMaps:
     """Build the maps: the reduced scene's own map, preceded by one with its static near part in front."""
     far = _far(reduced)
     static = near.subset(triangles=np.arange(near._core.standing_triangle_count))
-    shown, is_near = _seen_from_center(static, reduced, far)
-    color = np.where(is_near[..., None], shown, far.color)
+    near_color, is_near = _seen_from_center(static, reduced, far)
+    color = np.where(is_near[..., None], near_color, far.color)
     first = EnvMap(reduced.center, color=color, range=far.range)
     texels = np.flatnonzero(is_near)
     assert far.range is not None
@@ -122,10 +122,10 @@ def _seen_from_center(
     size = far.face_size
     zones = partition(static, center=reduced.center, r1=reduced.r1, r2=reduced.r2)
     counts = {**reduced._counts, **zones.summary()}
-    kept: dict[str, Any] = {"morph": reduced.morph, "boundary": "r2", "counts": counts, "is_whole": False}
-    whole = ReducedScene(static, zones, replace(far, range=None), **kept)
+    facts: dict[str, Any] = {"morph": reduced.morph, "boundary": "r2", "counts": counts, "is_whole": False}
+    near_scene = ReducedScene(static, zones, replace(far, range=None), **facts)
     settings: dict[str, Any] = {"samples": SAMPLES, "channels": ("color", "face_id"), "tolerance_px": np.inf}
     cameras = [Camera(reduced.center, fov=CubeFace(face), size=(size, size)) for face in range(6)]
-    frames = [whole.render(camera, **settings) for camera in cameras]
-    seen = np.stack([frame.require("face_id") >= 0 for frame in frames])
-    return np.stack([frame.require("color") for frame in frames]), with_neighbours(seen)
+    frames = [near_scene.render(camera, **settings) for camera in cameras]
+    is_near = np.stack([frame.require("face_id") >= 0 for frame in frames])
+    return np.stack([frame.require("color") for frame in frames]), with_neighbours(is_near)

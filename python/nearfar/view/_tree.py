@@ -32,14 +32,14 @@ def tree_folder(path: str | os.PathLike[str]) -> Path | None:
     """Return the folder of a tree's store at a path; None if there is none."""
     if remote.is_url(path):
         return None
-    place = remote.local(path)
-    if not (place / _store.DOCUMENT).is_file():
+    folder = remote.local(path)
+    if not (folder / _store.DOCUMENT).is_file():
         return None
     try:
-        _store.read(Local(place))
+        _store.read(Local(folder))
     except FormatError:
         return None
-    return place
+    return folder
 
 
 def tree_files(folder: Path) -> dict[str, File]:

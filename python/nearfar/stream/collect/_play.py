@@ -56,9 +56,9 @@ async def play(
         For arguments of another type, and seeds outside 0 to 2³² − 1.
     """
     check.instance("room", room, Room)
-    chosen = Settings() if settings is None else check.instance("settings", settings, Settings)
+    rules = Settings() if settings is None else check.instance("settings", settings, Settings)
     people = Person() if person is None else check.instance("person", person, Person)
-    user = _User(room, chosen, people, check.integer("seed", seed, 0, 2**32 - 1))
+    user = _User(room, rules, people, check.integer("seed", seed, 0, 2**32 - 1))
     hearing = asyncio.create_task(user.hear())
     moving = asyncio.create_task(user.move())
     try:

@@ -139,13 +139,13 @@ def simulate(
     ValueError, TypeError
         For a number of groups outside 1 to 64, times below 0 or above 10 s, and arguments of another type.
     """
-    chosen = Settings() if settings is None else check.instance("settings", settings, Settings)
+    rules = Settings() if settings is None else check.instance("settings", settings, Settings)
     people = Person() if person is None else check.instance("person", person, Person)
     number, seeded = check.integer("groups", groups, 1, 64), check.integer("seed", seed, 0, 2**32 - 1)
     if not isinstance(leg, tuple | list) or len(leg) != 2:
         raise TypeError(f"leg: expected a mean and a standard deviation, got {check.type_and_value(leg)}")
     mean, deviation = (check.in_range("leg", value, 0.0, 10.0) for value in leg)
-    simulate_one = partial(_simulate_group, chosen, people, seeded, (mean, deviation))
+    simulate_one = partial(_simulate_group, rules, people, seeded, (mean, deviation))
     return [outcome for group in range(1, number + 1) for outcome in simulate_one(group)]
 
 

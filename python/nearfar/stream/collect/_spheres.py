@@ -33,8 +33,8 @@ def sphere(trial: Trial, stage: Stage, group: int, number: int) -> Sphere:
     level = TURNS[number % len(TURNS)]
     # Uniform directions have uniformly distributed heights (Archimedes).
     up, turn = 2.0 * draws[3] - 1.0, 2.0 * math.pi * draws[4]
-    across, speed = math.sqrt(1.0 - up * up), trial.speeds[level]
-    velocity = (speed * across * math.cos(turn), speed * up, speed * across * math.sin(turn))
+    horizontal, speed = math.sqrt(1.0 - up * up), trial.speeds[level]
+    velocity = (speed * horizontal * math.cos(turn), speed * up, speed * horizontal * math.sin(turn))
     return Sphere(stage, number, level, 0.0, (x, y, z), velocity)
 
 

@@ -141,8 +141,8 @@ class Task:
         """Begin the first trial of a run for all users who are present; returns the conductor's messages."""
         run = (self.trial.stage.run + 1) % 2**16 if self.trial else 1
         x, y, z = settings.center
-        wide, deep = settings.seats
-        area = ((x - wide / 2, y, z - deep / 2), (x + wide / 2, y, z + deep / 2))
+        width, depth = settings.seats
+        area = ((x - width / 2, y, z - depth / 2), (x + width / 2, y, z + depth / 2))
         middle = (x, y + settings.rise, z - settings.distance)
         a, b, c = ((value - size / 2, value + size / 2) for value, size in zip(middle, settings.box, strict=True))
         first = Trial(
@@ -223,16 +223,16 @@ class Task:
         self.trial, self.start_time = trial, now - trial.elapsed
 
     def _hear_play(self, message: Sphere | Aims | Collected, now: float) -> bool:
-        known = -1 if self.sphere is None else self.sphere.number
+        number = -1 if self.sphere is None else self.sphere.number
         is_next = message.number == self._count() and message.number < MAX_COUNT
         if isinstance(message, Sphere):
             # The count must leave room for the sphere's collection.
-            if message.number == known or not is_next:
+            if message.number == number or not is_next:
                 return False
             self.sphere, self.appeared = message, now - message.age
             self._clear_aims()
         elif isinstance(message, Aims):
-            if message.number != known:
+            if message.number != number:
                 return False
             self.aims, self.misses = message.users, message.misses
             self.held_since = None if message.held is None else now - message.held
@@ -242,14 +242,14 @@ class Task:
             return False
         return True
 
-    def _hear_collected(self, found: Collected, now: float) -> None:
+    def _hear_collected(self, collected: Collected, now: float) -> None:
         assert self.trial is not None
         tallies = list(self.trial.tallies)
-        old = tallies[found.level]
-        misses, seconds = min(old.misses + found.misses, MAX_COUNT), min(old.seconds + found.seconds, MAX_SECONDS)
-        tallies[found.level] = Tally(old.spheres + 1, misses, seconds)
+        old = tallies[collected.level]
+        misses = min(old.misses + collected.misses, MAX_COUNT)
+        tallies[collected.level] = Tally(old.spheres + 1, misses, min(old.seconds + collected.seconds, MAX_SECONDS))
         self.trial = replace(self.trial, tallies=(tallies[0], tallies[1], tallies[2]))
-        self.collected.append(found)
+        self.collected.append(collected)
         self.sphere, self._next_sphere_time = None, now + max(self.trial.pause, MIN_PAUSE)
         self._clear_aims()
 
