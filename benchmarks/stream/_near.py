@@ -186,8 +186,8 @@ def error(rings: nf.stream.Rings, ring: int, scene: nf.Scene | None) -> float:
     """Maximum distance in metres from a corner of a ring's objects to the nearest decoded one."""
     if scene is None:
         return 0.0
-    true, found = (corners(part) for part in (rings.scene.subset(objects=rings.objects(ring)), scene))
-    return float(cKDTree(found).query(true, workers=-1)[0].max())
+    original, decoded = (corners(part) for part in (rings.scene.subset(objects=rings.objects(ring)), scene))
+    return float(cKDTree(decoded).query(original, workers=-1)[0].max())
 
 
 def corners(scene: nf.Scene) -> Any:

@@ -58,7 +58,7 @@ def sizes(bundle: nf.stream.Bundle, near: Near, plain: Near, packed: dict[str, l
         "colour": [row["color"] for row in rows],
         "range": [row["range"] for row in rows],
         "plain GLB": [0, *plain.bytes_by_ring(images=False)],
-        **{name: [0, *found] for name, found in packed.items()},
+        **{name: [0, *ring_bytes] for name, ring_bytes in packed.items()},
         "whole map": whole_maps(bundle),
     }
 
@@ -147,10 +147,10 @@ PICTURES = (
 
 
 def picture_rows(
-    place: Place, truth: nf.Scene, base: nf.ReducedScene, others: Mapping[str, nf.ReducedScene]
+    place: Place, truth: nf.Scene, base: nf.ReducedScene, compared: Mapping[str, nf.ReducedScene]
 ) -> list[list[object]]:
     """PSNR and SSIM of all pictures, in sRGB codes: mean and least against the base, mean against the truth."""
-    sources = {"without loss": base, **others}
+    sources = {"without loss": base, **compared}
     against_base: dict[str, list[tuple[float, float]]] = {name: [] for name in sources}
     against_truth: dict[str, list[tuple[float, float]]] = {name: [] for name in sources}
     for camera in cameras(place):
@@ -172,11 +172,11 @@ def similarity(reference: NDArray[np.uint8], test: NDArray[np.uint8]) -> tuple[f
     return nf.psnr(reference, test, data_range=255), nf.ssim(reference, test, data_range=255)
 
 
-def draw(path: Path, found: Sequence[tuple[Place, Measured, list[Any]]]) -> None:
+def draw(path: Path, results: Sequence[tuple[Place, Measured, list[Any]]]) -> None:
     """Draw bytes of rings and loading times, a column for each place."""
-    figure, grid = subplots(2, len(found), figsize=(4.4 * len(found), 6.4), layout="constrained", squeeze=False)
-    colors = {name: f"C{number}" for number, name in enumerate(found[-1][1])}
-    for column, (place, measured, loadings) in enumerate(found):
+    figure, grid = subplots(2, len(results), figsize=(4.4 * len(results), 6.4), layout="constrained", squeeze=False)
+    colors = {name: f"C{number}" for number, name in enumerate(results[-1][1])}
+    for column, (place, measured, loadings) in enumerate(results):
         axes = grid[0, column]
         for name, values in measured.items():
             total = [sum(values[: ring + 1]) / 1e6 for ring in range(len(PUBLISHED) + 1)]
@@ -203,10 +203,10 @@ def speed_and_memory(quick: bool, samples: int) -> None:
         scene = place.make()
         with folder_or_temporary() as folder:
             settings: dict[str, Any] = {"center": place.center, "radii": PUBLISHED, "samples": samples}
-            _, whole = timed(nf.stream.export, scene, folder / "bundle", **settings)
-        found = stages(number, instanced=True)
-        seconds.append(_stages.row(place.name, found, whole.wall))
-        memory.append(_stages.memory_row(place.name, found))
+            _, export_time = timed(nf.stream.export, scene, folder / "bundle", **settings)
+        figures = stages(number, instanced=True)
+        seconds.append(_stages.row(place.name, figures, export_time.wall))
+        memory.append(_stages.memory_row(place.name, figures))
         for name, instanced in (("", True), (", copies", False)):
             rings = nf.stream.assign(place.make(instanced=instanced), center=place.center, radii=PUBLISHED)
             speeds.append(encoder_row(place.name + name, rings))
@@ -251,12 +251,12 @@ def main() -> None:
     samples = (4, "of the maps whose baking is timed")
     options = start(__doc__, "--quick", "--plots", samples=samples)
     speed_and_memory(options.quick, options.samples)
-    found = []
+    results = []
     for place in places(options.quick):
         with folder_or_temporary() as folder:
-            found.append((place, *sizes_and_quality(place, folder)))
+            results.append((place, *sizes_and_quality(place, folder)))
     if options.plots:
-        draw(options.plots / "stream_bytes.png", found)
+        draw(options.plots / "stream_bytes.png", results)
 
 
 if __name__ == "__main__":

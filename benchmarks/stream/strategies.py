@@ -37,13 +37,13 @@ class Case:
     bundle: nf.stream.Bundle
 
 
-def export_places(quick: bool, chosen: int | None, folder: Path) -> list[Case]:
+def export_places(quick: bool, number: int | None, folder: Path) -> list[Case]:
     """Export four places, or one of them; the second centre of the factory is 30 m along the hall."""
-    listed = places(quick)
-    x, _, z = listed[-1].center
-    listed.append(replace(listed[-1], name="factory, 30 m on", center=(x + 30.0, EYE_HEIGHT, z)))
-    numbers = range(len(listed)) if chosen is None else [chosen]
-    return [export(listed[number], folder / str(number), quick) for number in numbers]
+    all_places = places(quick)
+    x, _, z = all_places[-1].center
+    all_places.append(replace(all_places[-1], name="factory, 30 m on", center=(x + 30.0, EYE_HEIGHT, z)))
+    indices = range(len(all_places)) if number is None else [number]
+    return [export(all_places[index], folder / str(index), quick) for index in indices]
 
 
 def export(place: Place, folder: Path, quick: bool, *, instanced: bool = True) -> Case:
@@ -153,18 +153,18 @@ def main() -> None:
         cases = export_places(quick, options.place, folder)
         lines = {case.place.name: lines_of(case, link, gzip) for case in cases}
         if "times" in parts:
-            for other in (nf.stream.Link(MBPS), link, nf.stream.Link(MBPS, rtt_ms=RTT, loss=0.001)):
-                print_times(cases, other, gzip)
+            for time_link in (nf.stream.Link(MBPS), link, nf.stream.Link(MBPS, rtt_ms=RTT, loss=0.001)):
+                print_times(cases, time_link, gzip)
             if options.place in (None, 2):
                 print_times([export(places(quick)[2], folder / "plain", quick, instanced=False)], link, gzip)
             if plots_to:
-                others = {case.place.name: by_radius(case, link, gzip, quick) for case in cases}
-                plots.times(plots_to / "strategies_times.png", lines, others)
+                vis_seconds = {case.place.name: by_radius(case, link, gzip, quick) for case in cases}
+                plots.times(plots_to / "strategies_times.png", lines, vis_seconds)
                 plots.rates(plots_to / "strategies_rates.png", lines, DISPLAY)
         if "seen" in parts:
-            seen = print_seen(cases, lines, 32 if quick else 96, 20.0 if quick else 10.0)
+            measured = print_seen(cases, lines, 32 if quick else 96, 20.0 if quick else 10.0)
             if plots_to:
-                plots.quality(plots_to / "strategies_seen.png", seen)
+                plots.quality(plots_to / "strategies_seen.png", measured)
         if "comparison" in parts:
             print_comparison(cases, link, (80, 50) if quick else (160, 100))
 

@@ -92,8 +92,8 @@ def page_times(way: Network, chromium: Any, url: str, strategy: str) -> dict[str
             if time.monotonic() > deadline:
                 raise TimeoutError(f"ring {rings - 1} does not come")
             time.sleep(0.2)
-        shown = page.evaluate("() => window.shownRings")
-        return {"script": page.evaluate(SCRIPT) / 1e3, "first": shown[0] / 1e3, "last": shown[-1] / 1e3}
+        ring_times = page.evaluate("() => window.shownRings")
+        return {"script": page.evaluate(SCRIPT) / 1e3, "first": ring_times[0] / 1e3, "last": ring_times[-1] / 1e3}
 
 
 def peer_times(way: Network, chromium: Any, url: str) -> dict[str, float]:

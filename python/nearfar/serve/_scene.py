@@ -2,22 +2,26 @@
 
 from __future__ import annotations
 
+import hashlib
+import json
 import math
 import os
+import re
 import secrets
 import time
 from collections.abc import Callable, Iterator, Mapping
 from functools import partial
 from pathlib import Path
 from typing import Any, TypeVar
+from urllib.parse import unquote
 
 from nearfar._base import background, cache, check, formats, progress
+from nearfar._base.version import __version__
 from nearfar._scene.builder import SceneBuilder
 from nearfar._scene.options import LoadOptions
 from nearfar._scene.scene import Scene
 from nearfar._trace import viewpoint
 from nearfar._trace.viewpoint import Viewpoint
-from nearfar.serve import _sources
 from nearfar.stream._growth import Growth
 from nearfar.stream._manifest import NEAR_SHARE
 from nearfar.stream._on_demand import OnDemand, Part
@@ -30,6 +34,12 @@ Result = TypeVar("Result")
 
 POLL_SECONDS = 0.05
 """Time between two checks whether a scene is loaded."""
+
+LIBRARY = re.compile(rb"^\s*mtllib\s+(.+?)\s*$", re.MULTILINE)
+"""Pattern of material libraries that an OBJ refers to."""
+
+PICTURE = re.compile(rb"^\s*(?:map_\w+|bump|disp|decal|refl)\s+(?:.*\s)?(\S+)\s*$", re.MULTILINE)
+"""Pattern of pictures that materials refer to."""
 
 
 class LoadedScene:
@@ -60,7 +70,7 @@ class LoadedScene:
         """Load a file as `nearfar.Scene.load` does; `settings` are those of the class."""
         file, loading = check.path("path", path), options or LoadOptions()
         load = partial(Scene.load, file, loading)
-        source = _sources.key(file, {name: getattr(loading, name) for name in ("up", "on_invalid", "scale", "blend")})
+        source = _source_key(file, {name: getattr(loading, name) for name in ("up", "on_invalid", "scale", "blend")})
         return cls(load, **{"title": file.name, "source": source, **settings})
 
     @classmethod
@@ -145,3 +155,43 @@ def _encoded(document: dict[str, Any]) -> bytes:
 def _plain(value: Any) -> Any:
     """Convert a setting to a type that cache keys accept."""
     return value if value is None or isinstance(value, bool | int | float | str | tuple | list) else repr(value)
+
+
+def _source_key(path: Path, settings: Mapping[str, object]) -> str | None:
+    """Hash a file, the files that it refers to, the loading settings, and the version of nearfar.
+
+    References of glTF and OBJ are followed; other formats are assumed to be self-contained. None if the file cannot be
+    read, so that the loader reports the error.
+    """
+    try:
+        digests = {path.name: _digest(path)}
+        for name in _referred(path):
+            # A missing file changes the scene, so it changes the key.
+            digests[name] = _digest(path.parent / name) if (path.parent / name).is_file() else "none"
+    except (OSError, ValueError):
+        return None
+    return cache.key("serve.source", __version__, digests, dict(settings))
+
+
+def _referred(path: Path) -> Iterator[str]:
+    """Yield the names of the files that a file refers to, relative to its folder."""
+    kind = path.suffix.lower()
+    if kind == ".gltf":
+        document = json.loads(path.read_bytes())
+        for section in ("buffers", "images"):
+            uris = (entry.get("uri", "data:") for entry in document.get(section, ()))
+            yield from (unquote(uri) for uri in uris if not uri.startswith("data:"))
+    elif kind == ".obj":
+        for library in _names(LIBRARY, path):
+            yield library
+            library_path = path.parent / library
+            yield from _names(PICTURE, library_path) if library_path.is_file() else ()
+
+
+def _names(pattern: re.Pattern[bytes], path: Path) -> list[str]:
+    return [name.decode(errors="replace") for name in pattern.findall(path.read_bytes())]
+
+
+def _digest(path: Path) -> str:
+    with path.open("rb") as file:
+        return hashlib.file_digest(file, "sha256").hexdigest()

@@ -6,22 +6,23 @@ Files are sent to the browser in messages, because Python may run on another mac
 from __future__ import annotations
 
 import json
+import math
 from collections.abc import Mapping
 from functools import cache
 from importlib import resources
-from typing import Any
+from typing import Any, NamedTuple
 
 import anywidget
 import traitlets
 
 from nearfar._base import card, check
 from nearfar._base.errors import Error
-from nearfar._camera.camera import Camera
+from nearfar._camera.camera import Camera, Fov
 from nearfar._reduce.reduced_scene import ReducedScene
 from nearfar.stream._bundle import Bundle
 from nearfar.stream._strategies import STRATEGIES
+from nearfar.stream.collect._player import rotated, rotation_of
 from nearfar.view import _content
-from nearfar.view._pose import MAX_ANGLE, MAX_PITCH, MIN_ANGLE, Pose, camera_of, pose_of
 
 ANGLE = 75.0
 """Vertical field of view at the start, degrees, as in the page."""
@@ -30,11 +31,33 @@ PIECE_BYTES = 4 << 20
 """Bytes of a file per message, so that other messages can be sent in between."""
 
 MIN_SIDE, MAX_SIDE = 16, 8192
+"""Range of width and height, CSS pixels."""
+
+MAX_PITCH = 1.5
+"""Greatest absolute pitch, radians."""
+
+MIN_ANGLE, MAX_ANGLE = 10.0, 150.0
+"""Range of the vertical field of view, degrees."""
+
+TOLERANCE = 1e-6
+"""Tolerance for the sine of a camera's roll, and for the relative asymmetry of a field of view's tangents."""
+
+
+class Pose(NamedTuple):
+    """Position and direction of the user's eye, and the vertical field of view."""
+
+    position: tuple[float, float, float]
+    yaw: float
+    """Radians; 0 looks along −z, positive to the left."""
+    pitch: float
+    """Radians; positive looks up."""
+    angle: float
+    """Vertical field of view, degrees."""
 
 
 @cache
 def _script() -> str:
-    """Return the widget's script: its loader, and in front of it the page's scripts that it imports, as texts."""
+    """Return the widget's script: the texts of the page's scripts that its loader imports, and then the loader."""
     names = json.loads(_built("widget/scripts.json"))
     scripts = [(name.rpartition("/")[2], _built(name)) for name in names]
     return f"const SCRIPTS = {json.dumps(scripts)};\n{_built('widget/loader.js')}"
@@ -163,3 +186,30 @@ def _files(shown: Bundle | ReducedScene) -> dict[str, _content.Read]:
         # `Bundle.read` caches: a cell may remove the folder before the browser requests files.
         return _content.of_bundle(shown, shown.read)
     return _content.of_reduced(shown)
+
+
+def pose_of(camera: Camera) -> Pose:
+    """Convert a camera to a pose; ValueError or TypeError if the page cannot represent it."""
+    fov = check.instance("camera", camera, Camera).fov
+    if not isinstance(fov, Fov):
+        raise TypeError(f"camera: expected a perspective camera (nearfar.Fov), got {type(fov).__name__}")
+    if abs(fov.left + fov.right) > TOLERANCE * fov.right or abs(fov.down + fov.up) > TOLERANCE * fov.up:
+        raise ValueError("camera: expected the same field of view to both sides, up and down, got others")
+    x, y, z, w = camera.orientation
+    ahead = rotated(camera.orientation)
+    right_y = 2 * (x * y + w * z)
+    if abs(right_y) > TOLERANCE:
+        raise ValueError(f"camera: expected one without roll, got {math.degrees(math.asin(right_y)):.3g} degrees")
+    pitch = math.atan2(ahead[1], math.hypot(ahead[0], ahead[2]))
+    if abs(pitch) > MAX_PITCH:
+        raise ValueError(f"camera: expected a pitch of at most ±{MAX_PITCH} radians, got {pitch:.4g}")
+    angle = math.degrees(2.0 * math.atan(fov.up))
+    check.in_range("camera: vertical field of view", angle, MIN_ANGLE, MAX_ANGLE)
+    return Pose(camera.position, math.atan2(-ahead[0], -ahead[2]), pitch, angle)
+
+
+def camera_of(pose: Pose, size: tuple[int, int]) -> Camera:
+    """Convert a pose to a camera with an image size in pixels."""
+    up = math.tan(math.radians(0.5 * pose.angle))
+    right = up * size[0] / size[1]
+    return Camera(pose.position, rotation_of(pose.yaw, pose.pitch), fov=Fov(-right, right, -up, up), size=size)
