@@ -185,7 +185,7 @@ def test_the_state_that_a_user_derives_equals_the_vectors(case: dict[str, Any]) 
     task = Task(case["user"], case["group"])
     for step in ({"returns": True}, *case["steps"]):
         if step["returns"]:
-            task.alone()
+            task.forget_users()
             for other in case["others"]:
                 task.add_user(other)
         if "message" in step:
@@ -250,7 +250,7 @@ def test_scores_of_groups_that_have_left_are_forgotten() -> None:
         task.hear(Score(Stage(1, 1), False, group, 0), 0.0, sender=9, group=group)
     task.forget_scores({2, 4})
     assert sorted(task.scores) == [2, 4]
-    task.alone()
+    task.forget_users()
     assert sorted(task.scores) == [2]
 
 

@@ -108,23 +108,10 @@ class Rooms:
 
 
 def token(room: str, key: bytes, *, hours: float = 24.0) -> str:
-    """Make a token that admits one user at a time to a room of a server with the same key.
+    """Make a token that admits one user at a time to the named room of a server with the same key.
 
-    Parameters
-    ----------
-    room
-        The room's name.
-    key
-        Secret bytes of the key.
-    hours
-        Validity from now on, hours; a user who is in the room at its end may stay.
-
-    Raises
-    ------
-    ValueError
-        For an invalid room name, for a short key, and for times outside (0, 366 days].
-    TypeError
-        If an argument has another type.
+    It is valid for `hours` from now on; a user who is in the room at its end may stay. ValueError for an invalid room
+    name, for a short key, and for times outside (0, 366 days]; TypeError if an argument has another type.
     """
     name, secret = room_name("room", room), _check_key("key", key)
     if check.in_range("hours", hours, 0.0, _MAX_HOURS) == 0.0:

@@ -25,10 +25,10 @@ TILES_PER_ROW = 16
 """Tiles in a row of an image of changed tiles."""
 
 CHANGE_QUALITY_BONUS = 2
-"""Quality of changes minus that of map 0: unchanged texels keep errors beside objects that left the map."""
+"""Quality of changes minus that of map 0, whose errors remain in unchanged texels beside objects that left the map."""
 
 MIN_SHARED_BYTES = 4096
-"""Bytes from which a mesh with several placements gets its own file even if one group has it: regions share it."""
+"""Least size of a separate file for a mesh with several placements in one group only; regions share such files."""
 
 Textures = list[tuple[str, bytes]]
 """Names and bytes of the files of a scene's textures, in the scene's order."""

@@ -93,7 +93,7 @@ class Connection:
         await asyncio.wait([self._reader])
         message, self._reader = self._reader.result(), None
         if message is not None and message.type is aiohttp.WSMsgType.TEXT:
-            raise RoomError("frame", "the server sent a text, expected a binary message")
+            raise RoomError("frame", "expected a binary message from the server, got a text")
         return bytes(message.data) if message is not None and message.type is aiohttp.WSMsgType.BINARY else None
 
     async def close(self) -> None:

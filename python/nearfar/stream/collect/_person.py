@@ -117,12 +117,7 @@ class _Reach:
 class Pointing:
     """Pointing direction of a simulated user, step by step. Times are seconds on any clock.
 
-    Parameters
-    ----------
-    person
-        Parameters of all users.
-    seed, user
-        Seed, and the number of the user; both determine the user's individual parameters.
+    `person` has the parameters of all users; `seed` and the number `user` determine the user's individual ones.
     """
 
     def __init__(self, person: Person, seed: int, user: int) -> None:

@@ -156,7 +156,7 @@ class _User:
                 self._rays.pop(user, None)
                 self._newest.pop(user, None)
             case Ended():
-                self.task.alone()
+                self.task.forget_users()
                 self._groups.clear()
                 self._rays.clear()
                 self._newest.clear()

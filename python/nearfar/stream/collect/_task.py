@@ -49,12 +49,9 @@ Rays = Mapping[int, Ray]
 
 
 class Task:
-    """A group's task. Times are seconds on the caller's clock; a message's time is that of its arrival.
+    """A group's task as a user of the group knows it, both given by number.
 
-    Parameters
-    ----------
-    user, group
-        Numbers of this user and its group.
+    Times are seconds on the caller's clock; a message's time is that of its arrival.
     """
 
     def __init__(self, user: int, group: int) -> None:
@@ -127,7 +124,7 @@ class Task:
         if user == self._former:
             self._former = None
 
-    def alone(self) -> None:
+    def forget_users(self) -> None:
         """Handle a broken connection: users are announced again later, and the task continues from its state."""
         self.present = {self.user}
         self.forget_scores((self.group,))
