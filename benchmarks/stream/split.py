@@ -14,8 +14,8 @@ from benchmarks.harness.report import start, table
 from benchmarks.harness.timing import best
 from benchmarks.stream._near import large_city, one_file, street_center
 from nearfar import _core
+from nearfar.stream._detail import stages
 from nearfar.stream._radii import PUBLISHED
-from nearfar.stream._split import stages
 
 REACH = 1.0
 """Distance of users from the centre, metres."""
