@@ -12,7 +12,7 @@ import typer
 from nearfar._base import cache, check
 from nearfar.cli._groups import Options, flag, option
 from nearfar.serve import _addresses
-from nearfar.serve._rooms import Rooms, kept_key, read_key, token
+from nearfar.serve._rooms import Rooms, ensure_key, read_key, token
 
 
 def invite(
@@ -23,7 +23,9 @@ def invite(
 ) -> None:
     """Print a token that lets one user at a time into a room."""
     user_token = token(room, read_key(rooms_key), hours=hours)
-    typer.echo(user_token if url is None else f"{_addresses.page(url)}?room={quote(room, safe='')}&token={user_token}")
+    typer.echo(
+        user_token if url is None else f"{_addresses.check_page(url)}?room={quote(room, safe='')}&token={user_token}"
+    )
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -54,7 +56,7 @@ class RoomOptions(Options):
             **counts,
             # A new user is told of all others at once, with 72 bytes each.
             queue_bytes=max(Rooms.queue_bytes, 128 + 72 * counts.get("users", 0)),
-            key=kept_key(cache.folder() / "rooms" / "key" if self.rooms_key is None else self.rooms_key),
+            key=ensure_key(cache.folder() / "rooms" / "key" if self.rooms_key is None else self.rooms_key),
             needs_token=self.rooms_key is not None,
             peers=not self.no_peers,
             datagrams=not self.no_datagrams,

@@ -16,10 +16,10 @@ from nearfar._base import cache
 from nearfar.cli import _rooms, _sites
 from nearfar.cli._groups import Options, choice, flag, option
 from nearfar.cli._scenes import ServedOptions
-from nearfar.serve import _addresses, _log
+from nearfar.serve import _addresses
 from nearfar.serve._certificate import Certificate
 from nearfar.serve._limits import Limits
-from nearfar.serve._server import Server
+from nearfar.serve._server import Server, begin_log
 
 _DEFAULT = Limits()
 
@@ -53,7 +53,9 @@ class EncryptionOptions(Options):
         if self.self_signed:
             if self.certificate is not None or self.key is not None:
                 raise ValueError("--self-signed: expected no --certificate and no --key beside it")
-            names = address.name if address.name is not None else _addresses.reached(_addresses.address(address.host))
+            names = (
+                address.name if address.name is not None else _addresses.hosts_of(_addresses.parse_host(address.host))
+            )
             return Certificate.self_signed(cache.folder() / "certificate", names)
         if self.certificate is None and self.key is None:
             return None
@@ -98,7 +100,7 @@ def serve(
     certificate, rooms = encryption.choose(address), meeting.make(sources)
     sites, scenes = _sites.read(sources, file.loading, regions)
     if log != "off" and not only_check:
-        _log.begin(as_json=log == "json")
+        begin_log(as_json=log == "json")
     with (
         _end_signal() as end,
         Server(

@@ -1,4 +1,4 @@
-// A whole scene, one GLB, in plain three.js, for the turns of rates.py. Frames are drawn as in the page.
+// A full scene, one GLB, in plain three.js, for the turns of rates.py. Frames are drawn as in the page.
 import * as THREE from 'three';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 
@@ -10,8 +10,8 @@ const camera = new THREE.PerspectiveCamera(angle, innerWidth / innerHeight, 0.05
 camera.position.fromArray(eye);
 const scene = new THREE.Scene().add(new THREE.HemisphereLight(0xffffff, 0x888888, 2));
 scene.background = new THREE.Color(0x88aadd);
-const { scene: whole } = await new GLTFLoader().loadAsync('scene.glb');
-scene.add(whole);
+const { scene: full } = await new GLTFLoader().loadAsync('scene.glb');
+scene.add(full);
 // The scene is static: matrices are computed once.
 scene.updateMatrixWorld(true);
 scene.matrixWorldAutoUpdate = false;
@@ -26,12 +26,12 @@ const rates = {
     rates.yaw = yaw;
   },
   draw(yaw) {
-    const begun = performance.now();
+    const start = performance.now();
     camera.rotation.y = yaw;
     camera.updateMatrixWorld();
     renderer.info.reset();
     renderer.render(scene, camera);
-    rates.script.push(performance.now() - begun);
+    rates.script.push(performance.now() - start);
     rates.triangles.push(renderer.info.render.triangles);
   },
 };
