@@ -20,7 +20,7 @@ import nearfar as nf
 from benchmarks.harness import scenes
 from benchmarks.harness.process import run_module
 from benchmarks.harness.report import folder_or_temporary, start, table
-from benchmarks.harness.tokyo import whole
+from benchmarks.harness.tokyo import load_arrays
 from benchmarks.scene._reader import READERS
 from nearfar._base import data, glb
 from nearfar._scene import glb as scene_glb
@@ -88,7 +88,7 @@ def files(folder: Path) -> Iterator[tuple[str, Path]]:
         yield unpacked.name, unpacked
     yield from _meshes(folder)
     yield from _cities(folder)
-    arrays = whole()
+    arrays = load_arrays()
     if arrays is not None:
         yield "whole of Tokyo, one mesh, GLB", _one_mesh(folder / "tokyo.glb", *arrays)
 

@@ -97,7 +97,7 @@ PACKAGE: dict[str, set[str]] = {
     "_lens": {"_base", "_camera", "_render"},
     "hmd": {"_base", "_camera", "_lens", "_render"},
     "stereo": {"_base", "_camera", "metrics", "_render", "_scene", "hmd"},
-    "gpu": {"_base", "_camera", "metrics", "_morph", "_render"},
+    "gpu": {"_base", "_camera", "_cubemap", "metrics", "_morph", "_render"},
     "lod": {"_base", "_bounds", "_camera", "_lens", "metrics", "_render", "_scene", "hmd"},
     "stream": {"_base", "_camera", "_cubemap", "metrics", "_partition", "_reduce", "_render", "_scene", "_trace"},
     "orthoview": {"_base", "_camera", "_cubemap", "_reduce", "_render", "_scene", "_source", "_trace", "lod", "stream"},

@@ -1,7 +1,7 @@
 /** Opens the content named by the page's address: a bundle, or a scene whose regions a server makes on demand. */
 import { filesOfGeometry, firstRings } from './bundle/contents';
 import { BundleError } from './bundle/error';
-import type { Point } from './bundle/manifest';
+import type { Manifest, Point } from './bundle/manifest';
 import { parseJson, readManifest } from './bundle/parse';
 import { createFiles, type Files, readDocument, type Received } from './bundle/source';
 import { NETWORK } from './bundle/transfer';
@@ -40,51 +40,18 @@ export async function openAddress(
 ): Promise<Opened> {
   const { signal } = new AbortController();
   const document = parseJson('manifest.json', await readDocument(base, received, signal));
-  return isSite(document)
-    ? openScene(base, document, query.get('rings'), strategy, received, waits)
-    : openBundle(base, document, query.get('rings'), strategy, received);
-}
-
-function openBundle(
-  base: URL,
-  document: unknown,
-  last: string | null,
-  strategy: Strategy,
-  received: Received,
-): Opened {
-  const whole = readManifest(document);
-  const manifest = firstRings(last, strategy.arrange(whole));
-  const { dynamic, regions, triangles } = manifest;
-  const [first] = regions;
-  if (!first) throw new BundleError('manifest.json: expected a region, got none');
-  return {
-    world: worldOf(manifest),
-    files: createFiles(base, (name) => whole.files[name], received),
-    title: null,
-    triangles,
-    isStatic: dynamic === null,
-    moving: dynamic ? filesOfGeometry(dynamic) : [],
-    start: { position: first.center, yaw: 0, pitch: 0 },
-    centers: regions.map(({ center }) => center),
-    progressOf: () => null,
-  };
-}
-
-async function openScene(
-  base: URL,
-  document: unknown,
-  last: string | null,
-  { isByRings }: Strategy,
-  received: Received,
-  waits: () => void,
-): Promise<Opened> {
-  if (!isByRings) {
+  const lastRing = query.get('rings');
+  if (!isSite(document)) {
+    const bundleManifest = readManifest(document);
+    return openBundle(base, bundleManifest, firstRings(lastRing, strategy.arrange(bundleManifest)), received);
+  }
+  if (!strategy.isByRings) {
     throw new BundleError('strategy: expected clovr or clovrd with a scene whose regions are made on demand', 'address');
   }
   const site = readSite(document);
   waits();
-  const scene = await readScene(base, site, new AbortController().signal, NETWORK);
-  const world = createDemandWorld({ base, site, scene, lastRing: last, received, network: NETWORK });
+  const scene = await readScene(base, site, signal, NETWORK);
+  const world = createDemandWorld({ base, site, scene, lastRing, received, network: NETWORK });
   return {
     world,
     files: world.files,
@@ -95,5 +62,23 @@ async function openScene(
     start: { ...scene.start, pitch: 0 },
     centers: null,
     progressOf: world.progressOf,
+  };
+}
+
+/** Opens the regions and rings of a manifest; the whole manifest lists the files. */
+function openBundle(base: URL, { files }: Manifest, manifest: Manifest, received: Received): Opened {
+  const { dynamic, regions, triangles } = manifest;
+  const [first] = regions;
+  if (!first) throw new BundleError('manifest.json: expected a region, got none');
+  return {
+    world: worldOf(manifest),
+    files: createFiles(base, (name) => files[name], received),
+    title: null,
+    triangles,
+    isStatic: dynamic === null,
+    moving: dynamic ? filesOfGeometry(dynamic) : [],
+    start: { position: first.center, yaw: 0, pitch: 0 },
+    centers: regions.map(({ center }) => center),
+    progressOf: () => null,
   };
 }

@@ -22,7 +22,7 @@ import { type Headset, offerHeadset } from './xr/session';
 /** Vertical field of view, degrees. */
 const ANGLE = 75;
 /** Seconds between two updates of the panel; timeout in seconds for loading the script of rooms. */
-const [PANEL_EVERY, ROOM_SCRIPT] = [0.25, 2] as const;
+const [PANEL_INTERVAL, ROOM_TIMEOUT] = [0.25, 2] as const;
 
 declare global {
   interface Window {
@@ -50,9 +50,9 @@ async function main(): Promise<void> {
   let room: Room | null = null;
   let problems: readonly string[] = [];
   /** Pose that the user is moving to; pose whose loading has failed. */
-  let [wanted, missed]: (Pose | null)[] = [null, null];
+  let [targetPose, failedPose]: (Pose | null)[] = [null, null];
   const go = (target: Pose): void => {
-    wanted = target;
+    targetPose = target;
     viewer.go(target);
   };
   const retry = (): void => {
@@ -65,8 +65,8 @@ async function main(): Promise<void> {
     problems = [];
     clearMessage();
     viewer.retry();
-    if (missed) go(missed);
-    missed = null;
+    if (failedPose) go(failedPose);
+    failedPose = null;
   };
   const viewer = createViewer(canvas, {
     world,
@@ -78,7 +78,7 @@ async function main(): Promise<void> {
     isWhole: strategy.isWhole,
     failed(reason) {
       problems = [reason.message];
-      if (viewer.facts.goal === null) [wanted, missed] = [null, wanted];
+      if (viewer.facts.goal === null) [targetPose, failedPose] = [null, targetPose];
       const file = damagedFile(reason);
       if (file !== null) files.distrust(file);
       // Without ring 0 there is nothing to draw.
@@ -91,8 +91,8 @@ async function main(): Promise<void> {
     },
     moved(pose) {
       // The failed pose is no longer wanted.
-      if (missed) problems = [];
-      wanted = missed = null;
+      if (failedPose) problems = [];
+      targetPose = failedPose = null;
       controls.setPose(pose);
       headset?.place(pose);
     },
@@ -135,30 +135,22 @@ async function main(): Promise<void> {
   };
   if (centers && centers.length > 1) {
     commands.next = () => {
-      const place = (world.places.nearest(pose.position) + 1) % centers.length;
-      go(homeOf(place));
-      panel.announce(`Place ${place + 1} of ${centers.length}`);
+      const placeNumber = (world.places.nearest(pose.position) + 1) % centers.length;
+      go(homeOf(placeNumber));
+      panel.announce(`Place ${placeNumber + 1} of ${centers.length}`);
     };
   }
   const panel = createPanel(root, commands);
-  offerHeadset(
-    viewer,
-    {
-      pose: () => pose,
-      bounds: () => viewer.facts.bounds,
-      left: controls.setPose,
-      isStatic: opened.isStatic,
-    },
-    (found) => {
-      headset = typeof found === 'string' ? null : found;
-      commands.headset = found;
-    },
-  );
+  const { isStatic } = opened;
+  const headsetSettings = { pose: () => pose, bounds: () => viewer.facts.bounds, left: controls.setPose, isStatic };
+  offerHeadset(viewer, headsetSettings, (result) => {
+    headset = typeof result === 'string' ? null : result;
+    commands.headset = result;
+  });
   if (script) {
     const hands = (): Headset['hands'] | null => (headset?.isPresenting ? headset.hands : null);
-    const { moving } = opened;
     const { announce, explain } = panel;
-    const nearShare = world.nearShare;
+    const [moving, nearShare] = [opened.moving, world.nearShare];
     const host = { viewer, canvas, root, files, moving, nearShare, hands, go, announce, explain };
     const entered = script.then(
       async ({ enter }) => {
@@ -168,11 +160,11 @@ async function main(): Promise<void> {
       () => panel.announce('The script of rooms cannot be loaded; reload the page'),
     ).catch((reason) => panel.announce(`The room cannot be entered: ${reason}`));
     // Files may come from other users of the room.
-    await Promise.race([entered, new Promise((done) => setTimeout(done, 1000 * ROOM_SCRIPT))]);
+    await Promise.race([entered, new Promise((done) => setTimeout(done, 1000 * ROOM_TIMEOUT))]);
   }
   viewer.open(world.places.nearest(start.position));
   let last = performance.now();
-  let sincePanel: number = PANEL_EVERY;
+  let sincePanel: number = PANEL_INTERVAL;
   viewer.renderer.setAnimationLoop((now: number) => {
     const seconds = Math.max(now - last, 0) / 1000;
     last = now;
@@ -182,7 +174,7 @@ async function main(): Promise<void> {
     controls.setBounds(viewer.facts.bounds);
     meter.frame(seconds);
     sincePanel += seconds;
-    if (sincePanel < PANEL_EVERY) return;
+    if (sincePanel < PANEL_INTERVAL) return;
     sincePanel = 0;
     const { shown, triangles, region, entry, goal, received, expected } = viewer.facts;
     const { center, fold_margin } = world.places.of(region);
@@ -213,7 +205,6 @@ function ringsOf(entry: RegionEntry | null): number {
   return (entry?.rings.length ?? 1) - 1 - (entry?.isCoarse ? 1 : 0);
 }
 
-/** Shows a page-wide message about a fatal error. */
 function showError(reason: unknown): void {
   const detail = messageOf(reason);
   const { title, text } = FATAL[reason instanceof BundleError ? reason.kind : 'other'];

@@ -4,11 +4,11 @@ import { test } from 'node:test';
 import { cameraOf } from '../src/orthoview/cut/camera';
 import { liftOf } from '../src/orthoview/cut/cut';
 import type { Part } from '../src/orthoview/decode/pack';
-import { type Model, modelOf, type Projector, projectorOf, seenOf, sightOf } from '../src/orthoview/draw/sight';
+import { type Model, modelOf, type Projector, projectorOf, boundsOf, sightOf } from '../src/orthoview/draw/sight';
 import { Arena, type Place, SLOT } from '../src/orthoview/draw/webgpu/buffers';
 import { Numbers } from '../src/orthoview/draw/webgpu/kernels';
 import { bandsOf } from '../src/orthoview/draw/webgpu/samples';
-import { batchesOf, PART, workOf } from '../src/orthoview/draw/webgpu/work';
+import { batchesOf, PART_WORDS, workOf } from '../src/orthoview/draw/webgpu/work';
 import { deviceOf as openDevice } from '../src/orthoview/show/start';
 import { parseLayout, type Triple } from '../src/orthoview/store/layout';
 import { randomOf } from './support/random';
@@ -72,7 +72,7 @@ test('points of a part lie within its bounds, and no nearer', () => {
   for (let turn = 0; turn < 400; turn++) {
     const [projector, view] = [cameraAt(random), viewOf(random, 1)];
     const sight = sightOf(view.model, projector);
-    const seen = seenOf(sight, view.part, projector.width, projector.height);
+    const seen = boundsOf(sight, view.part, projector.width, projector.height);
     unseen += seen ? 0 : 1;
     for (let n = 0; n < 40; n++) {
       const [x, y, w] = randomSplatPoint(view, projector, random);
@@ -95,11 +95,11 @@ test('the work lists each part once, nearest first, by its splats', () => {
     return { layer: { model, parts: [part], page: `page ${n % 3}`, first: 1000 * n }, box: null };
   });
   const { views, parts, listed, pages, calls, splats } = workOf(items, projector, LAYOUT, 0.5);
-  const count = parts.length / PART;
+  const count = parts.length / PART_WORDS;
   assert.ok(count > 20);
   assert.equal(views.length, 40 * count);
   assert.deepEqual([...pages].sort(), ['page 0', 'page 1', 'page 2']);
-  const rows = Array.from({ length: count }, (_, n) => [...parts.subarray(PART * n, PART * (n + 1))]);
+  const rows = Array.from({ length: count }, (_, n) => [...parts.subarray(PART_WORDS * n, PART_WORDS * (n + 1))]);
   const [firsts, counts, numbers, orders, own] = [1, 2, 3, 4, 7].map((at) => rows.map((row) => row[at] as number)) as [
     number[],
     number[],

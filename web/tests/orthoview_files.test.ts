@@ -42,7 +42,8 @@ test('a server that fails, does not answer or is too slow is distinguished from 
     mock.restoreAll();
   }
   const { files } = createAnsweringFiles(async () => new Response(null, { status: 404 }));
-  assert.equal(await files.read({ path: 'b/c' }), null);
+  const missing = 'there is no such tree';
+  await assert.rejects(files.read({ path: 'b/c', missing }), (error) => failing('gone', missing)(error));
 });
 
 test('parts of files and whole files are marked as such', async () => {
@@ -101,7 +102,8 @@ test('a tree without its documents is missing, and one with damaged documents is
     const files: Files = {
       read: async ({ path }) => {
         const text = texts[path];
-        return text === undefined ? null : { bytes: new TextEncoder().encode(text), isWhole: true };
+        if (text === undefined) throw new StoreError('gone', path);
+        return { bytes: new TextEncoder().encode(text), isWhole: true };
       },
     };
     await assert.rejects(openRecords(files), (error) => failing(kind, word)(error), `${kind} ${word}`);
@@ -114,8 +116,7 @@ test('a small limit keeps the leaves of the picture', () => {
   const drawer: Drawer<GpuResource, GpuResource & { readonly number: number }> = {
     upload: () => ({ bytes: 1 }),
     drop: () => undefined,
-    uploadMesh: ({ origin }) => ({ bytes: 1000, number: origin[0] }),
-    dropMesh: () => undefined,
+    meshes: { upload: ({ origin }) => ({ bytes: 1000, number: origin[0] }), drop: () => undefined },
     draw: (meshes) => {
       drawn = meshes.map(({ number }) => number);
       return { splats: 0, triangles: 0, calls: 0 };

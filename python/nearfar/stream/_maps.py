@@ -86,10 +86,10 @@ class RingMaps:
         """
         number = check.integer("ring", ring, 1, self.rings.count)
         side = self.first.face_size
-        face, place = np.divmod(self.changes[number - 1]["texels"], side * side)
-        across = -(-side // TILE)
-        tiles = np.zeros((6, across, across), bool)
-        tiles[face, place // side // TILE, place % side // TILE] = True
+        face, texel = np.divmod(self.changes[number - 1]["texels"], side * side)
+        tiles_per_row = -(-side // TILE)
+        tiles = np.zeros((6, tiles_per_row, tiles_per_row), bool)
+        tiles[face, texel // side // TILE, texel % side // TILE] = True
         return tiles
 
     def __repr__(self) -> str:

@@ -20,9 +20,9 @@ export function number(place: string, value: unknown, least: number, greatest = 
 }
 
 export function integer(place: string, value: unknown, least: number, greatest = Number.MAX_SAFE_INTEGER): number {
-  const found = number(place, value, least, greatest);
-  if (!Number.isSafeInteger(found)) throw wrong(place, 'a whole number', value);
-  return found;
+  const checked = number(place, value, least, greatest);
+  if (!Number.isSafeInteger(checked)) throw wrong(place, 'a whole number', value);
+  return checked;
 }
 
 export function text(place: string, value: unknown): string {

@@ -21,9 +21,7 @@ export function filesOfRegion({ dynamic }: Manifest, { rings }: RegionEntry): Se
 }
 
 export function bytesOf({ files }: Manifest, names: Iterable<string>): number {
-  let sum = 0;
-  for (const name of names) sum += files[name]?.bytes ?? 0;
-  return sum;
+  return [...names].reduce((sum, name) => sum + (files[name]?.bytes ?? 0), 0);
 }
 
 export interface ArrivingRegion {
@@ -35,7 +33,6 @@ export interface ArrivingRegion {
   ring(number: number): RingEntry | Promise<RingEntry>;
 }
 
-/** A region of a bundle that is complete. */
 export function completeRegion(manifest: Manifest, number: number): ArrivingRegion {
   const entry = manifest.regions[number];
   if (!entry) throw new Error(`there is no region ${number}`);

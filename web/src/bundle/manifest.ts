@@ -55,9 +55,7 @@ export interface RingEntry extends GroupEntry {
   readonly sharper?: Sharper;
 }
 
-/**
- * Files that the strategies vis0 and vis1 load instead of rings: objects by footprint, and the map of the last ring.
- */
+/** Files that the strategies vis0 and vis1 load, not rings: objects by footprint, and the map of the last ring. */
 export interface FootprintEntry {
   readonly portions: readonly GroupEntry[];
   readonly map: MapEntry;

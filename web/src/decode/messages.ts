@@ -19,10 +19,7 @@ export interface Material {
 
 /** Arrays of a mesh with one material. */
 export interface Piece {
-  /**
-   * Vertex positions (x, y, z), metres, y up: relative to the centre O of the region; with placements, in the mesh's
-   * own frame.
-   */
+  /** Vertex positions, metres, y up: relative to the region's centre O; with placements, in the mesh's own frame. */
   readonly positions: Float32Array;
   /** Unit vectors, or null for flat shading. */
   readonly normals: Float32Array | null;
@@ -167,6 +164,15 @@ export interface WorkerMemory {
 
 export type Request = GeometryRequest | PartRequest | DropRequest | FirstMapRequest | NextMapRequest | ForgetRequest;
 
+/** Sends requests to a worker. */
+export interface Decoder {
+  (request: GeometryRequest): Promise<Geometry>;
+  (request: PartRequest): Promise<Part>;
+  (request: DropRequest): Promise<null>;
+  (request: FirstMapRequest | NextMapRequest): Promise<MapUpdate>;
+  (request: ForgetRequest): Promise<WorkerMemory>;
+}
+
 /** Results of requests; null for no result. */
 export type Result = Geometry | Part | MapUpdate | WorkerMemory | null;
 
@@ -187,6 +193,12 @@ export type MapUpdate =
       readonly color: Uint8Array;
       readonly codes: Uint16Array;
     };
+
+/** Face and least coordinates of a tile, in texels; a face has `perSide` × `perSide` tiles. */
+export function tileAt(number: number, perSide: number, tile: number): { face: number; x: number; y: number } {
+  const [column, row] = [number % perSide, Math.floor(number / perSide) % perSide];
+  return { face: Math.floor(number / perSide ** 2), x: column * tile, y: row * tile };
+}
 
 export type Answer =
   | { readonly id: number; readonly result: Result }

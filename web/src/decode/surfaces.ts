@@ -22,7 +22,7 @@ export async function primitiveOf(glb: Glb, { attributes = {}, indices, material
   if (!(corners instanceof Uint16Array || corners instanceof Uint32Array) || corners.length % 3 !== 0) {
     throw new Error('expected triangles of 16 or 32 bits');
   }
-  if (greatest(corners) >= vertices) throw new Error(`expected indices below ${vertices}`);
+  if (corners.some((vertex) => vertex >= vertices)) throw new Error(`expected indices below ${vertices}`);
   const counts = [[normals, 3], [uvs, 2], [colors, 4]] as const;
   if (counts.some(([rows, width]) => rows && rows.length !== width * vertices)) {
     throw new Error(`expected attributes of ${vertices} vertices`);
@@ -38,27 +38,18 @@ export async function primitiveOf(glb: Glb, { attributes = {}, indices, material
   };
 }
 
-/** Key that is equal for primitives with the same bytes of the same files; `name` is that of the GLB. */
-export function sameOf(glb: Glb, { attributes = {}, indices }: Primitive, name: string): string {
-  const places = Object.entries({ ...attributes, indices }).map(([attribute, accessor]) => {
+/** Key that is equal for primitives with the same bytes of the same files; `name` is the name of the GLB. */
+export function arraysKey(glb: Glb, { attributes = {}, indices }: Primitive, name: string): string {
+  const locations = Object.entries({ ...attributes, indices }).map(([attribute, accessor]) => {
     const place = accessor === undefined ? '' : glb.placeOf(accessor);
     return `${attribute}=${place.startsWith(':') ? name : ''}${place}`;
   });
-  return places.sort().join(' ');
-}
-
-/** Maximum of non-negative numbers; −1 if there are none. */
-function greatest(rows: Uint16Array | Uint32Array): number {
-  let most = -1;
-  for (const row of rows) if (row > most) most = row;
-  return most;
+  return locations.sort().join(' ');
 }
 
 function finite(rows: Numbers, what: string): Float32Array {
-  let isFinite = rows instanceof Float32Array;
-  for (let n = 0; isFinite && n < rows.length; n++) isFinite = Number.isFinite(rows[n]);
-  if (!isFinite) throw new Error(`expected ${what} that are finite numbers of 32 bits`);
-  return rows as Float32Array;
+  if (rows instanceof Float32Array && rows.every(Number.isFinite)) return rows;
+  throw new Error(`expected ${what} that are finite numbers of 32 bits`);
 }
 
 /** Converts normals from bytes or float32 to unit vectors. */
@@ -82,11 +73,10 @@ function materialOf(glb: Glb, entry: MaterialEntry): Material {
   if (more.length > 0 || !color.every(Number.isFinite) || !Number.isFinite(alphaCutoff)) {
     throw new Error('expected materials of finite numbers');
   }
-  const texture = surface.baseColorTexture;
   const emission = emissionOf(entry);
   return {
     color,
-    image: texture ? imageOf(glb, texture.index) : null,
+    image: surface.baseColorTexture ? imageOf(glb, surface.baseColorTexture.index) : null,
     cutoff: alphaMode === 'MASK' ? alphaCutoff : null,
     emission,
     glow: emission && entry.emissiveTexture ? imageOf(glb, entry.emissiveTexture.index) : null,

@@ -3,7 +3,7 @@ import { choice, type Fields, integer, object, text } from '../bundle/checks';
 import { type ArrivingRegion, completeRegion, firstRings } from '../bundle/contents';
 import { BundleError } from '../bundle/error';
 import type { FileEntry, Manifest, MapEntry, RingEntry } from '../bundle/manifest';
-import { outlinedRing, readFiles, readManifest, ring as readRing, tilesOf } from '../bundle/parse';
+import { outlinedRing, readFiles, readManifest, readRing, tilesOf } from '../bundle/parse';
 
 /** Progress of the server with a place. */
 export type ServerProgress =
@@ -26,11 +26,6 @@ const EVENTS = ['waiting', 'begin', 'ring', 'end', 'whole', 'failed'] as const;
 const [COARSE, FULL] = [0, 1] as const;
 const NOTHING = { objects: 0, triangles: 0, geometry: null, parts: [], map: null } as const;
 
-interface Line {
-  readonly event: (typeof EVENTS)[number];
-  readonly fields: Fields;
-}
-
 /**
  * Reads the lines of a place; resolves once its centre and rings are known, then continues reading. `last` is the last
  * requested ring, as text; null for all.
@@ -48,7 +43,7 @@ export async function readPlace(lines: Lines, last: string | null, listener: Lis
   const place = createPlace(outline, listener);
   listener.making({ stage: 'coarse' });
   readParts(lines, place, listener).catch(place.fail);
-  return place.coming;
+  return place.region;
 }
 
 async function readParts(lines: Lines, place: Place, listener: Listener): Promise<void> {
@@ -64,7 +59,7 @@ async function readParts(lines: Lines, place: Place, listener: Listener): Promis
   }
 }
 
-async function nextLine(lines: Lines, listener: Listener): Promise<Line> {
+async function nextLine(lines: Lines, listener: Listener) {
   for (;;) {
     const { done, value } = await lines.next();
     if (done) throw new BundleError('the connection ended before the place was complete', 'network');
@@ -76,17 +71,9 @@ async function nextLine(lines: Lines, listener: Listener): Promise<Line> {
   }
 }
 
-interface Place {
-  readonly coming: ArrivingRegion;
-  /** Full-size maps begin. */
-  beginFull(outline: Manifest): void;
-  /** A ring of either stage is ready. */
-  add(fields: Fields): void;
-  end(): void;
-  fail(reason: unknown): void;
-}
+type Place = ReturnType<typeof createPlace>;
 
-function createPlace(outline: Manifest, listener: Listener): Place {
+function createPlace(outline: Manifest, listener: Listener) {
   const [entry] = outline.regions;
   if (!entry) throw new Error('a manifest has regions');
   const files: Record<string, FileEntry> = {};
@@ -94,37 +81,40 @@ function createPlace(outline: Manifest, listener: Listener): Place {
   // The last ring is repeated, with full-size maps.
   const rings: RingEntry[] = [...entry.rings, { ...NOTHING, radius: entry.rings.at(-1)?.radius ?? 0 }];
   const region = { ...entry, rings, isCoarse: true };
-  const coming: Manifest = { ...outline, files, regions: [region] };
-  const awaited: readonly Deferred<RingEntry>[] = rings.map(() => createDeferred<RingEntry>());
+  const manifest: Manifest = { ...outline, files, regions: [region] };
+  const deferred = rings.map(() => createDeferred<RingEntry>());
+  const arrived: RingEntry[] = [];
   const maps: MapEntry[] = [];
   let full: Manifest | null = null;
 
-  function list(more: Readonly<Record<string, FileEntry>>): void {
-    Object.assign(files, more);
-    listener.listed(more);
+  function list(entries: Readonly<Record<string, FileEntry>>): void {
+    Object.assign(files, entries);
+    listener.listed(entries);
   }
 
   function put(number: number, ring: RingEntry): void {
-    rings[number] = ring;
-    awaited[number]?.done(ring);
+    rings[number] = arrived[number] = ring;
+    deferred[number]?.resolve(ring);
   }
 
   list(outline.files);
   return {
-    coming: {
-      manifest: coming,
+    region: {
+      manifest,
       entry: region,
-      ring(number) {
-        const ring = awaited[number];
+      ring(number: number): RingEntry | Promise<RingEntry> {
+        const ring = arrived[number] ?? deferred[number]?.promise;
         if (!ring) throw new Error(`the place has no ring ${number}`);
-        return ring.now ?? ring.promise;
+        return ring;
       },
     },
-    beginFull(manifest) {
-      full = manifest;
-      list(manifest.files);
+    /** Full-size maps begin. */
+    beginFull(fullOutline: Manifest): void {
+      full = fullOutline;
+      list(fullOutline.files);
     },
-    add(fields) {
+    /** A ring of either stage is ready. */
+    add(fields: Fields): void {
       const stage = integer('parts.stage', fields['stage'], COARSE, FULL);
       const number = integer('parts.ring', fields['ring'], 0);
       const layout = stage === COARSE ? outline.map : full?.map;
@@ -136,14 +126,14 @@ function createPlace(outline: Manifest, listener: Listener): Place {
       if (stage === COARSE) put(number, ring);
       else if (ring.map) maps.push(ring.map);
     },
-    end() {
+    end(): void {
       const [scaled] = full?.regions ?? [];
       if (!full || !scaled || maps.length !== count) throw unexpected('end');
       const sharper = { layout: full.map, range: scaled.range, maps };
       put(count, { ...NOTHING, radius: rings[count]?.radius ?? 0, sharper });
     },
-    fail(reason) {
-      for (const ring of awaited) ring.failed(reason);
+    fail(reason: unknown): void {
+      for (const { reject } of deferred) reject(reason);
     },
   };
 }
@@ -152,31 +142,12 @@ function unexpected(event: string): BundleError {
   return new BundleError(`parts: expected another event, got ${event}`);
 }
 
-export interface Deferred<T> {
-  readonly promise: Promise<T>;
-  /** The value, once it has arrived. */
-  readonly now: T | null;
-  done(value: T): void;
-  failed(reason: unknown): void;
-}
-
-function createDeferred<T>(): Deferred<T> {
-  let now: T | null = null;
-  let [done, failed] = [(_: T): void => undefined, (_: unknown): void => undefined];
-  const promise = new Promise<T>((resolve, reject) => {
-    [done, failed] = [resolve, reject];
+/** A promise with the functions that settle it; a rejection without listeners is no unhandled error. */
+function createDeferred<T>() {
+  let [resolve, reject] = [(_: T): void => undefined, (_: unknown): void => undefined];
+  const promise = new Promise<T>((...settle) => {
+    [resolve, reject] = settle;
   });
-  // A rejection without listeners is no unhandled error.
   promise.catch(() => undefined);
-  return {
-    promise,
-    get now() {
-      return now;
-    },
-    done(value) {
-      now = value;
-      done(value);
-    },
-    failed: (reason) => failed(reason),
-  };
+  return { promise, resolve, reject };
 }

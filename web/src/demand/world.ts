@@ -10,7 +10,6 @@ import { linesOf, request } from './request';
 import type { SceneFacts, Site } from './scene';
 
 export interface DemandSettings {
-  /** Address of the site. */
   readonly base: URL;
   readonly site: Site;
   readonly scene: SceneFacts;
@@ -70,7 +69,6 @@ const DROP_SHARE = 0.6;
 const KEEP_SHARE = 0.6;
 
 export interface Grid extends Places {
-  /** Records the place of a region. */
   record(region: number, spot: Spot): void;
 }
 

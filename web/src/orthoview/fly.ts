@@ -10,7 +10,7 @@ const SPEED_PER_HEIGHT = 0.6;
 const MIN_HEIGHT = 3;
 /** Speed factor while Shift is pressed. */
 const RUN_FACTOR = 4;
-/** The mouse wheel multiplies the speed by a power of two; maximum exponent. */
+/** Greatest exponent of the power of two by which the mouse wheel multiplies the speed. */
 const MAX_EXPONENT = 5;
 /** Change of the exponent per pixel of the wheel. */
 const EXPONENT_PER_PIXEL = 0.004;
@@ -43,38 +43,25 @@ export function advanceFlight(
   return { position: addScaled(position, [0, 1, 0], step * rise), yaw, pitch };
 }
 
-export interface Fly {
-  readonly pose: Pose;
-  /** Base-2 logarithm of the speed factor. */
-  readonly speedExponent: number;
-  /** Advances the pose by some seconds, and returns it. */
-  update(seconds: number): Pose;
-  setPose(pose: Pose): void;
-}
-
 /** Controls a pose by input on an element, which should be focusable. */
 export function createFly(
   element: HTMLElement,
   start: Pose,
   ground: () => number,
   onThumb: (thumb: Thumb | null) => void,
-): Fly {
+) {
   let pose = start;
   let speedExponent = 0;
   const heldKeys = new Set<string>();
   const keys = createKeys(window);
-  const turn = (left: number, up: number): void => {
-    pose = { ...pose, yaw: pose.yaw + left, pitch: clamp(pose.pitch + up, -STEEPEST, STEEPEST) };
-  };
   const ignore = (): void => undefined;
   const pointers = createPointers(element, {
+    ...{ rotate: ignore, pan: ignore, zoom: ignore, go: ignore },
     mode: () => 'walk',
-    look: turn,
-    rotate: ignore,
-    pan: ignore,
-    zoom: ignore,
+    look(left, up) {
+      pose = { ...pose, yaw: pose.yaw + left, pitch: clamp(pose.pitch + up, -STEEPEST, STEEPEST) };
+    },
     thumb: onThumb,
-    go: ignore,
   });
 
   window.addEventListener('keydown', (event) => {
@@ -85,24 +72,23 @@ export function createFly(
   });
   window.addEventListener('keyup', ({ code }) => heldKeys.delete(code));
   window.addEventListener('blur', () => heldKeys.clear());
-  element.addEventListener(
-    'wheel',
-    (event) => {
-      event.preventDefault();
-      const pixels = event.deltaY * (event.deltaMode === 1 ? 16 : 1);
-      speedExponent = clamp(speedExponent - EXPONENT_PER_PIXEL * pixels, -MAX_EXPONENT, MAX_EXPONENT);
-    },
-    { passive: false },
-  );
+  const changeSpeed = (event: WheelEvent): void => {
+    event.preventDefault();
+    const pixels = event.deltaY * (event.deltaMode === 1 ? 16 : 1);
+    speedExponent = clamp(speedExponent - EXPONENT_PER_PIXEL * pixels, -MAX_EXPONENT, MAX_EXPONENT);
+  };
+  element.addEventListener('wheel', changeSpeed, { passive: false });
 
   return {
-    get pose() {
+    get pose(): Pose {
       return pose;
     },
-    get speedExponent() {
+    /** Base-2 logarithm of the speed factor. */
+    get speedExponent(): number {
       return speedExponent;
     },
-    update(seconds) {
+    /** Advances the pose by some seconds, and returns it. */
+    update(seconds: number): Pose {
       const elapsed = seconds > 0 ? Math.min(seconds, MAX_UPDATE_SECONDS) : 0;
       const drive = combine(keys.drive, pointers.drive, readPads(browserPads()));
       const rise = Math.sign([...heldKeys].reduce((sum, code) => sum + (VERTICAL_KEYS[code] ?? 0), 0));
@@ -110,7 +96,7 @@ export function createFly(
       if (!isStill) pose = advanceFlight(pose, drive, rise, speedExponent, ground(), elapsed);
       return pose;
     },
-    setPose(next) {
+    setPose(next: Pose): void {
       pose = next;
     },
   };
@@ -123,9 +109,9 @@ const START_SLOPE = 0.45;
 
 /** Pose south of and above the world, looking at its centre. */
 export function startPose({ origin, cell, counts }: Layout): Pose {
-  const middle = origin.map((low, axis) => low + (cell * (counts[axis] as number)) / 2) as [number, number, number];
+  const center = origin.map((low, axis) => low + (cell * (counts[axis] as number)) / 2) as [number, number, number];
   const distance = START_DISTANCE * cell * Math.max(counts[0], counts[2]);
   const [height, southward] = [distance * Math.sin(START_SLOPE), distance * Math.cos(START_SLOPE)];
-  const position = [middle[0], origin[1] + height, middle[2] + southward] as const;
+  const position = [center[0], origin[1] + height, center[2] + southward] as const;
   return { position, yaw: 0, pitch: -START_SLOPE };
 }

@@ -2,7 +2,7 @@
 import type { Received } from '../bundle/source';
 import { FrameError } from '../rooms/bytes';
 import { type Bucket, type Clock, createBucket } from '../rooms/clock';
-import { type Answer, createDownloads, type Wanted } from './downloads';
+import { type Answer, createDownloads, type RequestedFile } from './downloads';
 import { type Holding, MAX_FILES_PER_MESSAGE, type Message, readMessage, writeMessage } from './messages';
 import { createUploads, type Shelf } from './uploads';
 
@@ -15,7 +15,7 @@ const [REQUEST_RATE, REQUEST_BURST] = [80, 300] as const;
 /** Greatest number of files remembered per page; more are ignored. */
 const MAX_KNOWN_FILES = 8192;
 /** Threshold of buffered bytes below which the browser asks for more. */
-const LOW = 1 << 17;
+const MIN_BUFFERED_BYTES = 1 << 17;
 
 /** Subset of the data channel's interface that is used. */
 export type Line = Pick<
@@ -38,32 +38,15 @@ export interface PeerSettings {
   readonly refuse: (sentence: string) => void;
 }
 
-export interface Peer {
-  /** Number of the user. */
-  readonly number: number;
-  readonly open: number;
-  readonly isFree: boolean;
-  /** State of a file on the page, as far as it is known. */
-  holds(key: string): Holding;
-  /** Whether the page waits for a file from this one. */
-  awaits(key: string): boolean;
-  /** Sends the state of files; the list may be empty. */
-  tell(holding: Holding, keys: readonly string[]): void;
-  ask(file: Wanted, signal: AbortSignal, received: Received): Promise<Answer>;
-  /** Handles that a file has arrived at this page, or will not. */
-  settle(key: string): void;
-  /** Advances time by a tick; `isSecond` is true once per second. */
-  tick(isSecond: boolean): void;
-  end(): void;
-}
+export type Peer = ReturnType<typeof createPeer>;
 
-export function createPeer({ number, line, shelf, budget, now, sent, greeted, refuse }: PeerSettings): Peer {
+export function createPeer({ number, line, shelf, budget, now, sent, greeted, refuse }: PeerSettings) {
   const known = new Map<string, Holding>();
   const messages = createBucket(RATE, BURST, now);
   const requests = createBucket(REQUEST_RATE, REQUEST_BURST, now);
   let [isOver, hasGreeted, ticks] = [false, false, 0];
   /** Ticks in which requests remained unanswered. */
-  const silences = new Set<number>();
+  const timeouts = new Set<number>();
 
   function send(message: Message): void {
     if (isOver) return;
@@ -74,15 +57,8 @@ export function createPeer({ number, line, shelf, budget, now, sent, greeted, re
     }
   }
 
-  const outlet = {
-    get bufferedAmount() {
-      return line.bufferedAmount;
-    },
-    send,
-    sent,
-  };
   const downloads = createDownloads(send, refuse);
-  const uploads = createUploads(outlet, shelf, budget, now);
+  const uploads = createUploads(line, send, sent, shelf, budget, now);
 
   function learn(holding: Holding, keys: readonly string[]): void {
     for (const key of keys) {
@@ -91,7 +67,7 @@ export function createPeer({ number, line, shelf, budget, now, sent, greeted, re
     }
   }
 
-  function follow(message: Message): string | null {
+  function handle(message: Message): string | null {
     const cost = message.kind === 'part' ? 0 : message.kind === 'tell' ? 1 + message.keys.length / KEYS_PER_MESSAGE : 1;
     if (!messages.take(cost)) return 'it sends too many messages';
     switch (message.kind) {
@@ -113,13 +89,13 @@ export function createPeer({ number, line, shelf, budget, now, sent, greeted, re
   }
 
   line.binaryType = 'arraybuffer';
-  line.bufferedAmountLowThreshold = LOW;
+  line.bufferedAmountLowThreshold = MIN_BUFFERED_BYTES;
   line.onbufferedamountlow = uploads.pump;
   line.onmessage = ({ data }: MessageEvent<unknown>) => {
     if (isOver) return;
     try {
       if (!(data instanceof ArrayBuffer)) throw new FrameError('a message is text instead of bytes');
-      const sentence = follow(readMessage(new Uint8Array(data)));
+      const sentence = handle(readMessage(new Uint8Array(data)));
       if (sentence !== null) refuse(sentence);
     } catch (error) {
       if (!(error instanceof FrameError)) throw error;
@@ -129,35 +105,40 @@ export function createPeer({ number, line, shelf, budget, now, sent, greeted, re
 
   return {
     number,
-    get open() {
+    get open(): number {
       return downloads.open;
     },
-    get isFree() {
-      return !isOver && silences.size < MAX_TIMEOUTS && downloads.isFree && requests.secondsTo(1) === 0;
+    get isFree(): boolean {
+      return !isOver && timeouts.size < MAX_TIMEOUTS && downloads.isFree && requests.secondsTo(1) === 0;
     },
-    holds: (key) => known.get(key) ?? 'gone',
-    tell(holding, keys) {
-      let at = 0;
+    /** State of a file on the page, as far as it is known. */
+    holds: (key: string): Holding => known.get(key) ?? 'gone',
+    /** Sends the state of files; the list may be empty. */
+    tell(holding: Holding, keys: readonly string[]): void {
+      let start = 0;
       do {
-        send({ kind: 'tell', holding, keys: keys.slice(at, at + MAX_FILES_PER_MESSAGE) });
-        at += MAX_FILES_PER_MESSAGE;
-      } while (at < keys.length);
+        send({ kind: 'tell', holding, keys: keys.slice(start, start + MAX_FILES_PER_MESSAGE) });
+        start += MAX_FILES_PER_MESSAGE;
+      } while (start < keys.length);
     },
-    async ask(file, signal, received) {
+    async ask(file: RequestedFile, signal: AbortSignal, received: Received): Promise<Answer> {
       requests.take(1);
       const answer = await downloads.ask(file, signal, received);
-      if (answer === 'silent') silences.add(ticks);
+      if (answer === 'silent') timeouts.add(ticks);
       if (answer === 'none') known.delete(file.sha256);
       return answer;
     },
+    /** Whether the page waits for a file from this one. */
     awaits: uploads.awaits,
+    /** Handles that a file has arrived at this page, or will not. */
     settle: uploads.settle,
-    tick(isSecond) {
+    /** Advances time by a tick; `isSecond` is true once per second. */
+    tick(isSecond: boolean): void {
       ticks += 1;
       downloads.tick();
       if (isSecond) uploads.tick();
     },
-    end() {
+    end(): void {
       isOver = true;
       downloads.end();
       uploads.end();

@@ -142,11 +142,9 @@ float farthest_range(vec3 d) {
   float longest = max(size.x, max(size.y, size.z));
   vec3 at = d / longest;
   float half_texel = 1.0 / coding.z;
-  vec3 right = size.x == longest ? vec3(0.0, half_texel, 0.0) : vec3(half_texel, 0.0, 0.0);
-  vec3 down = size.z == longest ? vec3(0.0, half_texel, 0.0) : vec3(0.0, 0.0, half_texel);
-  if (size.z == longest) {
-    right = vec3(half_texel, 0.0, 0.0);
-  }
+  bool is_z = size.z == longest;
+  vec3 right = size.x == longest && !is_z ? vec3(0.0, half_texel, 0.0) : vec3(half_texel, 0.0, 0.0);
+  vec3 down = is_z ? vec3(0.0, half_texel, 0.0) : vec3(0.0, 0.0, half_texel);
   uint code = max(
     max(texture(codes, at - right - down).r, texture(codes, at + right - down).r),
     max(texture(codes, at - right + down).r, texture(codes, at + right + down).r));
@@ -179,12 +177,11 @@ void main() {
   float glow_level = level_of(textureSize(glow, 0), dFdx(v_uv), dFdy(v_uv));
 #endif
 #ifndef UNLIT
+  vec3 vertex_normal = vec3(0.0);
 #ifdef SMOOTH
-  vec3 own = v_normal;
-#else
-  vec3 own = vec3(0.0);
+  vertex_normal = v_normal;
 #endif
-  vec3 normal = shading_normal(cross(dFdx(v_point), dFdy(v_point)), -normalize(v_shown), own);
+  vec3 normal = shading_normal(cross(dFdx(v_point), dFdy(v_point)), -normalize(v_shown), vertex_normal);
 #endif
   if (is_hidden()) {
     discard;
@@ -197,19 +194,17 @@ void main() {
   albedo *= textureLod(image, v_uv, level).rgb;
 #endif
 #ifdef CUTOUT
-#ifdef TEXTURED
-  float alpha = base_color.a * textureLod(image, v_uv, 0.0).a;
-#else
   float alpha = base_color.a;
+#ifdef TEXTURED
+  alpha *= textureLod(image, v_uv, 0.0).a;
 #endif
   if (alpha < cutoff) {
     discard;
   }
 #endif
-#ifdef UNLIT
   vec3 color = albedo;
-#else
-  vec3 color = albedo * irradiance(normal);
+#ifndef UNLIT
+  color *= irradiance(normal);
 #endif
 #ifdef EMISSIVE
   color += emission;

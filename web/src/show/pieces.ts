@@ -23,7 +23,7 @@ export interface MeshResources {
   readonly gl: WebGL2RenderingContext;
   readonly store: Store;
   /** Makes three.js initialize meshes. */
-  readonly warm: (meshes: readonly PieceMesh[]) => void;
+  readonly warmUp: (meshes: readonly PieceMesh[]) => void;
 }
 
 /** Resources of a mesh that are freed with it. */
@@ -36,35 +36,32 @@ interface Owned {
 const owned = new WeakMap<PieceMesh, Owned>();
 
 /** Piece whose arrays are allocated on the GPU. */
-export interface Prepared {
-  /** Steps that upload the arrays. */
-  steps(): Generator<Step>;
-  /** Creates the mesh after these steps. */
-  make(material: RawShaderMaterial): PieceMesh;
-  /** Frees the arrays if no mesh was made. */
-  free(): void;
-}
+export type Prepared = ReturnType<typeof prepare>;
 
-export function prepare(piece: Piece, { gl, store }: MeshResources): Prepared {
+export function prepare(piece: Piece, { gl, store }: MeshResources) {
   const { same } = piece;
   let isNew = false;
   const arrays = store.take(same, () => {
     isNew = true;
     return arraysOf(gl, piece);
   });
-  const placements = piece.placements ? createBuffers(gl, { placement: columnOf(piece.placements, PLACEMENT) }) : null;
+  const rows = piece.placements;
+  const placements = rows && createBuffers(gl, { placement: { rows, width: PLACEMENT } });
   const parts = { arrays, placements, same };
   return {
-    *steps() {
+    /** Steps that upload the arrays. */
+    *steps(): Generator<Step> {
       if (isNew) yield* arrays.steps();
       if (placements) yield* placements.steps();
     },
-    make(material) {
+    /** Creates the mesh after these steps. */
+    make(material: RawShaderMaterial): PieceMesh {
       const mesh = meshOf(piece.name, parts, material);
       owned.set(mesh, parts);
       return mesh;
     },
-    free: () => free(parts, store),
+    /** Frees the arrays if no mesh was made. */
+    free: (): void => free(parts, store),
   };
 }
 
@@ -103,16 +100,12 @@ function free({ arrays, placements, same }: Owned, store: Store): void {
 
 function arraysOf(gl: WebGL2RenderingContext, { positions, normals, uvs, colors, indices }: Piece): MeshArrays {
   return createBuffers(gl, {
-    position: columnOf(positions, 3),
-    normal: normals && columnOf(normals, 3),
-    uv: uvs && columnOf(uvs, 2),
-    color: colors && { ...columnOf(colors, 4), isShare: true },
-    index: columnOf(indices, 1),
+    position: { rows: positions, width: 3 },
+    normal: normals && { rows: normals, width: 3 },
+    uv: uvs && { rows: uvs, width: 2 },
+    color: colors && { rows: colors, width: 4, isNormalized: true },
+    index: { rows: indices, width: 1 },
   });
-}
-
-function columnOf<T extends Float32Array | Uint16Array | Uint32Array>(rows: T, width: number): { rows: T; width: number } {
-  return { rows, width };
 }
 
 /** Reads each placement as three rows from one interleaved array. */

@@ -37,8 +37,12 @@ function marginShareOf({ morph, regions }: Manifest): number {
   return Math.max(first.fold_margin / first.cut, Number.EPSILON);
 }
 
-/** Distance to the border that triggers preloading: share of the way, least metres, greatest share of the way. */
-const [AHEAD_SHARE, AHEAD_METRES, AHEAD_MAX] = [0.5, 4, 0.9] as const;
+/** Distance to the border that triggers preloading, as a share of the way from the centre to the border. */
+const AHEAD_SHARE = 0.5;
+/** Least distance that triggers preloading, metres. */
+const AHEAD_METRES = 4;
+/** Greatest share of the way at which `AHEAD_METRES` counts. */
+const AHEAD_MAX_SHARE = 0.9;
 /** Additional share of the way for which a preloaded region is kept. */
 const KEPT_SHARE = 0.25;
 
@@ -96,7 +100,7 @@ export function knownPlaces(spots: readonly Spot[]): Places {
       const from = of(current).center;
       const far = (region: number): number => distanceBetween(of(region).center, place);
       const { apart, border } = borderOf(from, of(other).center, place);
-      const lead = Math.max((AHEAD_SHARE * apart) / 2, Math.min((AHEAD_MAX * apart) / 2, AHEAD_METRES));
+      const lead = Math.max((AHEAD_SHARE * apart) / 2, Math.min((AHEAD_MAX_SHARE * apart) / 2, AHEAD_METRES));
       if (ahead !== null && ahead !== current) {
         const isAsNear = far(ahead) < far(other) + KEPT_SHARE * apart;
         const near = borderOf(from, of(ahead).center, place).border;

@@ -16,20 +16,14 @@ interface Host extends HTMLElement {
   nearfar?: { readonly viewer: Viewer };
 }
 
-interface View {
-  readonly host: Host;
-  readonly canvas: HTMLCanvasElement;
-  /** Shows a text below the picture, or a problem instead of it until that is empty. */
-  say(text: string): void;
-  complain(problem: string): void;
-}
+type View = ReturnType<typeof createView>;
 
-/** A view for anywidget: an element with its model, and a function that ends it. */
-type Render = (context: { model: Model; el: HTMLElement }) => () => void;
-
-/** Creates the widget; `worker` is the script of the workers. */
-export function createWidget(worker: URL): { readonly render: Render } {
-  return { render: ({ model, el }) => render(model, el, worker) };
+/**
+ * Creates the widget; `worker` is the script of the workers. Anywidget calls `render` with an element and its model, and
+ * calls the returned function to end the view.
+ */
+export function createWidget(worker: URL) {
+  return { render: ({ model, el }: { model: Model; el: HTMLElement }) => render(model, el, worker) };
 }
 
 function render(model: Model, el: HTMLElement, worker: URL): () => void {
@@ -59,7 +53,7 @@ function render(model: Model, el: HTMLElement, worker: URL): () => void {
   };
 }
 
-function createView(model: Model, el: HTMLElement): View {
+function createView(model: Model, el: HTMLElement) {
   const host: Host = document.createElement('div');
   const [canvas, text] = [document.createElement('canvas'), document.createElement('p')];
   host.className = 'nearfar-view';
@@ -74,10 +68,11 @@ function createView(model: Model, el: HTMLElement): View {
   host.append(canvas, text);
   el.append(host);
   let problem = '';
-  const say = (said: string): void => {
-    if (text.textContent !== (problem || said)) text.textContent = problem || said;
+  /** Shows a text below the picture, or a problem instead of it until the problem is empty. */
+  const say = (line: string): void => {
+    if (text.textContent !== (problem || line)) text.textContent = problem || line;
   };
-  return { host, canvas, say, complain: (told) => say((problem = told)) };
+  return { host, canvas, say, complain: (newProblem: string): void => say((problem = newProblem)) };
 }
 
 /** Draws frames until the returned function is called. */

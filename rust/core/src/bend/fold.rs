@@ -42,10 +42,15 @@ pub fn margin(morph: &Morph) -> Result<f64> {
     if morph.kind == Kind::Cylinder && morph.strength == 1.0 {
         return Ok(morph.r1 - away);
     }
-    let width = morph.r2 - morph.r1;
+    // All lengths scale alike: in a unit of about r₂, a power of two, no product overflows or underflows. The unit is a
+    // square, because for the least r₂ its inverse is not finite.
+    let root = (0.5 * morph.r2.log2()).floor().exp2();
+    let [r1, r2, height] = [morph.r1, morph.r2, offset.y].map(|length| length / root / root);
+    let height = height.clamp(-FARTHEST, FARTHEST);
+    let width = r2 - r1;
     let folds = |distance: f64| -> Result<bool> {
-        let user = morph.center + DVec3::new(distance, offset.y, 0.0);
-        let moved = Morph::new(user, morph.center, morph.r1, morph.r2, morph.kind)?.with_strength(morph.strength)?;
+        let user = DVec3::new(distance, height, 0.0);
+        let moved = Morph::new(user, DVec3::ZERO, r1, r2, morph.kind)?.with_strength(morph.strength)?;
         Ok(least_determinant(&moved) <= 0.0)
     };
     // A user at (r₂ − r₁)/s from the axis always folds the picture: on the line through U and O, behind O, the
@@ -54,7 +59,7 @@ pub fn margin(morph: &Morph) -> Result<f64> {
     match morph.kind {
         Kind::Blend if folds(0.0)? => return Ok(f64::NEG_INFINITY),
         Kind::Blend => {}
-        Kind::Cylinder => (sound, folded) = (morph.r1, folded.max(morph.r1)),
+        Kind::Cylinder => (sound, folded) = (r1, folded.max(r1)),
     }
     while folded - sound > MARGIN_PRECISION * width {
         let middle = 0.5 * (sound + folded);
@@ -64,7 +69,7 @@ pub fn margin(morph: &Morph) -> Result<f64> {
             sound = middle;
         }
     }
-    Ok(0.5 * (sound + folded) - away)
+    Ok(0.5 * (sound + folded) * root * root - away)
 }
 
 /// Returns the minimum determinant of the Jacobian between the radii; for `Kind::Cylinder`, where points are shown at

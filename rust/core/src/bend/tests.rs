@@ -106,6 +106,20 @@ fn users_between_the_radii_see_the_near_part_straight_on() {
 }
 
 #[test]
+fn margins_scale_with_all_lengths() {
+    let margin_in = |unit: f64| {
+        margin(&Morph::new(DVec3::ZERO, DVec3::ZERO, 0.75 * unit, unit, Kind::Blend).unwrap()).unwrap()
+    };
+    let expected = margin_in(1.0);
+    for exponent in [-1060, -1022, -600, -1, 3, 500, 1020] {
+        let unit = (0.5 * f64::from(exponent)).floor().exp2() * (0.5 * f64::from(exponent)).ceil().exp2();
+        assert!((margin_in(unit) / unit - expected).abs() < 1e-4, "{exponent}");
+    }
+    let least = f64::from_bits(1);
+    assert!(margin(&Morph::new(DVec3::ZERO, DVec3::ZERO, 0.0, least, Kind::Blend).unwrap()).unwrap() <= least);
+}
+
+#[test]
 fn margins_equal_a_dense_search() {
     // Found with finite differences on a grid of 41 × 41 × 61 points: (r1, r2, height of the user above O, margin at
     // O), metres.

@@ -2,7 +2,8 @@
 import type { Camera } from '../cut/camera';
 import type { Piece } from '../decode/leaf';
 import type { Splats } from '../decode/pack';
-import type { Box, Model } from './sight';
+import type { CellKey } from '../store/layout';
+import type { Model } from './sight';
 
 /** A resource on the GPU. */
 export interface GpuResource {
@@ -12,7 +13,7 @@ export interface GpuResource {
 /** A layer of a view to draw; `box` bounds the splats' centres if it is known. */
 export interface Item<Layer> {
   readonly layer: Layer;
-  readonly box: Box | null;
+  readonly box: CellKey | null;
 }
 
 export interface FrameCounts {
@@ -28,18 +29,14 @@ export interface FrameCounts {
 export interface Drawer<Layer extends GpuResource, Mesh extends GpuResource> {
   upload(model: Model, splats: Splats): Layer;
   drop(layer: Layer): void;
-  uploadMesh(piece: Piece): Mesh;
-  dropMesh(mesh: Mesh): void;
+  readonly meshes: { upload(piece: Piece): Mesh; drop(mesh: Mesh): void };
   /** Draws meshes and layers with `grid` × `grid` samples per pixel; the nearest of each should come first. */
   draw(meshes: readonly Mesh[], items: readonly Item<Layer>[], camera: Camera, grid: number): FrameCounts;
   /** Whether the GPU has finished the last picture. */
   readonly isDone: boolean;
   /** Waits until the GPU has finished the last picture. */
   finish(): Promise<void>;
-  /**
-   * Splats of unoccluded parts in the last finished picture; a part counts once for each band of rows. Null if occluded
-   * parts are drawn, too.
-   */
+  /** Splats of unoccluded parts in the last finished picture, by bands of rows; null if occluded ones are drawn. */
   readonly unhidden: number | null;
 }
 

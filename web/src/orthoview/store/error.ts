@@ -5,10 +5,7 @@ import { messageOf } from '../../base/errors';
 export type Kind = 'gone' | 'refused' | 'unreachable' | 'damaged' | 'newer';
 
 export class StoreError extends Error {
-  constructor(
-    readonly kind: Kind,
-    message: string,
-  ) {
+  constructor(readonly kind: Kind, message: string) {
     super(message);
     this.name = 'StoreError';
   }

@@ -17,6 +17,19 @@ export const FOLDER = 'nearfar';
 /** Value of a direction that denotes the geometry of a leaf. */
 export const GEOMETRY = -1;
 
+/** Object of JSON. */
+export type Fields = Readonly<Record<string, unknown>>;
+
+export interface CellKey {
+  readonly level: number;
+  readonly place: Triple;
+}
+
+/** View of a cell or, with the direction `GEOMETRY`, the geometry of a leaf. */
+export interface ViewKey extends CellKey {
+  readonly direction: number;
+}
+
 export interface Layout {
   /** Least corner of leaf (0, 0, 0), metres. */
   readonly origin: Triple;
@@ -50,9 +63,7 @@ export function parseLayout(described: unknown): Layout {
     cell: number(from['cell'], 'cell', (value) => Number.isFinite(value) && value > 0),
     counts: triple(from['counts'], 'counts', (value) => isWhole(value, 1, 2 ** 31)),
     levels: number(from['levels'], 'levels', (value) => isWhole(value, 1, 32)),
-    directions: list(from['directions'], 'directions').map((each) =>
-      triple(each, 'directions', (n) => isWhole(n, -1, 1)),
-    ),
+    directions: list(from['directions'], 'directions').map((axes) => triple(axes, 'directions', isSign)),
     names: list(from['names'], 'names').map(String),
     size: number(from['size'], 'size', (value) => isWhole(value, 4, 4096) && value % 4 === 0),
     depthBits: number(from['depth_bits'], 'depth_bits', (value) => isWhole(value, 8, 16)),
@@ -63,11 +74,10 @@ export function parseLayout(described: unknown): Layout {
     geometry: from['geometry'] === true,
   };
   const { counts, levels, directions, names } = layout;
-  const are26 =
-    directions.length > 0 && directions.length <= 26 && directions.every((each) => each.some((n) => n !== 0));
-  const isNamed = names.length === directions.length && names.every((name) => /^[a-z_]+$/.test(name));
-  if (!are26 || !isNamed || 2 ** (levels - 1) < Math.max(...counts))
-    throw damaged('zarr.json', 'its layout is inconsistent');
+  const areDirections = isWhole(directions.length, 1, 26) && directions.every((axes) => axes.some((n) => n !== 0));
+  const areNames = names.length === directions.length && names.every((name) => /^[a-z_]+$/.test(name));
+  const isTree = areDirections && areNames && 2 ** (levels - 1) >= Math.max(...counts);
+  if (!isTree) throw damaged('zarr.json', 'its layout is inconsistent');
   return layout;
 }
 
@@ -111,6 +121,10 @@ export function nameOf(level: number, [x, y, z]: Triple): string {
   return `${level}/${x}/${y}/${z}`;
 }
 
+export function viewName({ level, place, direction }: ViewKey): string {
+  return `${nameOf(level, place)}/${direction}`;
+}
+
 /** Folder of a generation below the store, with a slash at its end; empty for the first one. */
 export function generationFolder(generation: number): string {
   return generation === 0 ? '' : `${FOLDER}/generations/${generation}/`;
@@ -121,9 +135,12 @@ export function arrayOf({ names }: Layout, level: number, direction: number, cha
   return `${level}/${names[direction]}/${channel}`;
 }
 
-/** Path of the shard that holds a cell's chunk, below the generation's folder. */
-export function shardOf(layout: Layout, level: number, place: Triple, array: string): string {
-  return `${array}/c/${subtreeOf(layout, level, place).place.join('/')}/0/0/0`;
+/** Paths of the shards with the chunks of a view in all layers, with the folder of its generation. */
+export function shardPaths(layout: Layout, { level, place, direction }: ViewKey, generation: number): string[] {
+  const shard = subtreeOf(layout, level, place).place.join('/');
+  const channels = layout.layers === 2 ? [...CHANNELS, ...CHANNELS.map((channel) => BEHIND + channel)] : CHANNELS;
+  const arrays = channels.map((channel) => arrayOf(layout, level, direction, channel));
+  return arrays.map((array) => `${generationFolder(generation)}${array}/c/${shard}/0/0/0`);
 }
 
 /** Paths of the files of a leaf's static and moving geometry, below the generation's folder. */
@@ -131,14 +148,9 @@ export function geometryOf({ levels }: Layout, place: Triple): readonly string[]
   return ['content', 'moving'].map((folder) => `geometry/${folder}/${levels - 1}/${place.join('/')}.glb`);
 }
 
-/** Channels of all layers. */
-export function channelsOf({ layers }: Layout): readonly string[] {
-  return layers === 2 ? [...CHANNELS, ...CHANNELS.map((channel) => BEHIND + channel)] : CHANNELS;
-}
-
-export function fields(value: unknown, file: string): Readonly<Record<string, unknown>> {
+export function fields(value: unknown, file: string): Fields {
   if (typeof value !== 'object' || value === null || Array.isArray(value)) throw damaged(file, 'expected an object');
-  return value as Readonly<Record<string, unknown>>;
+  return value as Fields;
 }
 
 function list(value: unknown, name: string): readonly unknown[] {
@@ -156,6 +168,10 @@ function triple(value: unknown, name: string, isGood: (value: number) => boolean
   const [x, y, z, ...rest] = list(value, name);
   if (rest.length > 0) throw damaged('zarr.json', `layout.${name} has more than three numbers`);
   return [number(x, name, isGood), number(y, name, isGood), number(z, name, isGood)];
+}
+
+function isSign(value: number): boolean {
+  return isWhole(value, -1, 1);
 }
 
 function isWhole(value: number, least: number, greatest: number): boolean {
