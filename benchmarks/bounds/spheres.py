@@ -29,7 +29,7 @@ CHECKOUT = FOLDER.parents[2]
 def sphere_peers(points: NDArray[np.float64], *names: str) -> Iterator[list[Case]]:
     """Exact solvers with the points loaded; those that cannot be built here are reported and left out.
 
-    Their times include a line to the process and one back, some ten microseconds.
+    Their times include sending a line of text to the process and reading one back, some ten microseconds.
     """
     commands = {"cyminiball": cyminiball, "miniball crate": miniball_crate}
     with TemporaryDirectory() as folder:
@@ -108,7 +108,7 @@ def spheres(title: str, points: Array, *peers: str, repeat: int = 5) -> str:
         cases += [Case(f"{OURS}, {method}", partial(nf.bounding_sphere, points, method=method), error)]
     if "trimesh" in peers:
         cases += [Case("trimesh", partial(trimesh.nsphere.minimum_nsphere, points), error)]
-    cases += [Case("reading (NumPy's max)", points.max)]
+    cases += [Case("memory read (NumPy's max)", points.max)]
     with sphere_peers(points, *(name for name in peers if name != "trimesh")) as peer_cases:
         cases += [dataclasses.replace(case, error=error) for case in peer_cases]
         return compare(title, cases, work=Work(bytes=points.nbytes), repeat=repeat)

@@ -20,7 +20,7 @@ Array = NDArray[Any]
 SIZE = 512
 DIRECTIONS = 1_000_000
 FILTERS: tuple[Filter, ...] = ("linear", "cubic")
-NAMED: tuple[Filter, ...] = ("linear", "nearest", "cubic")
+TIMED_FILTERS: tuple[Filter, ...] = ("linear", "nearest", "cubic")
 
 
 def smooth(d: Array) -> Array:
@@ -83,7 +83,7 @@ Lookup = Callable[[Array, Array], Array]
 
 
 LOOKUPS: dict[str, Lookup] = {
-    **{f"{OURS} {name}": partial(nf.cube_lookup, filter=name) for name in NAMED},
+    **{f"{OURS} {name}": partial(nf.cube_lookup, filter=name) for name in TIMED_FILTERS},
     "NumPy nearest": numpy_nearest,
     "NumPy linear": numpy_linear,
     "scipy order 1": partial(scipy_spline, order=1),
@@ -167,7 +167,7 @@ def cones() -> str:
     faces = smooth(nf.envmap_directions(SIZE)).astype(np.float32)
     lookup = partial(nf.cube_lookup, faces, np.random.default_rng(0).normal(size=(10_000, 3)), filter="max")
     cases = [Case(f"{OURS}, {texels} texels wide", partial(lookup, radius=texels / SIZE)) for texels in (2, 8, 32, 128)]
-    return compare("Greatest within cones about 10⁴ directions", cases)
+    return compare("Greatest texel within a cone around each of 10⁴ directions", cases)
 
 
 def peer_convert(values: Array, width: int) -> Array:

@@ -103,18 +103,18 @@ def print_limits() -> None:
 def compare(title: str, cases: Sequence[Case], *, work: Work | None = None, repeat: int = 7, unit: str = "") -> str:
     """Time cases alternately, because machines are noisy; returns a table, and saves a plot of time against error.
 
-    The first case is nearfar's, and ratios are relative to it. With the least work of the job the table lists each
-    case's time relative to the machine's limit for it. Of `repeat` rounds the least time counts; cases that take
+    The first case is nearfar's, and ratios are relative to it. With `work` the table also lists each case's time
+    relative to the machine's limit for that work. Of `repeat` rounds the least time counts; cases that take
     seconds run fewer times. `unit` is that of the errors.
     """
     outcomes, first_times = zip(*(timed(case.job) for case in cases), strict=True)
     errors = [case.error(outcome) if case.error else None for case, outcome in zip(cases, outcomes, strict=True)]
-    # The first run may include the compilation or the start of threads.
+    # The first run sets how often a case runs; its CPU time, which may include compilation, does not count.
     timings = [Timing(timing.wall, np.inf) for timing in first_times]
-    for turn in range(repeat):
+    for round_number in range(repeat):
         for n, case in enumerate(cases):
             # Cases that take seconds would dominate the run.
-            if turn > 1 and timings[n].wall > 1.0:
+            if round_number > 1 and timings[n].wall > 1.0:
                 continue
             if timings[n].wall < 0.5:
                 # The job that ran before has woken other threads and filled the caches.
@@ -123,7 +123,7 @@ def compare(title: str, cases: Sequence[Case], *, work: Work | None = None, repe
             for _ in range(1 if timings[n].wall > 0.05 else 5):
                 timings[n] = least(timings[n], timed(case.job)[1])
     results = [Result(case.name, timing, error) for case, timing, error in zip(cases, timings, errors, strict=True)]
-    limit = limits().seconds(work) if work else None
+    min_seconds = limits().seconds(work) if work else None
     first = results[0].timing.wall
     rows = [
         [
@@ -131,14 +131,14 @@ def compare(title: str, cases: Sequence[Case], *, work: Work | None = None, repe
             _milliseconds(result.timing.wall),
             _milliseconds(result.timing.cpu),
             result.timing.wall / first,
-            *([result.timing.wall / limit] if limit else []),
+            *([result.timing.wall / min_seconds] if min_seconds else []),
             "-" if result.error is None else result.error,
         ]
         for result in results
     ]
-    ratios = ["wall ms", "CPU ms", f"× {results[0].name} {{:.2f}}", *(["× limit {:.1f}"] if limit else [])]
+    ratios = ["wall ms", "CPU ms", f"× {results[0].name} {{:.2f}}", *(["× limit {:.1f}"] if min_seconds else [])]
     text = table(title, ["", *ratios, f"error{', ' + unit if unit else ''} {{:.1e}}"], rows)
-    comparisons[title] = Comparison(title, results, limit, unit)
+    comparisons[title] = Comparison(title, results, min_seconds, unit)
     picture = draw([comparisons[title]], title)
     return text if picture is None else f"{text}\n![{title}]({picture})\n"
 
@@ -164,8 +164,8 @@ def draw(comparisons: Sequence[Comparison], title: str) -> str | None:
     if not folder or not all(any(result.error for result in comparison.results) for comparison in comparisons):
         return None
     figure, grid = subplots(1, len(comparisons), figsize=(6.5 * len(comparisons), 4.2), squeeze=False)
-    for axes, shown in zip(grid[0], comparisons, strict=True):
-        _panel(axes, shown)
+    for axes, comparison in zip(grid[0], comparisons, strict=True):
+        _panel(axes, comparison)
     # Superscripts become digits, so that names of 10⁴ and 10⁶ differ.
     plain = unicodedata.normalize("NFKC", title)
     name = re.sub(r"[^a-z0-9]+", "-", plain.lower()).strip("-") + ".png"

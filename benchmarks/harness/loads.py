@@ -19,7 +19,7 @@ LOCAL = "127.0.0.1"
 
 
 class Network:
-    """The network between servers and pages; made by `network`."""
+    """Network between servers and pages; `network` creates it."""
 
     def __init__(self, link: nf.stream.Link, real: Shaped | None) -> None:
         self.link, self.real = link, real
@@ -62,7 +62,7 @@ class Network:
 
     @contextmanager
     def browser(self, url: str) -> Iterator[Any]:
-        """Start Chromium at the client's side; pages from the address have the rights of those served with TLS."""
+        """Start Chromium at the client's side; pages at the address get the rights of pages served with TLS."""
         origin = "{0.scheme}://{0.netloc}".format(urlsplit(url))
         flags = (f"--unsafely-treat-insecure-origin-as-secure={origin}", "--ignore-certificate-errors")
         path = browser()
@@ -98,7 +98,7 @@ def _throttle(session: Any, link: nf.stream.Link) -> None:
 def network(link: nf.stream.Link, *, real: bool | None = None, seed: int = 0) -> Iterator[Network]:
     """Set up a link: a real one or Chromium's throttle; by default the real one if possible."""
     if real if real is not None else not no_link():
-        with shaped(link, seed=seed) as up:
-            yield Network(link, up)
+        with shaped(link, seed=seed) as active_link:
+            yield Network(link, active_link)
     else:
         yield Network(link, None)

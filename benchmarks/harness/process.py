@@ -15,9 +15,9 @@ def run_module(module: str, *arguments: object, seconds: float | None = None) ->
     """
     command = [sys.executable, "-m", module, *map(str, arguments)]
     try:
-        done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=seconds)
+        process = subprocess.run(command, capture_output=True, text=True, check=False, timeout=seconds)
     except subprocess.TimeoutExpired:
         raise RuntimeError(f"not done after {seconds:g} s") from None
-    if done.returncode:
-        raise RuntimeError((done.stderr.strip().splitlines() or [f"ended with {done.returncode}"])[-1])
-    return json.loads(done.stdout.splitlines()[-1])
+    if process.returncode:
+        raise RuntimeError((process.stderr.strip().splitlines() or [f"ended with {process.returncode}"])[-1])
+    return json.loads(process.stdout.splitlines()[-1])

@@ -38,9 +38,8 @@ def start(doc: str | None, *shared: str, **own: Any) -> argparse.Namespace:
     """Read the options of a benchmark from the command line, and print the machine.
 
     `doc` is the module's description; `shared` are names of `SHARED`; `own` are further options by name: the default,
-    whose type is that of the option; a pair of it and a help text, where a type stands for no default; or the settings
-    of `ArgumentParser.add_argument`, where "nargs" makes the argument positional unless it has a default or is optional
-    itself.
+    whose type is that of the option; a type if there is no default; a pair of either and a help text; or the settings
+    of `ArgumentParser.add_argument`, which make the argument positional unless they have a "default" or a "type".
     """
     own_name = getattr(sys.modules["__main__"].__spec__, "name", None)
     parser = argparse.ArgumentParser(

@@ -1,4 +1,4 @@
-"""Loads the whole of Tokyo as arrays, made once by a tool beside the data, and cached in nearfar's cache."""
+"""Loads the whole of Tokyo as arrays, which a tool beside the data folder makes once for nearfar's cache."""
 
 from __future__ import annotations
 

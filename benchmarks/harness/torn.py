@@ -1,4 +1,4 @@
-"""Pictures with a known tear: halves that are pulled apart, slide along each other or overlap, sheared and curved."""
+"""Pictures with a known tear: halves are pulled apart, slide along each other or overlap; also sheared and curved."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ Array = NDArray[np.float64]
 
 DEFAULT_VIEW = nf.Camera((3, 2, 1), fov=nf.Fov.symmetric(90), size=(160, 160))
 LINE_POSITION = 80.2
-"""Position of the line, which runs between pixel centres at any angle."""
+"""x and y of the line's middle, pixels; upright and level lines run between pixel centres."""
 KINDS = ("opening", "sliding", "overlap")
-"""Names of the motions of both halves."""
+"""Motions of the two halves."""
 
 
 def pixels(view: nf.Camera = DEFAULT_VIEW) -> Array:
@@ -36,7 +36,7 @@ def torn(
 ) -> nf.Frame:
     """Make a picture that is torn along a line through its middle, with shear and curvature over all of it.
 
-    `direction` in radians is that across the line. Halves are "opening", with nothing between them, "sliding" along
+    `direction` is that of the line's normal, radians. Halves are "opening", with nothing between them, "sliding" along
     each other, or "overlap", where one hides the other. A curvature c shows a point that is x pixels from the middle,
     across the line, at x + c x².
     """

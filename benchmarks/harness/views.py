@@ -23,7 +23,7 @@ _NEAREST, _FARTHEST = 5.0, 8.0
 def center_for(scene: nf.Scene, radius: float, *, grid: int = 38, reach: float = 600.0) -> Point:
     """Find the place on the ground, free for all users, where most directions hit a surface near `radius`.
 
-    Without surfaces near the radius, a view does not show the boundary of the near part.
+    Where no surface is near the radius, no picture shows the boundary of the near part.
     """
     low, high = scene.bounds
     axis = np.linspace(-1.0, 1.0, grid)
@@ -40,9 +40,9 @@ def center_for(scene: nf.Scene, radius: float, *, grid: int = 38, reach: float =
 def views(
     reduced: nf.ReducedScene, size: tuple[int, int], count: int, *, least_boundary: int = 100
 ) -> Iterator[nf.Camera]:
-    """Choose users 5 to 8 m from the centre all around it, who look at right angles to the way from it.
+    """Choose users 5 to 8 m from the centre, all around it, who look at right angles to the line from the centre.
 
-    At most a hundred places are tried, so that there may be fewer than `count`.
+    At most a hundred places are tried, so there may be fewer views than `count`.
     """
     center, count_so_far = np.array(reduced.center), 0
     for k in range(100):
@@ -60,7 +60,7 @@ def views(
 
 
 def boundary_length(reduced: nf.ReducedScene, camera: nf.Camera) -> int:
-    """Number of pixels along the end of the near part in the continuous picture."""
+    """Number of pixels along the boundary of the near part in the continuous picture."""
     frame = reduced.render(camera, channels=("position",))
     return int(nf.metrics.boundary_mask(frame, center=reduced.center, radius=reduced.r2).sum())
 

@@ -20,7 +20,7 @@ from nearfar._base import data
 
 Array = NDArray[np.float64]
 
-# Materials as glTF has them; patterns by cycles across the object.
+# Metallic and roughness as in glTF; frequencies of patterns in cycles across the object.
 METALLIC, ROUGHNESS = (0.0, 0.5, 1.0), (0.25, 0.5, 0.75, 1.0)
 FREQUENCY, CONTRAST = (2.0, 4.0, 8.0, 16.0), (0.5, 1.0)
 MIXED = (Material(1.0, 0.5, 8.0, 0.5, True), Material(0.5, 0.5, 4.0, 1.0, True), Material(0.0, 0.5, 16.0, 0.5))
@@ -30,13 +30,13 @@ MIXED = (Material(1.0, 0.5, 8.0, 0.5, True), Material(0.5, 0.5, 4.0, 1.0, True),
 def patterns(frequencies: Sequence[float], *, mapped: bool) -> tuple[Material, ...]:
     """Dull materials with patterns of all contrasts."""
     pairs = itertools.product(frequencies, CONTRAST)
-    return tuple(Material(frequency=one, contrast=contrast, mapped=mapped) for one, contrast in pairs)
+    return tuple(Material(frequency=frequency, contrast=contrast, mapped=mapped) for frequency, contrast in pairs)
 
 
 HEADSET = nf.hmd.RIFT_S
 _AXES = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0), (3**-0.5,) * 3)
 _MARGIN = 6
-"""Margin in pixels around the object, so that every window about its silhouette lies within the picture."""
+"""Margin in pixels around the object, so that SSIM's windows at its silhouette lie within the picture."""
 
 
 @dataclass(frozen=True)
@@ -45,9 +45,9 @@ class Plan:
 
     ratios: tuple[float, ...] = (0.2, 0.05, 0.0125)
     sizes: tuple[float, ...] = (1.0, 1 / 8, 1 / 64)
-    """Solid angles, as shares of that at 1/16 of the screen."""
+    """Solid angles, relative to that of a sphere that fills 1/16 of the screen."""
     steps: int = 6
-    """Number of views of a turn about each of four axes."""
+    """Number of views in a full turn about each of four axes."""
     materials: tuple[Material, ...] = (
         *(Material(metallic, roughness) for metallic in METALLIC for roughness in ROUGHNESS),
         *patterns(FREQUENCY, mapped=False),
@@ -69,7 +69,7 @@ QUICK = Plan(
         MIXED[0],
     ),
 )
-"""Plan for procedural objects that takes well below a minute."""
+"""Plan that takes well below a minute for procedural objects."""
 
 
 # objects --------------------------------------------------------------------------------------------------------------
@@ -161,7 +161,7 @@ def simplified(shape: Shape, ratios: Sequence[float]) -> list[Shape]:
     scene = nf.Scene.from_arrays(shape.vertices, shape.faces)
     levels = nf.lod.simplify(scene, ratios)
     if len(levels) <= len(ratios):
-        # Only this simplifier reaches few triangles on objects of many small parts; it drops some of them.
+        # Only this simplifier reaches few triangles on objects of many small parts, some of which it drops.
         levels = nf.lod.simplify(scene, ratios, method="meshopt")
     if len(levels) <= len(ratios):
         raise ValueError(f"ratios: expected some that can be reached, got {ratios}: {levels}")
@@ -171,7 +171,7 @@ def simplified(shape: Shape, ratios: Sequence[float]) -> list[Shape]:
 
 # scores ---------------------------------------------------------------------------------------------------------------
 def cameras(size: float, steps: int) -> Iterator[nf.Camera]:
-    """Views of the unit sphere at a solid angle (relative to that at 1/16 of the screen), just large enough for it."""
+    """Views of the unit sphere at a solid angle (relative to that at 1/16 of the screen), cropped to the sphere."""
     sine = np.sqrt(1 - (1 - size * nf.lod.reference_solid_angle(HEADSET) / (2 * np.pi)) ** 2)
     fov = HEADSET.left.fov
     focal = HEADSET.render_size[0] / (fov.right - fov.left)
@@ -196,7 +196,7 @@ def scores(shape: Shape, plan: Plan) -> Array:
 
 
 def _view(levels: list[Shape], camera: nf.Camera, materials: Sequence[Material]) -> Array:
-    """SSIM of each level in each material from one place (L, M), over the union of both silhouettes."""
+    """SSIM of each level in each material from one camera (L, M), over the union of both silhouettes."""
     base, *coarser = (look(level, camera) for level in levels)
     truth = shade(base, materials)
     similarity = np.empty((len(coarser), len(materials)))

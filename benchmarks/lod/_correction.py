@@ -15,8 +15,8 @@ Array = NDArray[np.float64]
 
 MIN, MAX = 0.005, 0.4
 """Least and greatest 1 − SSIM in the neutral material of a counted sample. Smaller values are invisible, and their
-logarithms are noise. Greater values choose the level under no reading of the published threshold, and factors saturate
-because the pictures have nothing in common."""
+logarithms are noise. No interpretation of the published threshold accepts a level with a greater value, and factors
+saturate because the pictures have nothing in common."""
 
 NAMES = (
     "metallic",
@@ -25,7 +25,7 @@ NAMES = (
     "metallic × gloss²",
     *(f"contrast{octaves}, {kind}" for kind in ("solid", "mapped") for octaves in ("", " × octaves")),
 )
-"""Gloss is 1 − roughness; octaves are those of the pattern's frequency above 4 cycles across the object."""
+"""Names of `features`. Gloss is 1 − roughness; octaves are log₂(frequency / 4 cycles across the object)."""
 
 
 MIXED = "finish and pattern"
@@ -40,7 +40,7 @@ KINDS: dict[str, Callable[[Material], bool]] = {
 
 @dataclass(frozen=True, eq=False)
 class Samples:
-    """Samples by object, level, size and material, with a 1 − SSIM from `MIN` to `MAX` in the neutral material."""
+    """Samples of objects, levels, sizes and materials, with a 1 − SSIM from `MIN` to `MAX` in the neutral material."""
 
     object: NDArray[np.int64]
     material: NDArray[np.int64]
@@ -73,12 +73,12 @@ def collect(scores: Mapping[str, Array], materials: Sequence[Material]) -> Sampl
     rows = []
     for number, of_object in enumerate(scores.values()):
         dissimilarities = 1 - of_object.reshape(-1, len(materials))
-        for one in dissimilarities[
+        for row in dissimilarities[
             (dissimilarities[:, neutral] >= MIN)
             & (dissimilarities[:, neutral] <= MAX)
             & (dissimilarities[:, other_materials] > 0).all(axis=1)
         ]:
-            rows += [(number, n, one[neutral], one[n]) for n in other_materials]
+            rows += [(number, n, row[neutral], row[n]) for n in other_materials]
     if not rows:
         raise ValueError(f"scores: expected some from {1 - MAX} to {1 - MIN} in the neutral material, got none")
     table = np.array(rows)
@@ -87,7 +87,7 @@ def collect(scores: Mapping[str, Array], materials: Sequence[Material]) -> Sampl
 
 
 def features(materials: Sequence[Material]) -> Array:
-    """Features (M, 8) by `NAMES` in which the logarithm is linear: all 0 for the neutral material, of factor 1."""
+    """Features (M, 8) by `NAMES`, in which the factor's logarithm is linear: all 0 for the neutral material."""
     rows = []
     for one in materials:
         gloss = 1 - one.roughness
@@ -134,7 +134,7 @@ class Validity:
     ssim: float
     """Root mean square of SSIM's error."""
     explained: float
-    """Share of the squared logarithms explained by predictions: 0 as without a correction, below 0 if worse."""
+    """Share of the squared logarithms explained by predictions: 0 without a correction, below 0 if worse."""
 
 
 def by_coefficients(train: Samples, test: Samples) -> Array:
@@ -143,7 +143,7 @@ def by_coefficients(train: Samples, test: Samples) -> Array:
 
 
 def by_material(train: Samples, test: Samples) -> Array:
-    """Predict logarithms by a number for each material, the optimum of any formula of the material only.
+    """Predict logarithms by a number for each material: no formula of the material alone can do better.
 
     Mixed materials get the sum of the numbers of their finish and of their pattern.
     """
@@ -151,8 +151,8 @@ def by_material(train: Samples, test: Samples) -> Array:
     for number, material in enumerate(train.materials):
         rows = train.material == number
         if rows.any():
-            of = np.bincount(train.object[rows], minlength=len(train.objects))
-            weight = 1 / of[train.object[rows]]
+            counts = np.bincount(train.object[rows], minlength=len(train.objects))
+            weight = 1 / counts[train.object[rows]]
             means[material] = float(np.average(train.logarithm[rows], weights=weight))
     numbers = []
     for material in test.materials:
@@ -180,8 +180,8 @@ def cross_validated(samples: Samples, name: str) -> Array:
 
 
 def validity(samples: Samples, predicted: Array) -> Validity:
-    off = samples.logarithm - predicted
+    error = samples.logarithm - predicted
     # 1 − SSIM is at most 1, for pictures that have nothing in common.
     ssim = samples.dissimilarity - np.minimum(samples.neutral * np.exp(predicted), 1.0)
-    explained = 1 - float((off**2).sum() / (samples.logarithm**2).sum())
-    return Validity(float(np.sqrt((off**2).mean())), float(np.sqrt((ssim**2).mean())), explained)
+    explained = 1 - float((error**2).sum() / (samples.logarithm**2).sum())
+    return Validity(float(np.sqrt((error**2).mean())), float(np.sqrt((ssim**2).mean())), explained)

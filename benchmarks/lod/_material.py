@@ -1,6 +1,6 @@
 """Materials besides nearfar's own diffuse ones: metallic, glossy and patterned surfaces in one colour.
 
-Pictures are shaded from the hit of each ray, so that one rendering serves any number of materials. Patterns are
+Pictures are shaded from the hit of each ray, so that a scene is traced once for all materials. Patterns are
 evaluated at the point itself, without texture coordinates that a simplifier could move.
 """
 
@@ -30,17 +30,17 @@ BASE = 0.5
 AMBIENT = 0.15
 """Ambient light, linear."""
 BACKGROUND = 0.2
-"""Linear colour between the dark and the bright sides of objects, which it thus does not hide."""
+"""Linear colour between that of the dark and of the bright sides of objects, so that both stand out."""
 
 LIGHTS = (((-0.5, 0.7, 0.6), 3.0), ((0.9, 0.1, 0.5), 1.0), ((0.1, 0.6, -0.8), 2.0))
 """Direction towards each light, by the camera's right, up and back, and its brightness. Lights move with the camera:
-the object turns relative to both. Nothing else is mirrored."""
+the object turns relative to both. Surfaces mirror only the lights."""
 
 # A pattern's three directions, oblique to all axes about which objects turn, and perpendicular to each other.
 _WAVES = np.linalg.qr(np.array([[0.9, 0.3, -0.2], [-0.3, 0.7, 0.6], [0.4, -0.5, 0.8]]))[0].astype(np.float32)
 _MIRRORED = 0.04
 """Reflectance of dielectrics at normal incidence, linear."""
-# Table from linear values in 16-bit steps to codes, as accurate as the formula to a third of a code in the darkest.
+# Table from linear values in 16-bit steps to sRGB codes; its greatest error is a third of a code, for dark values.
 _LINEAR = np.arange(1 << 16) / ((1 << 16) - 1)
 _CODES = np.round(255 * np.where(_LINEAR <= 0.0031308, 12.92 * _LINEAR, 1.055 * _LINEAR ** (1 / 2.4) - 0.055))
 _CODES = _CODES.astype(np.uint8)
@@ -51,9 +51,9 @@ class Material:
     """Material of a surface; by default the neutral one, dull and in one colour."""
 
     metallic: float = 0.0
-    """Metallic, 0 to 1."""
+    """0 to 1, as in glTF 2.0."""
     roughness: float = 1.0
-    """Perceptual, 0 to 1, as in glTF 2.0."""
+    """Perceptual roughness, 0 to 1, as in glTF 2.0."""
     frequency: float = 0.0
     """Frequency of the pattern, in cycles across the bounding sphere."""
     contrast: float = 0.0
@@ -147,9 +147,9 @@ def look(shape: Shape, camera: nf.Camera) -> Surface:
 
 def shade(surface: Surface, materials: Sequence[Material]) -> Image:
     """Shade one picture for each material (M, H, W), sRGB codes."""
-    light = _light(surface, {one.roughness for one in materials})
-    patterns = {(one.frequency, one.mapped) for one in materials if one.contrast}
-    waves = {one: _pattern(surface.mapped if one[1] else surface.position, one[0]) for one in patterns}
+    light = _light(surface, {material.roughness for material in materials})
+    patterns = {(material.frequency, material.mapped) for material in materials if material.contrast}
+    waves = {(f, mapped): _pattern(surface.mapped if mapped else surface.position, f) for f, mapped in patterns}
     height, width = (side // FINER for side in surface.hit.shape)
     pictures = np.empty((len(materials), height, width), np.uint8)
     fine_picture = np.empty(surface.hit.shape, np.float32)
@@ -177,7 +177,7 @@ def colors(light: Light, base: Array | np.float32, metallic: float) -> Array:
 def _light(surface: Surface, roughness: Iterable[float]) -> dict[float, Light]:
     """Sums over lights for each roughness, by glTF's model as in pyrender.
 
-    With F = f₀ + (1 − f₀) s all terms that depend on the colour can be taken out of the sums.
+    Fresnel's F = f₀ + (1 − f₀) s is linear in f₀, so all terms that depend on the colour can be taken out of the sums.
     """
     nv = np.clip(np.abs(_dot(surface.normal, surface.view)), 0.001, 1)
     diffuse = np.zeros(len(nv), np.float32)
@@ -190,21 +190,21 @@ def _light(surface: Surface, roughness: Iterable[float]) -> dict[float, Light]:
         grazing_cosine = 1 - np.clip(_dot(surface.view, half_vector), 0, 1)
         s = grazing_cosine * grazing_cosine * grazing_cosine * grazing_cosine * grazing_cosine
         diffuse += nl * (1 - s) * np.float32(bright / np.pi)
-        # The factor of nl D G / (4 nl nv) common to all roughnesses, with a small term against division by zero.
+        # The factor of nl D G / (4 nl nv) that all roughnesses share, with a small term against division by zero.
         shared = nl * nl * nv / (4 * nl * nv + 0.001) * np.float32(bright / np.pi)
         for rough, (straight, grazing) in mirrors.items():
             rough = max(rough, _MIRRORED)
-            wide, small = np.float32(rough**4), np.float32((rough + 1) ** 2 / 8)
-            narrow = nh * nh * (wide - 1) + 1
-            mirror = shared * wide / (narrow * narrow * (nv * (1 - small) + small) * (nl * (1 - small) + small))
+            alpha2, small = np.float32(rough**4), np.float32((rough + 1) ** 2 / 8)
+            narrow = nh * nh * (alpha2 - 1) + 1
+            mirror = shared * alpha2 / (narrow * narrow * (nv * (1 - small) + small) * (nl * (1 - small) + small))
             straight += mirror
             grazing += mirror * s
-    return {rough: (diffuse, *both) for rough, both in mirrors.items()}
+    return {rough: (diffuse, *mirrored) for rough, mirrored in mirrors.items()}
 
 
-def _pattern(at: Array, frequency: float) -> Array:
+def _pattern(points: Array, frequency: float) -> Array:
     """Waves along three directions in space (N,), −1 to 1."""
-    waves = np.sin(np.float32(np.pi * frequency) * (_WAVES @ at.T))
+    waves = np.sin(np.float32(np.pi * frequency) * (_WAVES @ points.T))
     return np.asarray((waves[0] + waves[1] + waves[2]) / 3)
 
 

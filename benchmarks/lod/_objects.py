@@ -35,7 +35,7 @@ FILES = {
 
 
 MIN_TRIANGLES = 500_000
-"""Least number of triangles of an object; since each round quadruples them, most have less than 1.6 million."""
+"""Least number of triangles after `densify`, each round of which quadruples them: most get 0.5 to 1.6 million."""
 ROUGHNESS = 0.05
 """Maximum displacement of a midpoint along each axis, as a share of its edge's length."""
 _MIX = np.array([0x9E3779B1, 0x85EBCA77, 0xC2B2AE3D], np.uint32)
@@ -113,7 +113,7 @@ VIEWS = 36
 
 @functools.cache
 def simplified(name: str, *, dense: bool) -> nf.lod.Levels:
-    """Simplify an object, which may be `densify` before."""
+    """Simplify an object, after `densify` if `dense`."""
     scene = sources()[name]()
     method: Method = "meshopt" if name in BY_MESHOPT else "fast"
     return nf.lod.simplify(densify(scene) if dense else scene, RATIOS, method=method, normals="smooth", name=name)
@@ -132,8 +132,8 @@ def measured(
 ) -> list[nf.lod.LodModel]:
     """Measure the levels of the objects for a headset, or read them from nearfar's cache.
 
-    `dense` objects have half a million triangles and more. A screen `wider` by a factor, with pixels of the same size,
-    makes curves begin at larger sizes.
+    `dense` objects have half a million triangles and more. With `wider` > 1 the screen is that many times as wide and
+    high, with pixels of the same size, so the curves reach to larger solid angles.
     """
     levels = [simplified(name, dense=dense) for name in names or sources()]
     width, height = headset.size

@@ -56,8 +56,8 @@ def draw_scores(scores: Mapping[str, Array], plan: Plan, path: Path) -> None:
     """Draw mean SSIM of all objects by each property, a line for each level and size."""
     mean = np.mean(list(scores.values()), axis=0)
     figure, axes = subplots(2, 3, figsize=(13, 8.5), sharey=True)
-    for axis, (name, fixed, chosen) in zip(axes.flat, SWEEPS, strict=True):
-        numbers = [n for n, material in enumerate(plan.materials) if chosen(material)]
+    for axis, (name, fixed, is_in_sweep) in zip(axes.flat, SWEEPS, strict=True):
+        numbers = [n for n, material in enumerate(plan.materials) if is_in_sweep(material)]
         numbers.sort(key=lambda n: getattr(plan.materials[n], name))
         values = [getattr(plan.materials[n], name) for n in numbers]
         for level, size in itertools.product(range(len(plan.ratios)), range(len(plan.sizes))):
@@ -99,10 +99,10 @@ def draw_factors(samples: Samples, path: Path) -> None:
         for panel, kind in (("finish", finish), ("pattern", pattern)):
             rows = inside & kind
             axes[panel].plot(predicted[rows], measured[rows], ".", color=color, ms=4, alpha=0.5)
-    axes["means"].set_yticks(range(len(materials)), [_short(samples.materials[n]) for n in materials], fontsize=8)
+    axes["means"].set_yticks(range(len(materials)), [_short_label(samples.materials[n]) for n in materials], fontsize=8)
     axes["means"].invert_yaxis()
     axes["means"].axvline(1.0, color="black", linewidth=0.8)
-    axes["means"].set(xscale="log", xlabel="1 − SSIM, times that of the dull material; each object's mean")
+    axes["means"].set(xscale="log", xlabel="1 − SSIM relative to the neutral material; each object's mean")
     axes["means"].legend(fontsize=8)
     low, high = min(measured.min(), predicted.min()), max(measured.max(), predicted.max())
     for panel in ("finish", "pattern"):
@@ -125,7 +125,7 @@ def _pattern(material: Material, *, mapped: bool) -> bool:
     return material.dull and (material.mapped == mapped or not material.contrast)
 
 
-def _short(material: Material) -> str:
+def _short_label(material: Material) -> str:
     if not material.contrast:
         return f"m {material.metallic:g}, r {material.roughness:g}"
     pattern = f"{material.frequency:g} {'mapped' if material.mapped else 'solid'}, c {material.contrast:g}"

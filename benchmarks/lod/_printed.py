@@ -1,4 +1,4 @@
-"""Figures that the thesis prints of its study, and the same figures of the rows in the data folder."""
+"""Figures of the study that the thesis prints, and the same figures computed from the rows in the data folder."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ SOURCE = "Liebisch: Level of Detail Selection for Foveated Rendering in Virtual 
 """The thesis whose tables are listed here."""
 
 DECIMALS = 4
-"""Decimals of d in the data folder."""
+"""Number of decimals of d in the data folder."""
 
 DRAWS = 100
-_SEED, _LOST = 2021, 5
-"""Number of draws of the decimals missing from d, and the seed and stream of their random numbers."""
+"""Number of draws of the decimals missing from d."""
+_SEED, _STREAM = 2021, 5
 
 
 @dataclass(frozen=True)
@@ -68,19 +68,19 @@ PRINTED = tuple(
 def computed(study: Study) -> dict[tuple[str, str], float]:
     """The figures of `PRINTED` by statistic and rows.
 
-    5.4: D of Kolmogorov and Smirnov from the normal with the rows' mean and deviation, W of Shapiro and Wilk, and rows.
-    5.5: deviation of n − 1, adjusted skewness and kurtosis. 5.6: signed ranks of rows in pairs of one participant and
-    object, equal pairs left out, ties corrected, no correction for continuity. 5.8: τ-b, and ρ of mean ranks, of both
-    headsets' rows pooled.
+    5.4: D of Kolmogorov and Smirnov against the normal with the rows' mean and deviation, W of Shapiro and Wilk, and
+    number of rows. 5.5: deviation of n − 1, adjusted skewness and kurtosis. 5.6: signed ranks of pairs of rows of one
+    participant and object, without equal pairs, with a correction for ties, but none for continuity. 5.8: τ-b, and ρ of
+    mean ranks, of the rows of both headsets together.
     """
     figures: dict[tuple[str, str], float] = {}
     for column in ("d", "k"):
         for hmd in study.hmds:
             values = getattr(study.select(hmd=hmd), column)
-            of, its = f"{column}, {hmd}", moments(values)
-            figures |= {("D", of): lilliefors(values)[0], ("W", of): shapiro(values)[0], ("df", of): float(its.n)}
-            figures |= {("mean", of): its.mean, ("deviation", of): its.deviation}
-            figures |= {("G₁", of): its.adjusted_skewness, ("G₂", of): its.adjusted_kurtosis}
+            of, moment = f"{column}, {hmd}", moments(values)
+            figures |= {("D", of): lilliefors(values)[0], ("W", of): shapiro(values)[0], ("df", of): float(moment.n)}
+            figures |= {("mean", of): moment.mean, ("deviation", of): moment.deviation}
+            figures |= {("G₁", of): moment.adjusted_skewness, ("G₂", of): moment.adjusted_kurtosis}
         test, of = wilcoxon(*paired(study, column, "hmd", *study.hmds)), f"{column}, {' and '.join(study.hmds)}"
         figures |= {("Z", of): test.z, ("p", of): test.p}
     pooled = correlation(study.d, study.k)
@@ -88,15 +88,15 @@ def computed(study: Study) -> dict[tuple[str, str], float]:
 
 
 def with_decimals(study: Study, draw: int) -> Study:
-    """The study with further decimals of d, drawn uniformly from the rounding interval.
+    """The study with further decimals of d, random and uniform in the rounding interval.
 
     Rows of one object, level and d get the same decimals, because they are one mesh. The SSIM of level 0 is exactly 1.
     """
     kinds = [*zip(study.object.tolist(), study.level.tolist(), study.d.tolist(), strict=True)]
     number = {kind: index for index, kind in enumerate(sorted(set(kinds)))}
     index = np.array([number[kind] for kind in kinds]) + draw * len(number)
-    lost = (random.uniform(_SEED, _LOST, index) - 0.5) * 10.0**-DECIMALS
-    return replace(study, d=np.where(study.level == 0, study.d, study.d + lost))
+    missing = (random.uniform(_SEED, _STREAM, index) - 0.5) * 10.0**-DECIMALS
+    return replace(study, d=np.where(study.level == 0, study.d, study.d + missing))
 
 
 def spans(study: Study, draws: int = DRAWS) -> dict[tuple[str, str], tuple[float, float]]:

@@ -15,7 +15,7 @@ from nearfar import _core
 from nearfar.metrics._inputs import LUMA
 
 MIN_PIXELS = 16
-"""Least number of pixels of a scored object: a mean over fewer pixels than two rows of a window is noise."""
+"""Least number of pixels of a scored object: a mean over fewer pixels is noise."""
 FINER = 2
 """Supersampling factor along each side of a displayed pixel, so that warping does not blur."""
 TURNS = 2
@@ -74,16 +74,16 @@ class Case:
         return scores(self.truths[number], View.render(self, self.cameras[number], levels), len(levels))
 
     @property
-    def spheres(self) -> tuple[list[nf.lod.LodModel], NDArray[np.int64], NDArray[np.float64], NDArray[np.float64]]:
-        return self.models, self.crowd.model_index, self.crowd.centers, self.crowd.radii
+    def index_and_spheres(self) -> tuple[NDArray[np.int64], NDArray[np.float64], NDArray[np.float64]]:
+        return self.crowd.model_index, self.crowd.centers, self.crowd.radii
 
-    def counting(self, camera: nf.Camera, mode: str) -> nf.Camera:
+    def with_pixels_of(self, camera: nf.Camera, mode: str) -> nf.Camera:
         """Return a view in the pixels of a mode: those of the panel, or those that a headset renders."""
         return replace(camera, size=self.headset.panel_size) if mode == "panel" else camera
 
     def in_full(self, camera: nf.Camera) -> Levels:
         """Return level 0 for all objects in view."""
-        return np.minimum(nf.lod.select(*self.spheres, camera=camera, mode="depth").level, 0)
+        return np.minimum(nf.lod.select(self.models, *self.index_and_spheres, camera=camera, mode="depth").level, 0)
 
     def screen_errors(self, camera: nf.Camera) -> NDArray[np.float64]:
         """Pixels covered by the geometric error of each level (K, N) at the sphere's nearest point; +inf for none."""

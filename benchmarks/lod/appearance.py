@@ -41,7 +41,7 @@ def table_of_factors(samples: Samples) -> str:
         if material != NEUTRAL:
             low, middle, high = np.exp(np.percentile(logs, [10, 50, 90]))
             rows.append([material.label, np.exp(logs.mean()), middle, (low, high)])
-    header = "1 − SSIM, times that of the dull one | mean {:.2f} | median {:.2f} | 8 in 10 {:.2f} to {:.2f}"
+    header = "1 − SSIM relative to the neutral material | mean {:.2f} | median {:.2f} | 8 in 10 {:.2f} to {:.2f}"
     return table(f"{len(samples.dissimilarity):,} samples of {len(samples.objects)} objects", header, rows)
 
 
@@ -76,12 +76,12 @@ def verdict(samples: Samples) -> str:
     results, lines = validities(samples), []
     for kind in [kind for kind in _correction.KINDS if (kind, "coefficients") in results]:
         none, ours, best = (results[kind, name] for name in _correction.MODELS)
-        usable = "a factor" if ours.ssim < none.ssim and ours.log < none.log else "no factor"
+        usable = "yes" if ours.ssim < none.ssim and ours.log < none.log else "no"
         lines.append(
-            f"- {kind}: {usable}. SSIM is off by {ours.ssim:.4f} with it and {none.ssim:.4f} without, "
+            f"- {kind}: {usable}. SSIM is off by {ours.ssim:.4f} with the factor and {none.ssim:.4f} without, "
             f"{best.ssim:.4f} with a number for each material.\n"
         )
-    return "For objects left out of the fit the data carry\n\n" + "".join(lines)
+    return "For objects left out of the fit, does a factor improve predictions?\n\n" + "".join(lines)
 
 
 def main() -> None:
@@ -90,8 +90,8 @@ def main() -> None:
     scores, time = timed(run, plan, shapes)
     samples = _correction.collect(scores, plan.materials)
     print(f"{len(shapes)} objects, {len(plan.materials)} materials: {time.wall:.0f} s\n")
-    for made in (table_of_factors, table_of_coefficients, table_of_validity, verdict):
-        print(made(samples))
+    for make_table in (table_of_factors, table_of_coefficients, table_of_validity, verdict):
+        print(make_table(samples))
     if options.plots is not None:
         _plots.draw_materials(shapes, plan, options.plots / "lod-appearance-materials.png")
         _plots.draw_scores(scores, plan, options.plots / "lod-appearance-scores.png")

@@ -1,13 +1,14 @@
 """Mean SSIM behind the lens under a budget of triangles, compared with rules of screen-space error.
 
-All rules choose among the same levels; our curves begin at a quarter of the screen. The budget of a view is the number
-of triangles that the rule draws there.
+All rules choose among the same levels; our curves reach up to objects that fill a quarter of the screen. The budget of
+a view is the number of triangles that the rule draws there.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -34,7 +35,7 @@ class Outcome:
 
     triangles: int
     scores: NDArray[np.float64]
-    foreseen: float = np.nan
+    predicted: float = np.nan
 
     @property
     def mean(self) -> float:
@@ -54,11 +55,11 @@ class View:
         """Camera with the rendered pixels."""
         return self.case.cameras[self.number]
 
-    def outcome(self, levels: Levels, foreseen: NDArray[np.float64] | None = None) -> Outcome:
+    def outcome(self, levels: Levels, predicted: NDArray[np.float64] | None = None) -> Outcome:
         """Score the objects with enough visible pixels in the picture at given levels."""
         object_scores = self.case.scores(self.number, levels)
         is_scored = (levels >= 0) & np.isfinite(object_scores)
-        mean = np.nan if foreseen is None else float(foreseen[is_scored].mean())
+        mean = np.nan if predicted is None else float(predicted[is_scored].mean())
         return Outcome(self.case.triangles(levels), object_scores[is_scored], mean)
 
     def by_screen_error(self, pixels: float) -> Levels:
@@ -74,25 +75,24 @@ class View:
         levels = np.where(full < 0, full, np.isfinite(errors).sum(axis=0) - 1).astype(np.int32)
         models, index = self.case.models, self.case.crowd.model_index
         remaining = budget - self.case.triangles(levels)
-        now = np.where(levels > 0, errors[np.maximum(levels, 0), np.arange(len(levels))], -np.inf)
-        while np.isfinite(now).any():
-            worst = int(np.argmax(now))
+        error = np.where(levels > 0, errors[np.maximum(levels, 0), np.arange(len(levels))], -np.inf)
+        while np.isfinite(error).any():
+            worst = int(np.argmax(error))
             model, level = models[index[worst]], levels[worst]
             added = int(model.triangles[level - 1] - model.triangles[level])
             if added > remaining:
-                now[worst] = -np.inf
+                error[worst] = -np.inf
                 continue
             remaining -= added
             levels[worst] -= 1
-            now[worst] = errors[level - 1, worst] if level > 1 else -np.inf
+            error[worst] = errors[level - 1, worst] if level > 1 else -np.inf
         return levels
 
     def under_budget(self, budget: int) -> Outcome:
         """Score our choice under a budget."""
-        case, camera = self.case, self.case.counting(self.camera, MODE)
-        selection = nf.lod.select(
-            *case.spheres, camera=camera, lens=case.headset.lens, mode=MODE, budget=budget, full=True
-        )
+        case, camera = self.case, self.case.with_pixels_of(self.camera, MODE)
+        settings: dict[str, Any] = {"lens": case.headset.lens, "mode": MODE, "budget": budget, "full": True}
+        selection = nf.lod.select(case.models, *case.index_and_spheres, camera=camera, **settings)
         return self.outcome(selection.level, selection.score)
 
 
@@ -101,8 +101,8 @@ Rule = Callable[[View, int], Outcome]
 
 def merge(parts: Sequence[Outcome]) -> Outcome:
     counts = [len(part.scores) for part in parts]
-    foreseen = float(np.average([part.foreseen for part in parts], weights=counts))
-    return Outcome(sum(part.triangles for part in parts), np.concatenate([part.scores for part in parts]), foreseen)
+    predicted = float(np.average([part.predicted for part in parts], weights=counts))
+    return Outcome(sum(part.triangles for part in parts), np.concatenate([part.scores for part in parts]), predicted)
 
 
 def ours(views: Sequence[View], budgets: Sequence[int]) -> Outcome:
@@ -110,13 +110,14 @@ def ours(views: Sequence[View], budgets: Sequence[int]) -> Outcome:
 
 
 def at_equal_mean(views: Sequence[View], budgets: Sequence[int], mean: float) -> Outcome:
-    """Score our choice at the least share of the budgets whose mean is no worse."""
+    """Score our choice under the least share of the budgets at which our mean reaches `mean`."""
     low, high = 0.0, 1.0
     least = [view.case.triangles(coarsest(view)) for view in views]
     best = ours(views, budgets)
     for _ in range(STEPS):
         fraction = 0.5 * (low + high)
-        outcome = ours(views, [max(int(fraction * each), few) for each, few in zip(budgets, least, strict=True)])
+        reduced = np.maximum(fraction * np.array(budgets), least).astype(int)
+        outcome = ours(views, reduced.tolist())
         if outcome.mean >= mean:
             high, best = fraction, outcome
         else:
@@ -130,7 +131,7 @@ def coarsest(view: View) -> Levels:
 
 
 def report(headset: Headset, *, quick: bool) -> str:
-    """Table of each rule: its mean, ours with as many triangles, and our triangles for its mean."""
+    """Table of each rule: its mean score, ours with as many triangles, and our number of triangles at its mean."""
     models = measured(RIFT_S, step=None, wider=2)
     cases = [Case.in_ball(models, headset, *scene) for scene in (SCENES[:1] if quick else SCENES)]
     views = [View(case, number) for case in cases for number in range(len(case.cameras))]
@@ -138,16 +139,14 @@ def report(headset: Headset, *, quick: bool) -> str:
     for pixels in PIXELS:
         parts = [view.outcome(view.by_screen_error(pixels)) for view in views]
         rule, budgets = merge(parts), [part.triangles for part in parts]
-        greedy = merge(
-            [view.outcome(view.by_greedy_error(budget)) for view, budget in zip(views, budgets, strict=True)]
-        )
-        own_outcome, equal = ours(views, budgets), at_equal_mean(views, budgets, rule.mean)
-        fewer = 100 * (1 - equal.triangles / rule.triangles)
-        means = rule.mean, greedy.mean, own_outcome.mean, own_outcome.foreseen
-        rows.append([pixels, rule.triangles, *means, equal.triangles, fewer])
-    header = "pixels {:g} | triangles {:,} | SSIM, rule {:.3f} | greedy {:.3f} | budget {:.3f} | foreseen {:.3f}"
+        greedy = merge([view.outcome(view.by_greedy_error(n)) for view, n in zip(views, budgets, strict=True)])
+        our_outcome, at_its_mean = ours(views, budgets), at_equal_mean(views, budgets, rule.mean)
+        fewer = 100 * (1 - at_its_mean.triangles / rule.triangles)
+        means = rule.mean, greedy.mean, our_outcome.mean, our_outcome.predicted
+        rows.append([pixels, rule.triangles, *means, at_its_mean.triangles, fewer])
+    header = "pixels {:g} | triangles {:,} | SSIM, rule {:.3f} | greedy {:.3f} | budget {:.3f} | predicted {:.3f}"
     header += " | triangles at equal SSIM {:,} | fewer % {:.0f}"
-    return table(f"Rift S: mean SSIM of {len(own_outcome.scores):,} objects, with as many triangles", header, rows)
+    return table(f"Rift S: mean SSIM of {len(our_outcome.scores):,} objects, with as many triangles", header, rows)
 
 
 def main() -> None:

@@ -49,12 +49,12 @@ def by_scipy(x: Array, y: Array, **options: Any) -> Array:
 
 
 def table(samples: int, noise: float) -> str:
-    """Table; errors are the share of curves with a residual above the least of all methods by more than 1e-9 of it."""
+    """Table; an error is the share of curves whose residual exceeds 1 + 1e-9 times the least one of all methods."""
     x, y = curves(samples, noise)
     repeated = np.tile(x, (COUNT, 1))
 
-    def ours(places: Array) -> nf.lod.Curve4PL:
-        return nf.lod.fit_4pl(places, y)
+    def ours(x_values: Array) -> nf.lod.Curve4PL:
+        return nf.lod.fit_4pl(x_values, y)
 
     def residuals(fitted: nf.lod.Curve4PL | Array) -> Array:
         if isinstance(fitted, np.ndarray):
@@ -75,7 +75,7 @@ def table(samples: int, noise: float) -> str:
     cases = [Case(f"{OURS}, shared x", lambda: ours(x), error), Case(f"{OURS}, own x", lambda: ours(repeated), error)]
     cases += [Case(name, job, error) for name, job in scipy_cases.items()]
     title = f"{COUNT:,} logistic curves of {samples} samples, {noise:.0%} noise"
-    return compare(title, cases, repeat=4, unit="share not least")
+    return compare(title, cases, repeat=4, unit="share of curves above the least residual")
 
 
 def main() -> None:

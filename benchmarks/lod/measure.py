@@ -1,11 +1,10 @@
 """Time of measuring one object's levels, compared with a script that uses pyrender and scikit-image.
 
-`measure` does the whole job: 144 views, 16
-distances, 10 levels. The script renders whole frames of base and level for each score, for some views and distances,
-and its time is scaled to all of them, because that would take hours. Curves are compared on all views at those
-distances: there the script renders boxes, and the first part shows that their scores equal those of whole frames.
-Pictures have one sample a pixel and face colours, so that both are alike. The object is a bumpy sphere of 100,488
-triangles.
+`measure` does the whole job: 144 views, 16 distances, 10 levels. The whole job would take the script hours, so it
+renders frames of base and level for only some views and distances, and its time is scaled. Curves are compared from all
+views at those distances. For these the script renders only the object's boxes; a table shows that their scores equal
+those of whole frames. Both programs take one sample a pixel and colour by face, so that their pictures are alike. The
+object is a bumpy sphere of 100,488 triangles.
 """
 
 from __future__ import annotations
@@ -27,17 +26,17 @@ from benchmarks.harness import opengl
 from benchmarks.harness.report import start, table
 from benchmarks.harness.timing import Timing, timed
 from nearfar.lod._measure import statistic
-from nearfar.lod._measure.views import Screen, Stand, turns
+from nearfar.lod._measure.views import Orbit, Screen, turns
 
 Array = NDArray[np.float64]
 RATIOS = (0.7, 0.5, 0.35, 0.25, 0.15, 0.1, 0.05, 0.03, 0.01, 0.005)
 VIEWS, DISTANCES = 144, 16
 PARTS = ("frames", "whole", "box")
 MAX_CURVE_DIFFERENCE = 1e-3
-"""Maximum difference in SSIM between curves of both."""
+"""Maximum difference in SSIM between nearfar's curves and the script's."""
 
 FINE = 600
-"""Approximate number of pixels across a box to which smaller boxes are supersampled."""
+"""Approximate number of samples across a box; boxes of fewer pixels are supersampled."""
 
 SSIM = {"gaussian_weights": True, "sigma": 1.5, "use_sample_covariance": False, "data_range": 255.0, "full": True}
 
@@ -56,7 +55,7 @@ def sphere(rows: int) -> nf.Scene:
 
 # the script ----------------------------------------------------------------------------------------------------------
 def face_colors(scene: nf.Scene) -> Array:
-    """Shading of each face from outside by nearfar, as sRGB codes: a picture of it from straight ahead."""
+    """Shading of each face by nearfar's formula, seen from outside, as sRGB values from 0 to 1."""
     corners = scene.triangles().astype(np.float64)
     normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     length = np.linalg.norm(normals, axis=1, keepdims=True)
@@ -90,10 +89,10 @@ class Frame:
 class Script:
     """Renders frames of base and level, and computes their similarity where either shows the object."""
 
-    def __init__(self, levels: nf.lod.Levels, stand: Stand, pyrender: Any) -> None:
+    def __init__(self, levels: nf.lod.Levels, orbit: Orbit, pyrender: Any) -> None:
         self.flags = pyrender.RenderFlags.FLAT
-        self.renderer = pyrender.OffscreenRenderer(*stand.screen.size)
-        self.stand = stand
+        self.renderer = pyrender.OffscreenRenderer(*orbit.screen.size)
+        self.orbit = orbit
 
         class View(pyrender.Camera):  # type: ignore[misc]  # pyrender has no types
             """Camera of any part of a screen."""
@@ -119,17 +118,17 @@ class Script:
             self.scenes.append(scene)
             self.renderer.render(scene, self.flags)  # sends the mesh
         speck = levels.center + 1e-9 * levels.radius * np.eye(3)
-        self.nothing = nf.Scene.from_arrays(speck, [[0, 1, 2]])
+        self.empty_scene = nf.Scene.from_arrays(speck, [[0, 1, 2]])
 
     def full_camera(self, number: int, turn: Any) -> nf.Camera:
-        """Return the camera of the whole screen at the place from which `measure` sees a box of it."""
-        width, height = self.stand.screen.size
-        x, y = width / 2 * self.stand.screen.pixel, height / 2 * self.stand.screen.pixel
-        boxed = self.stand.camera(number, turn)
+        """Return the camera of the whole screen, at the position from which `measure` renders only a box of it."""
+        width, height = self.orbit.screen.size
+        x, y = width / 2 * self.orbit.screen.pixel, height / 2 * self.orbit.screen.pixel
+        boxed = self.orbit.camera(number, turn)
         return nf.Camera(boxed.position, boxed.orientation, fov=nf.Fov(-x, x, -y, y), size=(width, height))
 
     def frame(self, level: int, camera: nf.Camera, sky: NDArray[np.uint8], finer: int = 1) -> Frame:
-        """Draw a level before the sky, supersampled by an odd factor; the middle samples count."""
+        """Draw a level in front of the sky; of `finer` samples along each axis of a pixel, the middle one counts."""
         assert isinstance(camera.fov, nf.Fov)
         self.view.fov = camera.fov
         self.renderer.viewport_width, self.renderer.viewport_height = camera.width * finer, camera.height * finer
@@ -143,7 +142,7 @@ class Script:
 
     def sky(self, camera: nf.Camera) -> NDArray[np.uint8]:
         """Return nearfar's background, which pyrender lacks; its time is not counted."""
-        return nf.render(self.nothing, camera, channels=["color"], backend="cpu").to_image()
+        return nf.render(self.empty_scene, camera, channels=["color"], backend="cpu").to_image()
 
 
 def similarity(base: Frame, test: Frame) -> float:
@@ -184,14 +183,13 @@ def by_whole_frames(script: Script, count: int, views: list[Any], numbers: list[
 def by_boxes(script: Script, count: int, views: list[Any], numbers: list[int]) -> Array:
     """Compute scores (K, D, V) of many views, in pictures of boxes.
 
-    Rasterisers round corners to 1/256 of a pixel, which is much for triangles far below a pixel, and in some pixels
-    shows another triangle. nearfar does not round; far pictures are supersampled, so that pyrender's rounding matters
-    less.
+    Rasterisers round corners to 1/256 of a pixel. For triangles much smaller than a pixel that is much, and some pixels
+    show another triangle. nearfar does not round. Small boxes are supersampled, so that the rounding matters less.
     """
     scores = np.ones((count, len(numbers), len(views)))
     for d, number in enumerate(numbers):
         for v, turn in enumerate(views):
-            camera = script.stand.camera(number, turn)
+            camera = script.orbit.camera(number, turn)
             sky, finer = script.sky(camera), max(1, FINE // camera.width // 2 * 2 - 1)
             base = script.frame(0, camera, sky, finer)
             for level in range(1, count):
@@ -210,46 +208,46 @@ def main() -> None:
     assert ours.samples is not None
     assert ours.samples.views is not None
 
-    stand = Stand.around(levels, Screen.from_arguments(nf.hmd.RIFT_S, None, None))
-    different, shown = turns(VIEWS, "even")
+    orbit = Orbit.around(levels, Screen.from_arguments(nf.hmd.RIFT_S, None, None))
+    distinct_turns, turn_of_view = turns(VIEWS, "even")
     view_numbers = np.linspace(1, VIEWS - 1, arguments.views).round().astype(int)
     with one_sample() as pyrender:
-        script = Script(levels, stand, pyrender)
-        some, seconds = by_whole_frames(
-            script, len(levels), [different[shown[v]] for v in view_numbers], arguments.distances
+        script = Script(levels, orbit, pyrender)
+        sampled_scores, seconds = by_whole_frames(
+            script, len(levels), [distinct_turns[turn_of_view[v]] for v in view_numbers], arguments.distances
         )
-        boxed_scores = by_boxes(script, len(levels), different, arguments.distances)[..., shown]
-    print(times(time, seconds, some[0].size - some[0, 0].size, (len(levels) - 1) * VIEWS * DISTANCES, levels))
+        boxed_scores = by_boxes(script, len(levels), distinct_turns, arguments.distances)[..., turn_of_view]
+    print(times(time, seconds, sampled_scores[0, 1:].size, (len(levels) - 1) * VIEWS * DISTANCES, levels))
 
     indices = np.array(arguments.distances) - 1
     measured, sigma = ours.samples.views[:, indices], ours.samples.sigma[indices]
-    scores = [statistic.of_views(one, 25.0) for one in (measured, boxed_scores)]
-    places = np.geomspace(sigma[-1], sigma[0], 100)
-    curves = [nf.lod.fit_4pl(sigma, score[1:])(places) for score in scores]
+    scores = [statistic.of_views(view_scores, 25.0) for view_scores in (measured, boxed_scores)]
+    sizes = np.geomspace(sigma[-1], sigma[0], 100)
+    curves = [nf.lod.fit_4pl(sigma, score[1:])(sizes) for score in scores]
     differences_of = {
-        "whole frames and their boxes, single views": np.abs(some[0] - some[1]).max(axis=(0, 2)),
-        "whole frames and ours, single views": np.abs(some[0] - measured[..., view_numbers]).max(axis=(0, 2)),
+        "whole frames and their boxes, single views": np.abs(sampled_scores[0] - sampled_scores[1]).max(axis=(0, 2)),
+        "whole frames and ours, single views": np.abs(sampled_scores[0] - measured[..., view_numbers]).max(axis=(0, 2)),
         f"percentiles of {VIEWS} views": np.abs(scores[0] - scores[1]).max(axis=0),
     }
     header = ["what", *(f"distance {n} {{:.1e}}" for n in arguments.distances), "all {:.1e}"]
     rows = [[name, *differences, differences.max()] for name, differences in differences_of.items()]
-    print(table("How far scores are apart", header, rows))
-    worst = float(np.abs(curves[0] - curves[1]).max())
-    is_close = worst <= MAX_CURVE_DIFFERENCE
-    print(f"curves of {VIEWS} views are apart by {worst:.1e}, at most {MAX_CURVE_DIFFERENCE}: {is_close}")
+    print(table("Differences of scores", header, rows))
+    greatest = float(np.abs(curves[0] - curves[1]).max())
+    is_close = greatest <= MAX_CURVE_DIFFERENCE
+    print(f"curves of {VIEWS} views differ by {greatest:.1e}; at most {MAX_CURVE_DIFFERENCE}: {is_close}")
 
 
-def times(time: Timing, parts: Seconds, scored: int, job: int, levels: nf.lod.Levels) -> str:
+def times(time: Timing, parts: Seconds, scored: int, total: int, levels: nf.lod.Levels) -> str:
     """Table of nearfar's time, and the script's scaled to the whole job."""
     ours = np.array([time.wall, time.cpu])
     rows_of = {
-        "nearfar": (ours, job),
+        "nearfar": (ours, total),
         "pyrender, scikit-image": (parts["frames"] + parts["whole"], scored),
         "the same, SSIM of the object's box": (parts["frames"] + parts["box"], scored),
         "pyrender's frames alone": (parts["frames"], scored),
     }
-    rows = [[name, *spent, (count, job), *(spent / count * job / ours)] for name, (spent, count) in rows_of.items()]
-    header = "way | wall s {:.1f} | CPU s {:.1f} | scores {:,} of {:,} | × ours, whole job, wall {:.0f} | × CPU {:.0f}"
+    rows = [[name, *spent, (count, total), *(spent / count * total / ours)] for name, (spent, count) in rows_of.items()]
+    header = "program | wall s {:.1f} | CPU s {:.1f} | scores {:,} of {:,} | × ours, whole job {:.0f} | × CPU {:.0f}"
     title = f"{levels[0].triangle_count:,} triangles, {len(levels) - 1} levels, {VIEWS} views, {DISTANCES} distances"
     return table(title, header, rows)
 

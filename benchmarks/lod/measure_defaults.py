@@ -1,8 +1,8 @@
-"""Time of measuring objects with the default settings, and the scores that are not needed.
+"""Time of measuring objects with the default settings, and the share of scores that they compute.
 
-144 views, 16 distances, four samples a pixel, the Rift S; the levels are
-those of `simplify`. For comparison all scores of all levels are measured (`step=None, saturated=None`): the selected
-levels and their curves must be equal up to the tolerance of `saturated`.
+144 views, 16 distances, four samples a pixel, the Rift S; the levels are those of `simplify`. For comparison all scores
+of all levels are measured (`step=None, saturated=None`): the selected levels and their curves must be equal up to the
+tolerance of `saturated`.
 """
 
 from __future__ import annotations
@@ -25,9 +25,9 @@ def row(name: str, levels: nf.lod.Levels) -> list[object]:
     measure = partial(nf.lod.measure, levels, hmd=nf.hmd.RIFT_S, backend="cpu", cache=False)
     model, model_time = timed(measure)
     full_model, full_time = timed(measure, step=None, saturated=None)
-    places = np.geomspace(*model.sigma, 100)
+    sigma = np.geomspace(*model.sigma, 100)
     is_kept = np.isin(full_model.triangles, model.triangles)[1:]
-    difference = np.abs(model.curves(places) - full_model.curves(places)[is_kept]).max()
+    difference = np.abs(model.curves(sigma) - full_model.curves(sigma)[is_kept]).max()
     fraction = model.measured["scores"] / full_model.measured["scores"]
     counts = levels[0].triangle_count, len(levels), len(model)
     return [name, *counts, model_time.wall, model_time.cpu, fraction, full_time.wall, full_time.cpu, difference]

@@ -36,10 +36,10 @@ MODES: tuple[Mode, ...] = ("depth", "depth+eccentricity", "panel")
 
 
 @dataclass(frozen=True)
-class Promises:
+class Appearances:
     """Appearances of scored objects (S,), and whether each looks at least as good as its threshold."""
 
-    is_kept: NDArray[np.bool_]
+    is_good: NDArray[np.bool_]
     degrees: NDArray[np.float64]
     """Angle from the axis to the centre, degrees."""
     objects: NDArray[np.int64]
@@ -50,7 +50,7 @@ class Promises:
     @property
     def percent_good(self) -> float:
         """Percentage of all appearances that are good enough."""
-        return 100 * float(self.is_kept.mean())
+        return 100 * float(self.is_good.mean())
 
     @functools.cached_property
     def in_bands(self) -> list[NDArray[np.bool_]]:
@@ -63,28 +63,29 @@ class Promises:
     @property
     def by_band(self) -> list[float]:
         """Percentage in each of `BANDS` that is good enough."""
-        return [100 * float(self.is_kept[chosen].mean()) for chosen in self.in_bands]
+        return [100 * float(self.is_good[chosen].mean()) for chosen in self.in_bands]
 
     @property
     def error(self) -> float:
-        """Standard error of the differences between bands, points: by random halves of the objects."""
+        """Standard error, in percentage points, of the differences between bands, from random halves of the objects."""
         names = np.unique(self.objects[self.in_bands[0]])
         random, spreads = np.random.default_rng(0), []
         for _ in range(HALVES):
             is_drawn = np.isin(self.objects, random.permutation(names)[: len(names) // 2])
-            shares = np.array([100 * self.is_kept[band & is_drawn].mean() for band in self.in_bands])
+            shares = np.array([100 * self.is_good[band & is_drawn].mean() for band in self.in_bands])
             spreads.append(shares - np.roll(shares, 1))
         # A random half differs from the whole by as much as the whole differs from the population.
         return float(np.std(spreads, axis=0).max())
 
 
-def promises(cases: Sequence[Case], models: Sequence[nf.lod.LodModel], mode: Mode) -> Promises:
+def appearances(cases: Sequence[Case], models: Sequence[nf.lod.LodModel], mode: Mode) -> Appearances:
     """Choose levels by the curves of models, and score the objects in the pictures with these levels."""
     is_kept, degrees, objects, drawn = [], [], [], 0
     for place, case in enumerate(cases):
         selector = nf.lod.Selector(lens=case.headset.lens, mode=mode)
         for number, camera in enumerate(case.cameras):
-            selection = selector.select(models, *case.spheres[1:], camera=case.counting(camera, mode), full=True)
+            camera_of_mode = case.with_pixels_of(camera, mode)
+            selection = selector.select(models, *case.index_and_spheres, camera=camera_of_mode, full=True)
             object_scores = case.scores(number, selection.level)
             is_scored = np.isfinite(object_scores) & (selection.level >= 0)
             # Objects limited to level 0 have no known threshold.
@@ -96,7 +97,7 @@ def promises(cases: Sequence[Case], models: Sequence[nf.lod.LodModel], mode: Mod
             degrees.append(np.degrees(np.arccos(np.clip(ahead, -1, 1))))
             objects.append(place * len(is_scored) + np.flatnonzero(is_scored))
             drawn += case.triangles(selection.level)
-    return Promises(np.concatenate(is_kept), np.concatenate(degrees), np.concatenate(objects), drawn)
+    return Appearances(np.concatenate(is_kept), np.concatenate(degrees), np.concatenate(objects), drawn)
 
 
 def report(headset: Headset, *, quick: bool) -> str:
@@ -106,10 +107,10 @@ def report(headset: Headset, *, quick: bool) -> str:
     cases = [Case.in_ball(models, headset, *scene, turns=turns) for scene in scenes]
     rows = []
     for mode in MODES:
-        trial = functools.cache(lambda each, mode=mode: promises(cases, [one.refit(each) for one in models], mode))
-        fails = bisect.bisect_left(range(PUBLISHED), True, key=lambda each: trial(each).percent_good < KEPT)
-        enough = f"{mode}, {KEPT:g} % kept" if fails else f"{mode}, least"
-        for label, percentile in ((mode, PUBLISHED), (enough, max(fails - 1, 0))):
+        trial = functools.cache(lambda each, mode=mode: appearances(cases, [one.refit(each) for one in models], mode))
+        first_failing = bisect.bisect_left(range(PUBLISHED), True, key=lambda each: trial(each).percent_good < KEPT)
+        enough = f"{mode}, {KEPT:g} % kept" if first_failing else f"{mode}, least"
+        for label, percentile in ((mode, PUBLISHED), (enough, max(first_failing - 1, 0))):
             result, shares = trial(percentile), trial(percentile).by_band
             spread = max(shares) - min(shares), result.error
             rows.append([label, percentile, result.percent_good, *shares, spread, result.triangles])
@@ -117,7 +118,7 @@ def report(headset: Headset, *, quick: bool) -> str:
     bands = [f"{start:g} to {end:g}° {{:.1f}}" for start, end in itertools.pairwise(BANDS)]
     everywhere = len(np.unique(first.objects[first.in_bands[0]]))
     title = (
-        f"{headset.name}: per cent of {len(first.is_kept):,} appearances that are at least as good as their threshold"
+        f"{headset.name}: per cent of {len(first.is_good):,} appearances that are at least as good as their threshold"
     )
     header = ["mode", "percentile", "all {:.1f}", *bands, "spread {:.1f} ± {:.1f}", "triangles {:,}"]
     return table(f"{title} behind the lens, by angle for {everywhere:,} objects", header, rows)

@@ -19,7 +19,7 @@ FINEST, COARSEST = 6, 1
 
 
 def model(seed: int) -> nf.lod.LodModel:
-    """Make a bumpy ball of six levels, whose curves fall earlier for coarser levels."""
+    """Make a bumpy ball of six levels; the coarser a level, the smaller the solid angle from which its curve falls."""
     random = np.random.default_rng(seed)
     axes = random.normal(size=(6, 3))
     levels = []
@@ -69,16 +69,16 @@ def main() -> None:
     print(f"{drawn.triangle_count:,} of {scene.triangle_count:,} triangles, {int((levels >= 0).sum())} objects in view")
     cases = [
         Case(f"{OURS}: choose levels", choose),
-        Case(f"{OURS}: scene of them", lambda: scene.at_levels(levels)),
-        Case(f"{OURS}: and its tree", lambda: scene.at_levels(levels)._core.build()),
-        Case(f"{OURS}: picture of levels", functools.partial(picture, lod=choose_again)),
+        Case(f"{OURS}: scene of the levels", lambda: scene.at_levels(levels)),
+        Case(f"{OURS}: scene and its tree", lambda: scene.at_levels(levels)._core.build()),
+        Case(f"{OURS}: picture of levels", functools.partial(picture, lod=choose_by_depth)),
         Case("picture of level 0", picture),
-        Case("scene built anew", lambda: rebuild(scene, levels)),
+        Case("scene and tree built anew", lambda: rebuild(scene, levels)),
     ]
     print(compare(f"A frame of {OBJECTS:,} objects", cases, repeat=4))
 
 
-choose_again = functools.partial(nf.lod.select, mode="depth")
+choose_by_depth = functools.partial(nf.lod.select, mode="depth")
 
 
 def rebuild(scene: nf.Scene, levels: NDArray[np.int32]) -> nf.Scene:

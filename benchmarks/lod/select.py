@@ -25,21 +25,21 @@ BYTES = 44
 """Bytes of an object: centre, radius, number of its model, level."""
 
 
-def models(least: float) -> list[nf.lod.LodModel]:
+def make_models(least: float) -> list[nf.lod.LodModel]:
     """Make models of eight levels each, similar to measured objects, down to a solid angle."""
     random = np.random.default_rng(0)
     coarseness = np.linspace(0, 1, 7)
     triangles, sigma = np.geomspace(1e5, 1e2, 8).astype(np.int64), (least, nf.lod.reference_solid_angle(CAMERA))
     a, d = 1 - 0.02 * coarseness, 0.6 - 0.5 * coarseness
-    similar = []
+    models = []
     for _ in range(MODELS):
         c, b = 0.2 * 0.01**coarseness * random.uniform(0.7, 1.4), np.full(7, random.uniform(0.7, 1.3))
-        similar.append(nf.lod.LodModel(triangles=triangles, curves=nf.lod.Curve4PL(a, b, c, d), sigma=sigma))
-    return similar
+        models.append(nf.lod.LodModel(triangles=triangles, curves=nf.lod.Curve4PL(a, b, c, d), sigma=sigma))
+    return models
 
 
 def scenes() -> dict[str, tuple[Array, Array, float]]:
-    """Objects that are all in view, of measured sizes and mostly of smaller ones, and all around the eye."""
+    """Three scenes: all objects in view; the same, but most smaller than measured; objects all around the eye."""
     random = np.random.default_rng(1)
     ahead = random.uniform(1, 60, COUNT)
     x, y = random.uniform(-0.9, 0.9, (2, COUNT)) * ahead
@@ -52,9 +52,9 @@ def scenes() -> dict[str, tuple[Array, Array, float]]:
 
 
 def by_numpy(
-    similar: list[nf.lod.LodModel], index: NDArray[np.int64], centers: Array, radii: Array, nodes: int
+    models: list[nf.lod.LodModel], index: NDArray[np.int64], centers: Array, radii: Array, nodes: int
 ) -> NDArray[np.int32]:
-    """Choose levels straightforwardly, with an inverse by interpolation (or five steps of the published one)."""
+    """Choose levels with the lens inverted from `nodes` samples, or by five steps of the published iteration if 0."""
     assert isinstance(CAMERA.fov, nf.Fov)
     fov, scale, reference = CAMERA.fov, CAMERA.fov.right, nf.lod.reference_solid_angle(CAMERA)
     x, y, ahead = centers[:, 0], centers[:, 1], -centers[:, 2]
@@ -83,7 +83,7 @@ def by_numpy(
         apparent = np.where(alpha + mu < np.pi / 2, sigma * stretch, sigma)
     required = nf.lod.LodThreshold()(sigma, reference)
     level_in_view = np.zeros(len(in_view), np.int32)
-    for number, model in enumerate(similar):
+    for number, model in enumerate(models):
         rows = np.flatnonzero(index[in_view] == number)
         size = np.maximum(apparent[rows], model.sigma[0])
         for step, (a, b, c, d) in enumerate(zip(*model.curves, strict=True), 1):
@@ -94,35 +94,35 @@ def by_numpy(
 
 
 def budget_by_numpy(
-    similar: list[nf.lod.LodModel], index: NDArray[np.int64], sizes: Array, budget: int
+    models: list[nf.lod.LodModel], index: NDArray[np.int64], sizes: Array, budget: int
 ) -> tuple[NDArray[np.int64], float]:
     """Levels and mean score under a budget: all steps between neighbouring levels, sorted, without convex hulls."""
-    count, steps = len(index), len(similar[0]) - 1
+    count, steps = len(index), len(models[0]) - 1
     scores, added = np.ones((count, steps + 1)), np.zeros((count, steps), np.int64)
-    first = 0
-    for number, model in enumerate(similar):
+    coarsest = 0
+    for number, model in enumerate(models):
         rows = np.flatnonzero(index == number)
         size = np.clip(sizes[rows], *model.sigma)
         for level, (a, b, c, d) in enumerate(zip(*model.curves, strict=True), 1):
             scores[rows, level] = d + (a - d) / (1 + (size / c) ** b)
         added[rows] = -np.diff(model.triangles)
-        first += len(rows) * int(model.triangles[-1])
+        coarsest += len(rows) * int(model.triangles[-1])
     slopes = -np.diff(scores, axis=1) / added
     # A step comes after the coarser ones of its object.
     slopes = np.minimum.accumulate(slopes[:, ::-1], axis=1)[:, ::-1]
     order = np.argsort(-slopes, axis=None, kind="stable")
-    taken = order[np.cumsum(added.ravel()[order]) <= budget - first]
+    taken = order[np.cumsum(added.ravel()[order]) <= budget - coarsest]
     levels = steps - np.bincount(taken // steps, minlength=count)
     return levels, float(scores[np.arange(count), levels].mean())
 
 
 def budget_table(title: str, centers: Array, radii: Array, least: float) -> str:
-    """Table of budgets of 2 and 20 times the coarsest levels; errors are the mean score below that of the kernel."""
-    similar = models(least)
+    """Table of budgets of 2 and 20 times the coarsest levels; notes compare the mean scores with NumPy's."""
+    models = make_models(least)
     index = np.random.default_rng(2).integers(0, MODELS, COUNT)
-    select = functools.partial(nf.lod.select, similar, index, centers, radii, camera=CAMERA, lens=RIFT_S, cull=False)
+    select = functools.partial(nf.lod.select, models, index, centers, radii, camera=CAMERA, lens=RIFT_S, cull=False)
     sizes = nf.corrected_solid_angle(centers, radii, camera=CAMERA, lens=RIFT_S)
-    coarsest = int(np.array([model.triangles[-1] for model in similar])[index].sum())
+    coarsest = int(np.array([model.triangles[-1] for model in models])[index].sum())
     cases = [Case(f"{OURS}, threshold", select)]
     notes = []
     for factor in (2, 20):
@@ -130,7 +130,7 @@ def budget_table(title: str, centers: Array, radii: Array, least: float) -> str:
         first_frame = ours()
         if (spent := first_frame.spent) is None:
             raise RuntimeError("expected a budget that is spent")
-        by_sorting = functools.partial(budget_by_numpy, similar, index, sizes, factor * coarsest)
+        by_sorting = functools.partial(budget_by_numpy, models, index, sizes, factor * coarsest)
         next_frame = functools.partial(ours, previous=first_frame.level, price=spent.price, hysteresis=0.1)
         cases.append(Case(f"{OURS}, {factor} x the coarsest levels", ours))
         cases.append(Case(f"{OURS}, {factor} x, the frame after", next_frame))
@@ -142,9 +142,9 @@ def budget_table(title: str, centers: Array, radii: Array, least: float) -> str:
 
 def table(title: str, centers: Array, radii: Array, least: float) -> str:
     """Table whose errors are the share of objects with a level other than that of the exact inverse."""
-    similar = models(least)
+    models = make_models(least)
     index = np.random.default_rng(2).integers(0, MODELS, COUNT)
-    select = functools.partial(nf.lod.select, similar, index, centers, radii, camera=CAMERA, lens=RIFT_S)
+    select = functools.partial(nf.lod.select, models, index, centers, radii, camera=CAMERA, lens=RIFT_S)
     expected = select(inverse="newton")
 
     def error(levels: NDArray[np.int32] | nf.lod.Selection) -> float:
@@ -157,23 +157,23 @@ def table(title: str, centers: Array, radii: Array, least: float) -> str:
         Case(f"{OURS}, panel", functools.partial(select, mode="panel")),
         Case(f"{OURS}, fovea", functools.partial(select, mode="fovea")),
         Case(f"{OURS}, two eyes", functools.partial(select, camera=[CAMERA, CAMERA]), error),
-        Case("NumPy, interp over 4,096", lambda: by_numpy(similar, index, centers, radii, 4096), error),
-        Case("NumPy, 5 fixed-point steps", lambda: by_numpy(similar, index, centers, radii, 0), error),
-        Case("reading (NumPy's max)", lambda: (centers.max(), radii.max(), index.max())),
+        Case("NumPy, interp over 4,096", lambda: by_numpy(models, index, centers, radii, 4096), error),
+        Case("NumPy, 5 fixed-point steps", lambda: by_numpy(models, index, centers, radii, 0), error),
+        Case("memory read (NumPy's max)", lambda: (centers.max(), radii.max(), index.max())),
     ]
     text = compare(f"Levels of 10⁶ objects, {title}", cases, work=Work(bytes=BYTES * COUNT), repeat=5)
     by_table, exact = (
-        nf.lod.select(similar, index, centers, radii, camera=CAMERA, lens=RIFT_S, inverse=inverse, full=True)
+        nf.lod.select(models, index, centers, radii, camera=CAMERA, lens=RIFT_S, inverse=inverse, full=True)
         for inverse in ("lut", "newton")
     )
-    is_asked = ~np.isnan(exact.sigma_seen)
-    error_of_size = np.abs(by_table.sigma_seen[is_asked] / exact.sigma_seen[is_asked] - 1).max()
+    is_computed = ~np.isnan(exact.sigma_seen)
+    error_of_size = np.abs(by_table.sigma_seen[is_computed] / exact.sigma_seen[is_computed] - 1).max()
     in_view = 1 - by_table.counts["culled"] / COUNT
-    small = np.mean(by_table.sigma_seen[is_asked] <= least)
+    small = np.mean(by_table.sigma_seen[is_computed] <= least)
     decided = by_table.counts["table"] / by_table.counts["asked"]
     return (
-        f"{text}\n{in_view:.1%} in view; of those asked for {small:.1%} are smaller than measured, and tables decide "
-        f"{decided:.1%}\nσ′ has a relative error of at most {error_of_size:.1e}; {by_table.counts}\n"
+        f"{text}\n{in_view:.1%} in view; of the objects whose size is computed, {small:.1%} are smaller than measured; "
+        f"for {decided:.1%} the look-up table suffices\nerror of σ′ at most {error_of_size:.1e}; {by_table.counts}\n"
     )
 
 

@@ -1,4 +1,4 @@
-"""Levels by both simplifiers: time, its parts, and the levels' distance from the base; nearest points against peers."""
+"""Both simplifiers: time and its parts, the levels' distance from the base; and nearest points against peers."""
 
 from __future__ import annotations
 
@@ -49,19 +49,19 @@ def levels(name: str, mesh: nf.Scene | trimesh.Trimesh) -> str:
             rows.append([f"{OURS}, {method}, {time.wall:.2f} s", level.ratio, reached, *errors])
     points, faces = base.surface.positions.astype(np.float64), base.places[base.surface.faces].astype(np.int32)
     simplify = fast_simplification.simplify
-    plain, time = timed(lambda: [simplify(points, faces, target_count=int(r * len(faces))) for r in RATIOS])
+    peer_levels, time = timed(lambda: [simplify(points, faces, target_count=int(r * len(faces))) for r in RATIOS])
     _, radius = nf.bounding_sphere(points)
-    for ratio, (vertices, triangles) in zip(RATIOS, plain, strict=True):
+    for ratio, (vertices, triangles) in zip(RATIOS, peer_levels, strict=True):
         count = len(triangles)
         surface = Surface(vertices.astype(np.float32), triangles.astype(np.uint32), np.zeros(count, np.int32))
         distances = deviation.deviation((base.scene, base.surface), (base.scene_of(surface), surface))
         errors = distances[0] / radius, distances[1] / radius
-        rows.append([f"fast-simplification as it is, {time.wall:.2f} s", ratio, count / len(faces), *errors])
+        rows.append([f"fast-simplification directly, {time.wall:.2f} s", ratio, count / len(faces), *errors])
     header = " | ratio {:g} | reached {:.3f} | greatest / radius {:.2e} | mean / radius {:.2e}"
     return table(f"levels of {name}, {len(faces):,} triangles", header, rows)
 
 
-def shares(name: str, mesh: nf.Scene | trimesh.Trimesh) -> str:
+def time_parts(name: str, mesh: nf.Scene | trimesh.Trimesh) -> str:
     """Table of the time of one level by its parts."""
     base = Base(mesh)
     target = len(base.surface.faces) // 10
@@ -70,12 +70,12 @@ def shares(name: str, mesh: nf.Scene | trimesh.Trimesh) -> str:
     carrying: list[Timing] = []
     original = carry.Carrier.carried
 
-    def watched(self: carry.Carrier, *arguments: Any) -> Surface:
+    def carried_and_timed(self: carry.Carrier, *arguments: Any) -> Surface:
         result, time = timed(original, self, *arguments)
         carrying.append(time)
         return result
 
-    with patch.object(carry.Carrier, "carried", watched):
+    with patch.object(carry.Carrier, "carried", carried_and_timed):
         simplifier.level(target)
     _, measured = timed(lambda: deviation.deviation((base.scene, base.surface), (base.scene_of(surface), surface)))
     rows = {
@@ -114,7 +114,7 @@ def main() -> None:
     meshes |= {Path(path).name: nf.Scene.load(path) for path in options.files}
     for name, mesh in meshes.items():
         print(levels(name, mesh))
-        print(shares(name, mesh))
+        print(time_parts(name, mesh))
 
 
 if __name__ == "__main__":

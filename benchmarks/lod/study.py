@@ -36,7 +36,7 @@ def table_beside_thesis(study: Study) -> str:
         shown = f"{ours[key]:.5f}" if printed.decimals else f"{ours[key]:.0f}"
         first = [printed.table, f"{printed.statistic} of {printed.of}", printed.text, shown, printed.beside(ours[key])]
         rows.append([*first, (low, high) if low < high else None])
-    header = "table |  | printed | ours | difference | with further decimals of d {:.5f} to {:.5f}"
+    header = "table |  | printed | ours | difference | range that the rounding of d allows {:.5f} to {:.5f}"
     return table(f"Beside the printed values ({SOURCE})", header, rows)
 
 
@@ -63,7 +63,7 @@ def table_of_normality(study: Study) -> str:
             rows.append([f"{column}, {hmd}, means of participants", *_normal(statistics.by_participant(part, column))])
         one, other = statistics.paired(study, column, "hmd", *study.hmds)
         rows.append([f"{column}, {' − '.join(study.hmds)}", *_normal(one - other)])
-    title = "Normality, Kolmogorov and Smirnov after Lilliefors (p at most 0.1), Shapiro and Wilk (5.4)"
+    title = "Normality, Kolmogorov and Smirnov after Lilliefors (p above 0.1 is given as 0.1), Shapiro and Wilk (5.4)"
     return table(title, ["", "n", "D", "p", "W", "p"], rows)
 
 
@@ -144,15 +144,15 @@ def _p(p: float) -> str:
 def main() -> None:
     study, source = study_or_twin()
     first = study.first(TABULATED)
-    print(f"The study, {source}; tables use the first {TABULATED}.\n")
+    print(f"The study, {source}; tables use the first {TABULATED} participants.\n")
     print(f"mean d = {first.d.mean():.4f}, mean k = {first.k.mean():.4f}\n")
     for row, usual in statistics.odd_rows(study):
         person, hmd, name, level = (getattr(study, field)[row] for field in ("participant", "hmd", "object", "level"))
         print(f"odd: participant {person}, {hmd}, {name}, level {level} has d = {study.d[row]}, elsewhere {usual}\n")
     if data.find(FILE):
         print(table_beside_thesis(first))
-    for made in (table_of_moments, table_of_normality, table_of_headsets, table_of_correlations):
-        print(made(first))
+    for make_table in (table_of_moments, table_of_normality, table_of_headsets, table_of_correlations):
+        print(make_table(first))
     if statistics.texture(first):
         print(table_of_texture(first))
     print(table_of_readings(study))

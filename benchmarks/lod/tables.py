@@ -21,7 +21,7 @@ from nearfar._render.backend import Backend
 LEVELS = 10
 """Number of levels of an object, as published: here down to 0.15 % of its triangles."""
 DENSE = ("spot", "bunny", "dragon", "armadillo")
-"""Objects that are split to only a million triangles, so that measuring them takes minutes, not hours."""
+"""Objects refined to about a million triangles; the thesis' had more, but measuring those would take hours."""
 RADII = (0.5, 1.0)
 """Radii of objects, metres; the thesis does not print them."""
 TWO_LEVELS = 0.008
@@ -34,26 +34,26 @@ Models = Sequence[nf.lod.LodModel]
 
 FRAMES = 250
 """Number of frames of a turn: every tenth of the thesis' 2,500."""
-DRAWS = 20
+TRIALS = 20
 """Number of balls with different object places."""
 RADIUS = 0.5
 """Radius of an object, metres."""
 
 
 def mean_and_error(values: NDArray[np.float64]) -> str:
-    """Format the mean over draws with its standard error."""
+    """Format the mean over trials with its standard error."""
     return f"{values.mean():.1f} ± {values.std(ddof=1) / np.sqrt(len(values)):.1f}"
 
 
 @dataclass(frozen=True)
 class Turns:
-    """Triangles of a mean frame by draw (D,): at full detail, and by the name of each selection method."""
+    """Triangles of a mean frame by trial (T,): at full detail, and by the name of each selection method."""
 
     full: NDArray[np.float64]
     drawn: dict[str, NDArray[np.float64]]
 
     def saved(self, method: str, over: str | None = None) -> NDArray[np.float64]:
-        """Percentage of triangles (D,) that a method saves relative to another one, or to full detail."""
+        """Percentage of triangles (T,) that a method saves relative to another one, or to full detail."""
         return 100 * (1 - self.drawn[method] / (self.full if over is None else self.drawn[over]))
 
 
@@ -65,7 +65,7 @@ def turns(
     size: float,
     count: int,
     radius: float,
-    draws: int,
+    trials: int,
     frames: int,
 ) -> Turns:
     """Choose levels in every frame of a turn in each of several balls; objects out of view are not drawn.
@@ -76,15 +76,15 @@ def turns(
     for n, model in enumerate(models):
         counts[n, : len(model)] = model.triangles
     cameras = [headset.camera(2 * np.pi * frame / frames) for frame in range(frames)]
-    full, drawn = np.zeros(draws), {name: np.zeros(draws) for name in selectors}
-    for draw in range(draws):
+    full, drawn = np.zeros(trials), {name: np.zeros(trials) for name in selectors}
+    for trial in range(trials):
         # Without size and radius in the seed, a ball twice as large of objects twice as large is the same scene.
-        scene = crowd(models, size=size, count=count, radius=radius, seed=(draw, round(size), round(1000 * radius)))
+        scene = crowd(models, size=size, count=count, radius=radius, seed=(trial, round(size), round(1000 * radius)))
         for camera in cameras:
             for name, selector in selectors.items():
                 levels = selector.select(models, scene.model_index, scene.centers, scene.radii, camera=camera).level
-                drawn[name][draw] += _triangles(counts, scene, levels)
-            full[draw] += _triangles(counts, scene, np.minimum(levels, 0))
+                drawn[name][trial] += _triangles(counts, scene, levels)
+            full[trial] += _triangles(counts, scene, np.minimum(levels, 0))
     return Turns(full / len(cameras), {name: triangles / len(cameras) for name, triangles in drawn.items()})
 
 
@@ -109,14 +109,14 @@ def selectors(headset: Headset, **settings: Any) -> dict[str, nf.lod.Selector]:
     return {"depth": depth, "lens": nf.lod.Selector(lens=headset.lens, **settings)}
 
 
-def saved(headset: Headset, models: Models, counts: tuple[int, ...], draws: int, frames: int) -> Iterator[str]:
+def saved(headset: Headset, models: Models, counts: tuple[int, ...], trials: int, frames: int) -> Iterator[str]:
     """Tables 5.12 to 5.15: percentage of triangles saved, and millions drawn."""
     shares: list[list[object]] = []
     millions: list[list[object]] = []
     for size, count in itertools.product(SIZES, counts):
         printed, column = headset.printed[size], COUNTS.index(count)
         scatter = partial(turns, models, headset, selectors(headset), size=size, count=count)
-        radius_turns = [scatter(radius=radius, draws=draws, frames=frames) for radius in RADII]
+        radius_turns = [scatter(radius=radius, trials=trials, frames=frames) for radius in RADII]
         depth = [mean_and_error(turn.saved("depth")) for turn in radius_turns]
         lens = [mean_and_error(turn.saved("lens", "depth")) for turn in radius_turns]
         shares.append([size, count, *depth, printed.depth[column], *lens, printed.lens[column]])
@@ -127,7 +127,7 @@ def saved(headset: Headset, models: Models, counts: tuple[int, ...], draws: int,
     full = np.mean([model.triangles[0] for model in models])
     kinds = (*(f", r = {r:g}" for r in RADII), ", printed {:g}")
     titles = [f"{what}{kind}" for what in ("depth", "lens") for kind in kinds]
-    title = f"{headset.name}: {len(models)} objects of {full:,.0f} triangles on average, {frames} frames, {draws} draws"
+    title = f"{headset.name}: {len(models)} objects of {full:,.0f} triangles (mean), {frames} frames, {trials} trials"
     yield table(title, ["radius m", "objects {:,}", *titles], shares)
     yield "Per cent of triangles that depth saves of full detail, and that the lens saves of what depth left.\n"
     titles = [f"{method} (printed) {{:.3g}} ({{:g}})" for method in ("off", "depth", "lens")]
@@ -135,7 +135,7 @@ def saved(headset: Headset, models: Models, counts: tuple[int, ...], draws: int,
     yield table(f"{headset.name}: millions of triangles of a mean frame", header, millions)
 
 
-def ablation(headset: Headset, models: Models, sparse: Models, draws: int, frames: int) -> str:
+def ablation(headset: Headset, models: Models, sparse: Models, trials: int, frames: int) -> str:
     """Table of the influences on the share saved by the lens, for the greatest number of objects."""
     ten = of_ten(models)
     curve = nf.lod.Curve4PL([1.0], [1.0], [1e-3], [1.0])
@@ -161,7 +161,7 @@ def ablation(headset: Headset, models: Models, sparse: Models, draws: int, frame
         rows.append([name])
         for size in SIZES:
             scatter = partial(turns, case_models, headset, selectors(headset, **settings), size=size, count=COUNTS[-1])
-            turn = scatter(radius=radius, draws=draws, frames=frames)
+            turn = scatter(radius=radius, trials=trials, frames=frames)
             rows[-1] += [f"{turn.saved('depth').mean():.1f}", mean_and_error(turn.saved("lens", "depth"))]
     printed = [headset.printed[size] for size in SIZES]
     rows.append(["printed", *(value for turn in printed for value in (turn.depth[-1], turn.lens[-1]))])
@@ -206,17 +206,17 @@ def main() -> None:
     options = start(
         __doc__,
         "--quick",
-        times=(bool, "draw frames, too, of the objects as they are"),
+        times=(bool, "also time the rendering of frames, with the original objects"),
         backend={"default": "auto", "choices": ("auto", "cpu", "gpu")},
     )
-    counts, draws, frames = (COUNTS[:1], 3, 25) if options.quick else (COUNTS, DRAWS, FRAMES)
+    counts, trials, frames = (COUNTS[:1], 3, 25) if options.quick else (COUNTS, TRIALS, FRAMES)
     for headset in (RIFT_S, VIVE_PRO):
         names = present(DENSE)
         sparse = measured(headset, names, step=None)
         exact: dict[str, Any] = {"views": 144, "directions": "published", "step": None}
         dense = sparse if options.quick else measured(headset, names, dense=True, **exact)
-        print("\n".join(saved(headset, of_ten(dense), counts, draws, frames)), flush=True)
-        print(ablation(headset, dense, sparse, draws, frames), flush=True)
+        print("\n".join(saved(headset, of_ten(dense), counts, trials, frames)), flush=True)
+        print(ablation(headset, dense, sparse, trials, frames), flush=True)
         if options.times:
             print(timings(headset, measured(headset), counts, options.backend), flush=True)
 

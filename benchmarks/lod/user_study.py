@@ -18,7 +18,7 @@ FILE = "study/lod_thresholds.csv"
 """Path below the data folder."""
 
 TABULATED = 24
-"""Participants in the thesis' tables: the first ones of 25."""
+"""Number of participants in the thesis' tables: the first 24 of 25."""
 
 Array = NDArray[np.float64]
 _SEED, _RESAMPLE = 2021, 1
@@ -76,10 +76,10 @@ def load(path: Path | None = None) -> Study:
 
 
 def made_up(participants: int = TABULATED, objects: int = 10, *, gap: float = 0.0) -> Study:
-    """Make a study with known statistics: levels are uniform from 0 to 10, each 0.02 lower in d, and k from −¼ to ¾.
+    """Make a study with known statistics: levels are uniform from 0 to 10, d is 1 − 0.02 level, k uniform from −¼ to ¾.
 
     So the mean of d is 0.9 and its deviation 0.02 √10, the mean of k 0.25 and its deviation 0.25 √2. `gap` is added to
-    d for the headset "vive", which is otherwise like the other: with zero there is no effect to find.
+    d for the headset "vive"; with 0 the headsets do not differ.
     """
     index = np.arange(participants * objects * 2)
     hmd = np.where(index % 2 == 0, "rift", "vive")
@@ -96,7 +96,7 @@ def made_up(participants: int = TABULATED, objects: int = 10, *, gap: float = 0.
 
 # contradictory rows ---------------------------------------------------------------------------------------------------
 def odd_rows(study: Study) -> list[tuple[int, float]]:
-    """Rows whose d differs from that of their object and level elsewhere: their numbers, and the d of the majority.
+    """Rows whose d differs from that of most rows of their object and level: their numbers, and that majority's d.
 
     A level of an object is one mesh, and its SSIM at 1/16 of the screen is one number for all participants.
     """
@@ -156,14 +156,14 @@ def lilliefors(values: Array) -> tuple[float, float]:
     n = len(values)
     distance = float(stats.kstest(values, "norm", args=(values.mean(), values.std(ddof=1))).statistic)
     # Above 100 values they scale D to its value for 100.
-    counted, scaled = min(n, 100), distance * max(n / 100, 1.0) ** 0.49
-    root = np.sqrt(counted + 2.78019)
-    rest = -0.122119 + 0.974598 / np.sqrt(counted) + 1.67997 / counted
-    return distance, min(0.1, float(np.exp(-7.01256 * (scaled * root) ** 2 + 2.99587 * scaled * root + rest)))
+    clipped_n, scaled = min(n, 100), distance * max(n / 100, 1.0) ** 0.49
+    root = np.sqrt(clipped_n + 2.78019)
+    constant = -0.122119 + 0.974598 / np.sqrt(clipped_n) + 1.67997 / clipped_n
+    return distance, min(0.1, float(np.exp(-7.01256 * (scaled * root) ** 2 + 2.99587 * scaled * root + constant)))
 
 
 def paired(study: Study, column: str, by: str, one: str, other: str) -> tuple[Array, Array]:
-    """Return a column for two headsets or objects (`by`), in the order of participants and of the other column."""
+    """Return a column for two headsets, or for two objects if `by` is "object", ordered so that rows form pairs."""
     other_column = "object" if by == "hmd" else "hmd"
     sides = []
     for value in (one, other):
@@ -192,7 +192,7 @@ class Wilcoxon:
 
 def wilcoxon(one: Array, other: Array) -> Wilcoxon:
     """Compute the test by the normal approximation with ties, without continuity correction, as in SPSS."""
-    # Differences of decimals would make equal ranks differ in their last bit.
+    # Without rounding, differences that are equal in decimals would differ in their last bit and not tie.
     differences = np.round(one - other, 9)
     equal = int((differences == 0).sum())
     if equal == len(differences):
@@ -227,9 +227,9 @@ def texture(study: Study) -> dict[tuple[str, int], float]:
         name = plain.removesuffix("_plain")
         if name == plain or name not in study.objects:
             continue
-        with_it, without = (study.select(object=which) for which in (name, plain))
-        for level in sorted({*with_it.level.tolist()} & {*without.level.tolist()} - {0}):
-            dissimilarities = [1 - np.median(part.d[part.level == level]) for part in (with_it, without)]
+        textured, untextured = (study.select(object=which) for which in (name, plain))
+        for level in sorted({*textured.level.tolist()} & {*untextured.level.tolist()} - {0}):
+            dissimilarities = [1 - np.median(part.d[part.level == level]) for part in (textured, untextured)]
             factors[name, int(level)] = float(dissimilarities[0] / dissimilarities[1])
     return factors
 
@@ -269,16 +269,16 @@ def readings(study: Study) -> dict[str, tuple[float, float, int]]:
     def mean(part: Study) -> tuple[float, float, int]:
         return float(part.d.mean()), float(part.k.mean()), len(part)
 
-    def other(of: Any) -> tuple[float, float, int]:
-        return float(of(first.d)), float(of(first.k)), len(first)
+    def average(function: Any) -> tuple[float, float, int]:
+        return float(function(first.d)), float(function(first.k)), len(first)
 
     means = {f"the first {len(people)} participants": mean(first), "all participants": mean(study)}
     means |= {f"{hmd} only": mean(first.select(hmd=hmd)) for hmd in first.hmds}
     means["odd rows mended"] = mean(mended(first))
     means["without the one whose d matters most"] = max(map(mean, without), key=lambda it: abs(it[0] - first.d.mean()))
     means["without the one whose k matters most"] = max(map(mean, without), key=lambda it: abs(it[1] - first.k.mean()))
-    means["medians"] = other(np.median)
-    means["means of the middle 80 %"] = other(lambda values: stats.trim_mean(values, 0.1))
+    means["medians"] = average(np.median)
+    means["means of the middle 80 %"] = average(lambda values: stats.trim_mean(values, 0.1))
     means["without refusals of any level (level 0)"] = mean(first.where(first.level > 0))
     means["without k below 0"] = mean(first.where(first.k >= 0))
     return means

@@ -18,7 +18,7 @@ from benchmarks.harness.report import start, table
 from benchmarks.lod._objects import BY_MESHOPT, sources
 from nearfar.lod._measure import statistic
 from nearfar.lod._measure.scores import pictures
-from nearfar.lod._measure.views import Screen, Stand, turns
+from nearfar.lod._measure.views import Orbit, Screen, turns
 from nearfar.lod._simplify.simplify import Method
 
 Array = NDArray[np.float64]
@@ -38,16 +38,16 @@ VIEWS, SAMPLES = 24, 4
 
 def scores(levels: nf.lod.Levels, screen: Screen, distances: Sequence[int], views: int, samples: int) -> Array:
     """Score all levels except the base with each window, at each distance from each side: (W, K − 1, D, V)."""
-    stand = Stand.around(levels, screen)
+    orbit = Orbit.around(levels, screen)
     scored = np.empty((len(WINDOWS), len(levels) - 1, len(distances), views))
-    for size, number in enumerate(distances):
-        cameras = [stand.camera(number, turn) for turn in turns(views, "even")[0]]
+    for n, distance in enumerate(distances):
+        cameras = [orbit.camera(distance, turn) for turn in turns(views, "even")[0]]
         base, *coarser = (pictures(level.scene, cameras, samples, "cpu") for level in levels)
         for level, test in enumerate(coarser):
             masks = base.shown | test.shown
             for window, options in enumerate(WINDOWS.values()):
                 similarity = nf.metrics.ssim_pairs(base.luma, test.luma, data_range=255.0, masks=masks, **options)
-                scored[window, level, size] = similarity
+                scored[window, level, n] = similarity
     return scored
 
 

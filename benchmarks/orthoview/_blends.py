@@ -17,15 +17,16 @@ from nearfar.orthoview._view import OrthoView
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
-BORDER, SQUARED_RADIUS = 1.27, 0.5
+SURFEL_SCALE, SQUARED_RADIUS = 1.27, 0.5
+"""Factor by which surfels exceed their pixels, so that faded borders overlap; |q|² at the edge of a splat."""
 SHARPNESS = 4.0
-"""Opacity at q within a splat is e^(−`SHARPNESS` |q|²); its edge is at |q|² = 1/2."""
+"""Opacity at q within a splat is e^(−`SHARPNESS` |q|²)."""
 LAYER = 0.01
 """Splats at one sample blend if their distance exceeds that of the nearest one by at most this share."""
 REACH = 3
 """Maximum distance of a sample from a splat's middle, samples."""
-LINE = 1e-4
-"""Least sine of the angle between an ellipse's axes in the picture."""
+MIN_AXES_SINE = 1e-4
+"""Least sine of the angle between an ellipse's axes in the picture; flatter ellipses are left out."""
 GRID = 2
 """Samples along each axis of a pixel."""
 
@@ -85,7 +86,7 @@ def _samples(splats: _Splats, camera: nf.Camera) -> Iterator[tuple[Ints, Floats,
     determinant = ux * vy - uy * vx
     x, y, depth = projected.T
     with np.errstate(invalid="ignore"):
-        is_flat = np.abs(determinant) < LINE * np.hypot(ux, uy) * np.hypot(vx, vy)
+        is_flat = np.abs(determinant) < MIN_AXES_SINE * np.hypot(ux, uy) * np.hypot(vx, vy)
         usable = np.flatnonzero((depth > 1.0) & ~is_flat & (x > -REACH) & (x < width + REACH))
     x, y, depth, determinant = x[usable], y[usable], depth[usable], determinant[usable]
     ux, uy, uw, vx, vy, vw = (value[usable] for value in (ux, uy, uw, vx, vy, vw))
@@ -105,7 +106,7 @@ def _samples(splats: _Splats, camera: nf.Camera) -> Iterator[tuple[Ints, Floats,
 
 
 def _splats(tree: nf.orthoview.OrthoTree, camera: nf.Camera, views: int) -> _Splats:
-    """Splats of a cut with one view more than are drawn: it has the weight 0, and the others have its cosine less."""
+    """Splats of a cut with one view more than is drawn: a weight is a view's cosine minus that of the extra view."""
     cut = tree.cut(camera, views=views + 1, geometry=False)
     units = np.array(tree.directions) / np.linalg.norm(tree.directions, axis=1, keepdims=True)
     parts = []
@@ -131,8 +132,8 @@ def _of_view(view: OrthoView, weight: float) -> _Splats:
     light = to_linear(pixels.color / 255) * irradiance(normal, SUN)
     return _Splats(
         pixels.middle,
-        np.where(surfel, BORDER * u, ball_radius * view.right),
-        np.where(surfel, BORDER * v, ball_radius * view.up),
+        np.where(surfel, SURFEL_SCALE * u, ball_radius * view.right),
+        np.where(surfel, SURFEL_SCALE * v, ball_radius * view.up),
         light,
         np.full(len(light), weight),
     )

@@ -30,9 +30,9 @@ SIZE = (640, 480)
 ANGLE = 60.0
 """Vertical field of view, degrees: that of the page."""
 CLIENTS = {"nearfar": "&geometry=1", "nearfar, splats": "&geometry=0", "3d-tiles-renderer": "tiles", "Spark": "spark"}
-"""Request of each viewer's address: the page with near leaves as geometry and without, and the other viewers."""
+"""Query of each viewer's address: the page with near leaves as geometry or all as splats, and the other viewers."""
 QUIET = 5.0
-"""Seconds without a received byte and without a change after which a client is considered finished."""
+"""A client counts as finished after this many seconds without a received byte or a change."""
 
 FLY = """async ([poses, cuts, step, seconds]) => {
   const gl = document.querySelector('canvas').getContext('webgl2');
@@ -64,7 +64,7 @@ STAND = """async ([pose, cut]) => {
 STILL = """async ([width, height]) => {
   const gl = document.querySelector('canvas').getContext('webgl2');
   await client.draw();
-  // In the same task, whose end gives the picture away.
+  // Read in the same task: when it ends, the browser clears the canvas.
   await client.paint?.();
   const pixels = new Uint8Array(4 * width * height);
   gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
@@ -76,14 +76,14 @@ STILL = """async ([width, height]) => {
 
 @dataclass(frozen=True)
 class Route:
-    """A straight flight with a turn; its places follow each other at intervals of `step` seconds."""
+    """A flight forward with slow turns; its poses are `step` seconds apart."""
 
     tree: nf.orthoview.OrthoTree
     height: float
     speed: float
     seconds: float
     error: float
-    """Maximum width of a view's pixels in pixels of the picture."""
+    """Greatest width of a pixel of a drawn view, in pixels of the picture."""
     splat_error: float
     """The same for the cells that Spark draws."""
     step: float = 1.0
@@ -106,7 +106,7 @@ class Route:
 
     @cached_property
     def cuts(self) -> list[dict[str, Any]]:
-        """Cuts for Spark: names of each cut's cells and their ancestors, coarse ones first, and their hierarchy."""
+        """Cuts for Spark: names of a cut's cells and their ancestors, the coarsest first, and their hierarchy."""
         return [self._cut(number) for number in range(len(self.poses))]
 
     def _cut(self, number: int) -> dict[str, Any]:
@@ -115,8 +115,8 @@ class Route:
         children: dict[tuple[int, Place], set[tuple[int, Place]]] = {}
         top = self.tree._layout.grid.levels - 1
         rows = zip(cut.level.tolist(), cut.place.tolist(), cut.distance.tolist(), cut.in_picture, strict=True)
-        for level, place, distance, is_seen in rows:
-            if not is_seen:
+        for level, place, distance, is_in_picture in rows:
+            if not is_in_picture:
                 continue
             key: tuple[int, Place] = (level, tuple(place))
             children.setdefault(key, set())
@@ -155,14 +155,14 @@ def prepare(route: Route, folder: Path) -> dict[str, Path]:
         if not (splats / f"{name}.spz").is_file():
             (splats / f"{name}.spz").write_bytes(_spz.encode(cells.read(*key).gaussians))
     irradiance = LIGHT.read_text().split("/* glsl */ `")[1].split("`")[0]
-    described = {
+    settings = {
         "size": SIZE,
         "angle": ANGLE,
         "tileset": "/store/geometry/tileset.json",
         "cells": centers,
         "irradiance": irradiance,
     }
-    (job / "job.json").write_text(json.dumps(described))
+    (job / "job.json").write_text(json.dumps(settings))
     store, packages = Path(route.tree.path), FOLDER / "node_modules"
     return {"page": page, "splats": splats, "job": job, "store": store, "packages": packages, "peers": PEERS}
 
@@ -174,7 +174,7 @@ class Client:
         self._page, self._route, self._gate = page, route, gate
 
     def settled(self, number: int, timeout: float) -> dict[str, Any]:
-        """Stand at a place until nothing arrives or changes; return the missing parts and the viewer's figures."""
+        """Stay at a pose until nothing arrives or changes; return the number of missing parts and figures."""
         begin = time.monotonic()
         last_state, last_change = None, begin
         pose, cut = self._route.poses[number], self._route.cuts[number]
@@ -184,8 +184,8 @@ class Client:
             if state != last_state:
                 last_state, last_change = state, now
             missing, facts = json.loads(state[0])
-            quiet = 1.0 if missing == 0 else QUIET
-            if now - last_change > quiet or now - begin > timeout:
+            quiet_seconds = 1.0 if missing == 0 else QUIET
+            if now - last_change > quiet_seconds or now - begin > timeout:
                 return {"missing": missing, **facts}
             self._page.wait_for_timeout(200)
 
@@ -195,7 +195,7 @@ class Client:
         return np.frombuffer(data, np.uint8).reshape(SIZE[1], SIZE[0], 4)[::-1]
 
     def fly(self, pace: float) -> NDArray[np.float64]:
-        """Fly the route at a fraction of its speed: times of frames, their ms and the amount missing."""
+        """Fly the route at `pace` times its speed; return each frame's time, milliseconds and missing parts."""
         route = self._route
         frames = self._page.evaluate(FLY, [route.poses, route.cuts, route.step / pace, route.seconds])
         return np.array(frames, np.float64).reshape(-1, 3)

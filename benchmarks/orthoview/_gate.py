@@ -22,7 +22,7 @@ PIECE = 4096
 
 @dataclass
 class Gate:
-    """Counts the bytes of contents, which all share one link."""
+    """Counts and delays the bytes of file contents, which all share one link."""
 
     mbps: float = math.inf
     rtt_ms: float = 0.0
@@ -32,7 +32,7 @@ class Gate:
     requests: int = 0
     waiting: int = 0
     """Number of clients that wait until more bytes are allowed."""
-    _free: float = 0.0
+    _free_time: float = 0.0
     _changed: threading.Condition = field(default_factory=threading.Condition)
 
     def allow(self, count: float) -> None:
@@ -52,9 +52,9 @@ class Gate:
                 return 0
             count_sent = int(min(count, self.allowed - self.sent))
             self.sent += count_sent
-            self._free = max(self._free, time.monotonic()) + count_sent * 8e-6 / self.mbps
-            free = self._free
-        time.sleep(max(free - time.monotonic(), 0.0))
+            self._free_time = max(self._free_time, time.monotonic()) + count_sent * 8e-6 / self.mbps
+            end_time = self._free_time
+        time.sleep(max(end_time - time.monotonic(), 0.0))
         return count_sent
 
 
@@ -81,17 +81,17 @@ class _Handler(SimpleHTTPRequestHandler):
             self.send_error(404)
             return
         content, size = path.read_bytes(), path.stat().st_size
-        range_asked = re.fullmatch(r"bytes=(\d*)-(\d*)", self.headers.get("Range", ""))
-        if range_asked is not None:
-            first, last = range_asked.groups()
+        requested_range = re.fullmatch(r"bytes=(\d*)-(\d*)", self.headers.get("Range", ""))
+        if requested_range is not None:
+            first, last = requested_range.groups()
             start = int(first) if first else max(size - int(last), 0)
             stop = min(int(last) + 1, size) if first and last else size
             content = content[start:stop]
         if self._is_counted:
             self._gate.requests += 1
             time.sleep(self._gate.rtt_ms / 1e3)
-        self.send_response(200 if range_asked is None else 206)
-        if range_asked is not None:
+        self.send_response(200 if requested_range is None else 206)
+        if requested_range is not None:
             self.send_header("Content-Range", f"bytes {start}-{stop - 1}/{size}")
         self.send_header("Content-Type", self.guess_type(path))
         self.send_header("Content-Length", str(len(content)))

@@ -44,7 +44,7 @@ def axes_of(direction: tuple[int, int, int], side: float) -> tuple[NDArray[np.fl
 def metres_of(
     views: _core.OrthoViews, number: int, layout: Layout, side: float, empty: float = np.inf
 ) -> NDArray[np.float64]:
-    """Metres (H, W) behind the front of a cell of one view's pixels."""
+    """Distances (H, W) in metres of one view's pixels behind the front of their cell; `empty` for empty pixels."""
     codes = views.depths()[number, ..., 0].astype(float)
     _, extents = axes_of(layout.directions[number], side)
     return np.where(codes > 0, (codes - 0.5) * extents[2] / layout.steps, empty)

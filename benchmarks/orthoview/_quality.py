@@ -1,4 +1,4 @@
-"""Pictures of trees compared with the truth."""
+"""Compares pictures of trees with the truth."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ from benchmarks.orthoview._worlds import World
 
 SAMPLES = 16
 """Samples per pixel for comparisons of colours."""
-SHARE, METRES = 0.02, 1.0
-"""Two surfaces are the same if their distances differ by less than this share and this many metres."""
+SAME_SHARE, SAME_METRES = 0.02, 1.0
+"""Two surfaces are the same if the farther distance is at most (1 + share) times the nearer one plus the metres."""
 
-ALIKE = 2
-"""Maximum difference in pixels between depths of a point and of a view that shows the point."""
+MAX_DEPTH_PIXELS = 2
+"""A view shows a point if their depths differ by less than this many of the view's pixels."""
 
 Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
@@ -69,24 +69,24 @@ class Truth:
 
 @dataclass(frozen=True)
 class Quality:
-    """Findings about a picture; shares of its pixels that show a surface in the truth, unless stated otherwise."""
+    """Measures of a picture; shares are relative to the pixels whose truth is a surface, unless stated otherwise."""
 
     psnr: float
     ssim: float
     holes: float
     """Pixels that show nothing."""
     inner_holes: float
-    """Holes all of whose eight neighbours should show a surface."""
+    """Holes whose eight neighbours all show a surface in the truth."""
     through: float
-    """Pixels that show a surface farther away."""
+    """Pixels that show a surface behind the true one."""
     inner_through: float
-    """Pixels among them that are farther away than the true surfaces of all their neighbours, too."""
+    """Pixels among them whose surface is also behind the true surfaces of all their neighbours."""
     before: float
-    """Pixels that show a nearer surface."""
+    """Pixels that show a surface in front of the true one."""
     false: float
-    """Pixels that show a surface instead of the sky; share of the whole picture."""
+    """Pixels that show a surface instead of the sky, as a share of the whole picture."""
     read: float
-    """Bytes read by a client without any data."""
+    """Bytes that a client with an empty cache reads."""
     geometry: float
     """Bytes of geometry among them."""
     splats: float
@@ -152,14 +152,14 @@ def shown_by(points: NDArray[Any], axes: Floats, extents: Floats, center: Floats
     x, y = np.moveaxis(np.clip(pixel, 0, size - 1), -1, 0)
     padded, behind = np.pad(depth, 1, constant_values=np.inf), extents[2] / 2 - local[..., 2]
     differences = [np.abs(padded[y + dy, x + dx] - behind) for dy in range(3) for dx in range(3)]
-    is_alike = np.min(differences, axis=0) < ALIKE * (extents[:2] / size).max()
+    is_alike = np.min(differences, axis=0) < MAX_DEPTH_PIXELS * (extents[:2] / size).max()
     is_shown: Bools = is_alike & np.isfinite(points).all(axis=-1)
     return is_shown
 
 
 def next_surface_range(ranges: NDArray[np.float32]) -> NDArray[np.float32]:
-    """Distance from which a surface counts as another one."""
-    farther: NDArray[np.float32] = ranges * np.float32(1 + SHARE) + np.float32(METRES)
+    """Distance beyond which a surface counts as another one, farther away."""
+    farther: NDArray[np.float32] = ranges * np.float32(1 + SAME_SHARE) + np.float32(SAME_METRES)
     return farther
 
 

@@ -1,4 +1,4 @@
-"""Draws sheets of pictures with their errors, halves side by side, and quality against bytes."""
+"""Draws sheets of pictures with their errors, left and right halves of two pictures, and quality against bytes."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ from PIL import Image
 from benchmarks.harness.report import save_figure, subplots
 from benchmarks.orthoview._quality import Quality, Truth
 
-SMALL = (292, 219)
+PICTURE_SIZE = (292, 219)
 """Pixels of the sheet's pictures."""
 WIDE = (1200, 500)
 GAIN = 3
 """Factor of the displayed errors."""
-MARGIN, TITLE, LINE = 4, 22, 18
+MARGIN, TITLE_HEIGHT, LINE_HEIGHT = 4, 22, 18
 MEGABYTES = (0.5, 1, 2, 5, 10, 20, 50)
 
 Picture = NDArray[np.uint8]
@@ -34,20 +34,20 @@ def save_sheet(rows: Sequence[Sequence[Any]], titles: Sequence[str], path: Path)
         pictures = [frame.to_image() for frame in frames]
         errors = [error(reference, picture) for picture in pictures]
         lines += [[reference, *pictures], [np.full_like(reference, 255), *errors]]
-    step = np.add(SMALL, MARGIN)
-    sheet = Image.new("RGB", (int(step[0]) * len(lines[0]), int(step[1]) * len(lines) + TITLE), "white")
+    step = np.add(PICTURE_SIZE, MARGIN)
+    sheet = Image.new("RGB", (int(step[0]) * len(lines[0]), int(step[1]) * len(lines) + TITLE_HEIGHT), "white")
     for n, title in enumerate(["truth", *titles]):
-        write(sheet, title, (int(step[0]) * n + SMALL[0] // 2, TITLE // 2))
+        write(sheet, title, (int(step[0]) * n + PICTURE_SIZE[0] // 2, TITLE_HEIGHT // 2))
     for y, (line, name) in enumerate(zip(lines, names, strict=True)):
         if name:
             write(
                 sheet,
                 f"{name}\nabove; differences,\n{GAIN} times as great",
-                (SMALL[0] // 2, TITLE + int(step[1]) * y + 90),
+                (PICTURE_SIZE[0] // 2, TITLE_HEIGHT + int(step[1]) * y + 90),
             )
         for x, picture in enumerate(line):
             if x or y % 2 == 0:
-                sheet.paste(Image.fromarray(picture), (int(step[0]) * x, TITLE + int(step[1]) * y))
+                sheet.paste(Image.fromarray(picture), (int(step[0]) * x, TITLE_HEIGHT + int(step[1]) * y))
     save(sheet, path)
 
 
@@ -70,11 +70,11 @@ def save_halves(first: Picture, second: Picture, path: Path) -> None:
 
 
 def save_panels(panels: Sequence[tuple[str, Picture]], columns: int, path: Path, *, scale: int = 1) -> None:
-    """Save pictures of one size in rows, enlarged by a whole number, each below its title of any number of lines."""
+    """Save pictures of one size in rows, enlarged by a whole number, each below a title of one or more lines."""
     height, width = (scale * side for side in panels[0][1].shape[:2])
     rows = [panels[start : start + columns] for start in range(0, len(panels), columns)]
     lines = [max(len(title.splitlines()) for title, _ in row) for row in rows]
-    tops = [LINE * count + MARGIN for count in lines]
+    tops = [LINE_HEIGHT * count + MARGIN for count in lines]
     sheet = Image.new("RGB", (columns * (width + MARGIN) - MARGIN, sum(tops) + height * len(rows)), "white")
     y = 0
     for row, top in zip(rows, tops, strict=True):
@@ -97,7 +97,7 @@ def write(picture: Image.Image, text: str, middle: tuple[int, int]) -> None:
 
 
 def save(picture: Image.Image, path: Path) -> None:
-    """Save a picture; PNG with a palette, which suffices for pictures of few hues."""
+    """Save a picture; PNG files get a palette of 256 colours, enough for pictures of few hues."""
     if path.suffix == ".jpg":
         picture.save(path, quality=88, optimize=True)
         return

@@ -17,9 +17,8 @@ from nearfar.orthoview._layout import Layout
 TURN = 20.0
 """Angle in degrees between a view's direction and the picture's; adjacent directions are 45° apart."""
 
-STEEPEST = 0.2
-"""Least cosine between a normal and the view's direction that limits the stretching of a splat."""
-
+MIN_COSINE = 0.2
+"""Cosine between a normal and the view's direction below which splats are stretched no further."""
 
 Floats = NDArray[np.float64]
 
@@ -38,11 +37,11 @@ class Pixels:
     """Unit vectors to the right, upwards and towards the viewer (3, 3)."""
     sides: Floats
     """Width and height of a pixel (2,), metres."""
-    seen: NDArray[np.bool_]
+    mask: NDArray[np.bool_]
     """Mask of these pixels (H, W)."""
 
     def tangents(self, least: float) -> tuple[Floats, Floats]:
-        """Sides of pixels on the tangent planes (N, 3), whose normals have at least a given cosine to the viewer."""
+        """Sides of pixels on the tangent planes (N, 3); cosines of normals to the viewer are raised to `least`."""
         n = self.normal @ self.axes.T
         zero, slope = np.zeros(len(n)), -n[:, :2] / np.maximum(n[:, 2:], least)
         u = np.stack([zero + 1, zero, slope[:, 0]], axis=1) @ self.axes * self.sides[0]
@@ -87,15 +86,15 @@ def truth(leaf: Leaf, direction: tuple[int, int, int], size: int) -> NDArray[np.
 def picture(leaf: Leaf, views: _core.OrthoViews, layout: Layout, number: int) -> NDArray[np.uint8]:
     """Render the splats of one view, shaded by their normals with the formula of all pictures."""
     direction = layout.directions[number]
-    onto = camera(leaf, direction, layout.size)
-    return nf.render(splats(leaf, views, layout, number, onto), onto, samples=4).to_image()
+    picture_camera = camera(leaf, direction, layout.size)
+    return nf.render(splats(leaf, views, layout, number, picture_camera), picture_camera, samples=4).to_image()
 
 
-def splats(leaf: Leaf, views: _core.OrthoViews, layout: Layout, number: int, onto: nf.Camera) -> nf.Scene:
+def splats(leaf: Leaf, views: _core.OrthoViews, layout: Layout, number: int, picture_camera: nf.Camera) -> nf.Scene:
     view_pixels = pixels(leaf, views, layout, number)
-    is_surfel = _core.orthoview_surfels(views.connected(_codec.CONNECTION_LIMITS))[number, ..., 0][view_pixels.seen]
-    u, v = view_pixels.tangents(STEEPEST)
-    _, rays = onto.rays()
+    is_surfel = _core.orthoview_surfels(views.connected(_codec.CONNECTION_LIMITS))[number, ..., 0][view_pixels.mask]
+    u, v = view_pixels.tangents(MIN_COSINE)
+    _, rays = picture_camera.rays()
     side = np.cross(rays[0, 0], view_pixels.axes[1])
     side /= np.linalg.norm(side)
     longest = view_pixels.sides.max()

@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 import nearfar as nf
 from nearfar.orthoview._view import OrthoView
 
-REACH = 4.0
-"""Maximum distance in pixels of a child's splat behind its parent's surface to belong to it."""
+MAX_PIXELS_BEHIND = 4.0
+"""A child's splat belongs to its parent's if it lies at most this many of the child's pixels behind its surface."""
 
 Tree = nf.orthoview.OrthoTree
 
@@ -35,8 +35,8 @@ def swap_distances(tree: Tree, camera: nf.Camera, error_px: float = 1.0) -> NDAr
     return np.concatenate(distances)
 
 
-def between(camera: nf.Camera, parent: OrthoView, child: OrthoView, start: float) -> NDArray[np.float64]:
-    """Distances in pixels between a child's splats in the picture and its parent's."""
+def between(camera: nf.Camera, parent: OrthoView, child: OrthoView, swap_distance: float) -> NDArray[np.float64]:
+    """Distances in pixels between a child's splats in the picture and its parent's, from `swap_distance` metres."""
     points = child.points()[np.isfinite(child.depth)]
     size, offset = len(parent.depth), points - parent.center
     column = np.floor((offset @ parent.right / parent.extents[0] + 0.5) * size).astype(int)
@@ -44,11 +44,11 @@ def between(camera: nf.Camera, parent: OrthoView, child: OrthoView, start: float
     is_inside = (column >= 0) & (column < size) & (row >= 0) & (row < size)
     points, parent_points = points[is_inside], parent.points()[row[is_inside], column[is_inside]]
     behind = (parent_points - points) @ parent.toward
-    is_replaced = behind <= REACH * max(parent.extents[:2]) / (2 * size)
+    is_replaced = behind <= MAX_PIXELS_BEHIND * max(parent.extents[:2]) / (2 * size)
     points, parent_points = points[is_replaced], parent_points[is_replaced]
     child_pixels, parent_pixels = camera.project(points)[:, :2], camera.project(parent_points)[:, :2]
     distance = np.linalg.norm(points - np.array(camera.position), axis=1)
-    pixels = np.linalg.norm(child_pixels - parent_pixels, axis=1) * distance / start
+    pixels = np.linalg.norm(child_pixels - parent_pixels, axis=1) * distance / swap_distance
     width, height = camera.size
     is_visible = ((child_pixels >= 0) & (child_pixels < (width, height))).all(axis=1) & np.isfinite(pixels)
     return np.asarray(pixels[is_visible])

@@ -30,7 +30,7 @@ GROUND = ("ground", "land")
 RING = 48
 """Number of horizontal directions in which walkers look."""
 
-LANDSCAPE = 3.0
+LANDSCAPE_ERROR = 3.0
 """Maximum geometric error of the landscape, metres."""
 
 Floats = NDArray[np.float64]
@@ -50,7 +50,7 @@ class World:
 
     @cached_property
     def box(self) -> Floats:
-        """Box of the square (2, 3), which ends with its last leaf."""
+        """Box of the square (2, 3), a millimetre short, so that it touches no leaf beyond its last one."""
         extent = [self.side - 1e-3, self.height, self.side - 1e-3]
         return np.array([self.low, np.add(self.low, extent)])
 
@@ -63,7 +63,7 @@ class World:
         return nf.Camera.look_at(eye, target, fov=FOV, size=PICTURE)
 
     def from_air(self) -> list[nf.Camera]:
-        """Cameras across the square from beside it, and down on it from a corner."""
+        """One camera beside the square looks across it, one at a corner looks down on it."""
         points = self.side * np.array([(0.5, 0.25, -0.15), (0.55, 0.0, 0.6), (0.0, 0.45, 0.0), (0.5, 0.0, 0.5)])
         points[::2, 1] = np.maximum(points[::2, 1], 0.6 * self.height)
         points += self.box[0]
@@ -121,7 +121,7 @@ def open_tree(path: Path, directions: int, layers: int = 1) -> nf.orthoview.Orth
 
 
 def tokyo(tiles: str | None) -> World:
-    """1.5 km around Shimbashi, without tiles of the core; with ground below the houses, which the data lack."""
+    """1.5 km around Shimbashi, from `tiles`, if None from the core's file; a ground is added, which the data lack."""
     source: nf.SceneSource = nf.open_source(tiles) if tiles else tokyo_core()
     x, z = (-1750.0, 1000.0) if tiles else (-1500.0, 0.0)
 
@@ -155,6 +155,6 @@ def landscape() -> World:
     hills = nf.datasets.world()
 
     def part(box: Floats) -> nf.Scene:
-        return hills.query(box, detail=LANDSCAPE)
+        return hills.query(box, detail=LANDSCAPE_ERROR)
 
     return World("landscape", part, (-4000.0, 20.0, -4000.0), 1000.0, 120.0, 125.0)

@@ -1,8 +1,8 @@
 """Pictures of a tree on graphics adapters: frame times, splats per second, bytes of views, against the processor's.
 
 An eye looks at the middle of the tree. The error of the cut is reduced until its views have the requested number of
-splats, 25 million as in the paper. Both kinds of atomic integers are measured if an adapter supports those of 64 bits.
-Without a GPU the adapters are software on the processor (lavapipe, llvmpipe).
+splats, by default 25 million as in the paper. Both kinds of atomic integers are measured if an adapter supports those
+of 64 bits. Without a GPU the adapters are software on the processor (lavapipe, llvmpipe).
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from nearfar._render import backend as backends
 SIZES = {"640x480": ((640, 480),), "2x1832x1920": ((1832, 1920), (1832, 1920))}
 DIFFERENCE = 2e-3
 """Least difference of linear colours at which pixels count as different."""
-MIN = 0.05
+MIN_ERROR_PX = 0.05
 """Least error of a cut, pixels."""
 
 
@@ -57,12 +57,12 @@ def main() -> None:
 def gather(
     tree: nf.orthoview.OrthoTree, camera: nf.Camera, min_splats: float
 ) -> tuple[nf.orthoview.OrthoCut, list[_core.OrthoSplats]]:
-    """Find a cut whose views have the wanted number of splats, or the finest one."""
+    """Find a cut whose views have at least `min_splats` splats, or else the cut of least error."""
     error = 4.0
     while True:
         cut = tree.cut(camera, geometry=False, error_px=error)
         splats = tree._viewer.views.get(cut.keys())
-        if sum(view.count for view in splats) >= min_splats or error <= MIN:
+        if sum(view.count for view in splats) >= min_splats or error <= MIN_ERROR_PX:
             return cut, splats
         error *= 0.93
 
@@ -73,7 +73,7 @@ def sizes(splats: Sequence[_core.OrthoSplats]) -> str:
     rows: dict[str, float] = {
         "on the processor": sum(view.bytes for view in splats),
         "on adapters, without loss": sum(view.compressed_bytes for view in splats),
-        "BC1 colour, BC5 normal, R16 depth of shown pixels alone, with loss": 3.5 * count,
+        "BC1 colour, BC5 normal, R16 depth of non-empty pixels only, with loss": 3.5 * count,
     }
     header = "views | MB {:.1f} | kB a view {:.1f} | bytes a splat {:.2f}"
     return table("Memory", header, [(name, n / 1e6, n / views / 1e3, n / count) for name, n in rows.items()])
@@ -87,8 +87,8 @@ def frames(
 
     def draw(device: _core.GpuDevice | None = None) -> list[dict[str, Any]]:
         return [
-            _core.splat_orthoviews(splats, camera._core, own, origin=(0.0, 0.0, 0.0), grid=grid, device=device)
-            for camera, own in zip(cameras, settings, strict=True)
+            _core.splat_orthoviews(splats, camera._core, shot, origin=(0.0, 0.0, 0.0), grid=grid, device=device)
+            for camera, shot in zip(cameras, settings, strict=True)
         ]
 
     expected, timing = draw(), best(draw, repeat=repeat)
@@ -96,22 +96,22 @@ def frames(
     rows: list[list[object]] = [["processor", None, timing.ms, splats_seen / timing.wall / 1e6, "1", None]]
     for adapter in (adapter for adapter in nf.gpu.adapters() if adapter.usable):
         device = backends.open_device(adapter.backend)
-        for allowed in (True, False):
-            setting_before = device.allow_long_atomics(allowed)
-            if allowed and not device.uses_long_atomics:
+        for long_atomics in (True, False):
+            setting_before = device.allow_long_atomics(long_atomics)
+            if long_atomics and not device.uses_long_atomics:
                 continue
             pictures, first = timed(draw, device)
             time = best(partial(draw, device), repeat=repeat)
             device.allow_long_atomics(setting_before)
-            drawn = sum(picture["stats"]["splats_seen"] for picture in pictures)
-            is_same_share = [
+            seen = sum(picture["stats"]["splats_seen"] for picture in pictures)
+            equal_shares = [
                 np.isclose(a["color"], b["color"], atol=DIFFERENCE).all(-1).mean()
                 for a, b in zip(pictures, expected, strict=True)
             ]
-            rates = drawn / time.wall / 1e6, timing.wall / time.wall
-            name = f"{device.label}, {64 if allowed else 32} bits"
-            rows.append([name, first.ms, time.ms, *rates, 100 * (1 - float(np.mean(is_same_share)))])
-    header = "way | first ms {:.0f} | ms {:.1f} | million seen a second {:.1f} | × the processor {:.2f}"
+            rates = seen / time.wall / 1e6, timing.wall / time.wall
+            name = f"{device.label}, {64 if long_atomics else 32} bits"
+            rows.append([name, first.ms, time.ms, *rates, 100 * (1 - float(np.mean(equal_shares)))])
+    header = "renderer | first ms {:.0f} | ms {:.1f} | million seen a second {:.1f} | × the processor {:.2f}"
     return table(title, header + " | pixels that differ {:.3f} %", rows)
 
 

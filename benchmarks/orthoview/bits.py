@@ -1,7 +1,7 @@
-"""Bits of depths and normals: bytes, errors, surfels that become balls, and how much a picture of the splats changes.
+"""Bits of depths and normals: bytes, errors, surfels that become balls, and changes of a picture of the splats.
 
-Differences are relative to depths of 16 bits and normals of 24. Pictures are also compared with the leaf itself: from
-beside the view's direction its splats show only what that view saw, regardless of the bits.
+Differences are relative to depths of 16 bits and normals of 24. Pictures are also compared with the leaf itself. They
+look from beside the view's direction, so with any number of bits the splats lack what the view does not show.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ DEPTHS: list[Format] = [(bits, 24) for bits in (8, 9, 10, 11, 12, 14, 16)]
 NORMALS: list[Format] = [(16, 16), (12, 16), (10, 16), (12, 24)]
 """Formats of the second table."""
 
-SHOWN = (4, 5)
+RENDERED = (4, 5)
 """Numbers of the rendered directions: from above, and from above and beside."""
 
 PLOT = "orthoview-bits.png"
@@ -53,7 +53,7 @@ class Loss:
     kilobytes: dict[str, float]
     rms: tuple[float, float]
     """Root mean square error of the depths, millimetres and pixels."""
-    most: tuple[float, float]
+    max: tuple[float, float]
     """Maximum error of a depth, millimetres and pixels."""
     angles: tuple[float, float]
     """Mean and maximum error of the normals, degrees."""
@@ -66,7 +66,7 @@ class Loss:
 
     @property
     def pictures(self) -> tuple[float, ...]:
-        """Share of changed pixels, and similarity of the pictures."""
+        """Figures of a table: share of changed pixels, PSNR, SSIM, and SSIM with the leaf itself."""
         return self.changed, self.psnr, self.ssim, self.truth
 
 
@@ -81,7 +81,7 @@ def main() -> None:
     picture_columns = " | surfels or balls changed {:.2%} | PSNR, dB {:.1f} | SSIM {:.4f} | SSIM with the leaf {:.4f}"
     header = "leaf | bits | depths, kB a view {:.1f} | RMS, mm {:.3g} | greatest, mm {:.3g} | RMS, pixels {:.3g}"
     rows = [
-        [name, bits[0], loss.kilobytes["depth"], loss.rms[0], loss.most[0], loss.rms[1], loss.most[1], *loss.pictures]
+        [name, bits[0], loss.kilobytes["depth"], loss.rms[0], loss.max[0], loss.rms[1], loss.max[1], *loss.pictures]
         for name, by_format in losses.items()
         for bits, loss in ((bits, by_format[bits]) for bits in DEPTHS)
     ]
@@ -101,7 +101,7 @@ def main() -> None:
 
 def losses_of(leaf: Leaf, size: int) -> dict[Format, Loss]:
     finest = stored(leaf, FINEST, size)
-    truths = [_splats.truth(leaf, DIRECTIONS[number], size) for number in SHOWN]
+    truths = [_splats.truth(leaf, DIRECTIONS[number], size) for number in RENDERED]
     formats = dict.fromkeys([*DEPTHS, *NORMALS])
     return {bits: loss_of(stored(leaf, bits, size), finest, truths, leaf.side) for bits in formats}
 
@@ -118,7 +118,7 @@ def stored(leaf: Leaf, bits: Format, size: int) -> Stored:
         np.array(metres),
         views.vectors(),
         _core.orthoview_surfels(views.connected(_codec.CONNECTION_LIMITS))[..., 0],
-        [_splats.picture(leaf, views, layout, number) for number in SHOWN],
+        [_splats.picture(leaf, views, layout, number) for number in RENDERED],
     )
 
 
@@ -132,11 +132,11 @@ def loss_of(views: Stored, finest: Stored, truths: list[NDArray[np.uint8]], side
     chords = np.linalg.norm(views.normals[is_shown].astype(np.float64) - finest.normals[is_shown], axis=1)
     angles = np.degrees(2 * np.arcsin(np.minimum(chords / 2, 1)))
     millimetres, in_pixels = (float(np.sqrt((of_unit**2).mean())) for of_unit in errors_by_unit)
-    most, most_in_pixels = (float(np.abs(of_unit).max()) for of_unit in errors_by_unit)
+    greatest, greatest_in_pixels = (float(np.abs(of_unit).max()) for of_unit in errors_by_unit)
     return Loss(
         views.kilobytes,
         (millimetres, in_pixels),
-        (most, most_in_pixels),
+        (greatest, greatest_in_pixels),
         (float(angles.mean()), float(angles.max())),
         float((views.surfels != finest.surfels)[is_shown].mean()),
         *differences(finest.pictures, views.pictures),

@@ -1,8 +1,8 @@
 """The page of trees, 3d-tiles-renderer and Spark in one Chromium: pictures after equal bytes, and a flight.
 
 STORE is a tree with geometry; without one a city is built. 3d-tiles-renderer reads the leaves' geometry, Spark the
-cells of the cuts as SPZ files. All receive their bytes through one gate, which closes after a number of them. Pages
-need a browser and `npm ci --prefix tests/readers`.
+cells of the cuts as SPZ files. All receive their bytes through one gate, which stops after a given number of bytes.
+Pages need a browser and `npm ci --prefix tests/readers`.
 """
 
 from __future__ import annotations
@@ -26,17 +26,17 @@ from tests.support.browser import started
 
 STEPS = (0.5, 1.0, 2.0, 4.0, 8.0)
 """Megabytes after which pictures are taken at the first place."""
-MORE = 2.0
+MEGABYTES_A_PLACE = 2.0
 """Further megabytes at each later place."""
 PLACES = 4
 SHEET = (1.0, 4.0)
-"""Megabytes of the pictures on the sheet; the last row is the last place."""
+"""Megabytes of the sheet's pictures at the first place; its last row shows the last place."""
 PACE = 0.4
 """Factor of the route's speed in the flight: software draws few frames per second."""
-RTT = 20.0
+RTT_MS = 20.0
 PICTURE_TIMEOUT = 180.0
 """Timeout of a picture, seconds."""
-TRUTH = 1e-6
+TRUTH_ERROR_PX = 1e-6
 """Error at which all visible leaves are drawn as triangles."""
 Array = NDArray[np.float64]
 Truth = tuple[Array, NDArray[np.bool_], Array]
@@ -51,12 +51,12 @@ def main() -> None:
         error=(3.0, "error_px of the page's cuts"),
         splat_error=(12.0, "error_px of Spark's cuts"),
         height=(120.0, "metres above the bottom of the tree"),
-        speed=(float, "metres a second; a twentieth of the world in all by default"),
+        speed=(float, "metres a second; by default the flight crosses a twentieth of the world"),
         seconds=30.0,
         mbps=(20.0, "link of the flight"),
         viewers={"nargs": "+", "default": list(CLIENTS), "choices": list(CLIENTS)},
         only={"default": None, "choices": ("standing", "flying"), "help": "one of the two tables"},
-        work=(Path, "folder that keeps what is made: SPZ files, truths, pictures"),
+        work=(Path, "folder that keeps intermediate files: SPZ files, truths, pictures"),
     )
     with folder_or_temporary(given.work) as folder:
         tree = nf.orthoview.open(given.store) if given.store else city(folder)
@@ -80,10 +80,10 @@ def city(folder: Path) -> nf.orthoview.OrthoTree:
 def compare_standing(
     chromium: Any, url: str, route: Route, gate: Gate, given: argparse.Namespace, folder: Path
 ) -> None:
-    """Compare pictures after equal bytes: increasing numbers at the first place, and some more at each other one."""
+    """Compare pictures after equal numbers of bytes, which grow at the first place, and further at each later place."""
     places = [round(n * (len(route.poses) - 1) / (PLACES - 1)) for n in range(PLACES)]
     stops = [(places[0], step) for step in STEPS]
-    stops += [(place, STEPS[-1] + (n + 1) * MORE) for n, place in enumerate(places[1:])]
+    stops += [(place, STEPS[-1] + (n + 1) * MEGABYTES_A_PLACE) for n, place in enumerate(places[1:])]
     stops.append((places[-1], math.inf))
     truths = {place: truth_of(route, place, folder) for place in places}
     rows: list[list[str]] = []
@@ -109,7 +109,7 @@ def compare_standing(
 
 
 def compare(name: str, rgba: NDArray[np.uint8], truth: Truth, file: Path) -> list[str]:
-    """Similarity of a viewer's picture to the truth, and its holes; the picture is saved."""
+    """Save a viewer's picture; return PSNR and SSIM with the truth, and the share of holes, as text."""
     reference, solid, sky = truth
     picture = rgba[..., :3] / 255.0
     if name.startswith("nearfar"):
@@ -128,23 +128,23 @@ def file_of(name: str, stop: Sequence[object]) -> str:
 
 
 def measure_flight(chromium: Any, url: str, route: Route, gate: Gate, given: argparse.Namespace) -> None:
-    """Measure the first picture over a link with an empty cache, and a flight from there."""
+    """Measure the first picture over a link with an empty cache, and then a flight from its place."""
     rows = []
     for name in given.viewers:
         sent_before, requests_before = gate.sent, gate.requests
-        gate.mbps, gate.rtt_ms = given.mbps, RTT
+        gate.mbps, gate.rtt_ms = given.mbps, RTT_MS
         gate.allow(math.inf)
         with open_client(chromium, url, name, route, gate) as client:
-            facts, waited = timed(client.settled, 0, PICTURE_TIMEOUT)
-            sent_by_then = gate.sent
+            facts, first_timing = timed(client.settled, 0, PICTURE_TIMEOUT)
+            sent_at_departure = gate.sent
             moments, frame_ms, missing = client.fly(PACE).T
         frame_share = np.diff(np.append(moments, route.seconds)) / route.seconds
-        first = (sent_by_then - sent_before) / 1e6, waited.wall, facts["missing"]
-        later = (gate.sent - sent_by_then) / 1e6, gate.requests - requests_before, len(frame_ms)
+        first = (sent_at_departure - sent_before) / 1e6, first_timing.wall, facts["missing"]
+        later = (gate.sent - sent_at_departure) / 1e6, gate.requests - requests_before, len(frame_ms)
         stalled = 100 * (missing > 0).mean(), 100 * frame_share[missing > 0].sum()
         rows.append([name, *first, *later, *stalled, np.median(frame_ms), np.percentile(frame_ms, 95)])
         print(rows[-1], flush=True)
-    title = f"{route.seconds:g} s at {PACE * route.speed:g} m/s, {given.mbps:g} Mbit/s, {RTT:g} ms"
+    title = f"{route.seconds:g} s at {PACE * route.speed:g} m/s, {given.mbps:g} Mbit/s, {RTT_MS:g} ms"
     header = "viewer | first picture, MB {:.1f} | s {:.0f} | missing | flight, MB {:.1f} | requests in all | frames"
     header += " | stalled, % of frames {:.0f} | % of time {:.0f} | median frame, ms {:.0f} | 95 % {:.0f}"
     print(table(title, header, rows))
@@ -155,7 +155,7 @@ def truth_of(route: Route, place: int, folder: Path) -> Truth:
     camera = route.camera(place)
     file = folder / f"truth-{place}.npz"
     if not file.is_file():
-        frame = route.tree.render(camera, error_px=TRUTH, samples=4, channels=("color", "coverage"))
+        frame = route.tree.render(camera, error_px=TRUTH_ERROR_PX, samples=4, channels=("color", "coverage"))
         assert frame.stats["views"] == 0
         np.savez(file, picture=frame.to_image(), coverage=frame.require("coverage"))
     with np.load(file) as arrays:

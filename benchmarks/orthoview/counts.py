@@ -84,7 +84,7 @@ def walk(tree: Tree, out: Path | None) -> str:
 
 
 def cells_within(tree: Tree) -> tuple[NDArray[Any], NDArray[Any]]:
-    """Distances, and the number of cells of a cut around the middle of a walk that begin within them."""
+    """Sorted distances of the cells of a cut from the middle of the walk, and the number of cells up to each."""
     camera = next(itertools.islice(path(tree, FRAMES), FRAMES // 2, None))
     distance = np.sort(tree.cut(camera, geometry=False, around=True).distance)
     return distance, np.arange(1, len(distance) + 1)
@@ -121,12 +121,12 @@ def still(tree: Tree, out: Path | None) -> str:
             square = [((earlier - later) ** 2).mean() for earlier, later in itertools.pairwise(pictures)]
         changes = np.sqrt(square)
         if band in (None, _cut.BAND):
-            lines[f"{height:g} widths high, {'cells at once' if band is None else 'continuous'}"] = changes
+            lines[f"{height:g} tree widths high, {'cells at once' if band is None else 'continuous'}"] = changes
         rows.append([height, band or "–", changes.max(), np.median(changes), changes.mean()])
     if out is not None:
         save_changes(errors[1:], lines, out / "orthoview_still.png")
-    title = f"RMS change of codes from picture to picture, {STEPS} steps of the error from 1 to 2"
-    return table(title, "height, widths {:g} | band | greatest {:.2f} | median {:.2f} | mean {:.2f}", rows)
+    title = f"RMS change of 8-bit pixel values from picture to picture, {STEPS} steps of the error from 1 to 2"
+    return table(title, "height, tree widths {:g} | band | greatest {:.2f} | median {:.2f} | mean {:.2f}", rows)
 
 
 @contextmanager
@@ -150,7 +150,7 @@ def bands(tree: Tree, out: Path | None) -> str:
             timing = best(partial(tree.render, camera, channels=("color",), **settings), repeat=5)
         numbers = (stats[name] / 1e3 for name in ("splats", "splats_in_picture", "splats_seen"))
         rows.append([height, band or "–", stats["cells"], stats["views"], *numbers, timing.cpu_ms])
-    header = "height, widths {:g} | band | cells | views | thousand splats {:,.0f} | in the picture {:,.0f}"
+    header = "height, tree widths {:g} | band | cells | views | thousand splats {:,.0f} | in the picture {:,.0f}"
     return table("Continuous cuts", header + " | seen {:,.0f} | CPU ms {:.0f}", rows)
 
 
@@ -166,8 +166,8 @@ def gaze(tree: Tree, out: Path | None) -> str:
         splats_evenly, splats_foveated = evenly.stats["splats"], foveated.stats["splats"]
         numbers = [error, splats_evenly / 1e3, splats_foveated / 1e3, 100 * (1 - splats_foveated / splats_evenly)]
         rows.append([height, size, *numbers, psnr(square[is_near]), psnr(square[~is_near])])
-    header = "height, widths {:g} | picture {} × {} | error_px {:g} | thousand splats {:,.0f} | with a gaze {:,.0f}"
-    header += f" | saved, % {{:.0f}} | PSNR within {NEAR:g}°, dB | beyond, dB"
+    header = "height, tree widths {:g} | picture {} × {} | error_px {:g} | thousand splats {:,.0f}"
+    header += f" | with a gaze {{:,.0f}} | saved, % {{:.0f}} | PSNR within {NEAR:g}°, dB | beyond, dB"
     return table("A gaze at the middle", header, rows)
 
 
@@ -207,7 +207,7 @@ def swaps(tree: Tree, out: Path | None) -> str:
         distances = _swaps.swap_distances(tree, eye(tree, height))
         rows.append([height, len(distances), *np.quantile(distances, (0.5, 0.9, 0.99, 0.999, 1))])
     shares = (f"{name} {{:.2f}}" for name in ("median", "90 %", "99 %", "99.9 %", "most"))
-    header = ["height, widths {:g}", "splats {:,}", *shares]
+    header = ["height, tree widths {:g}", "splats {:,}", *shares]
     return table("Pixels that splats move where levels change, error_px=1", header, rows)
 
 
@@ -239,7 +239,7 @@ def save_changes(errors: NDArray[Any], lines: Mapping[str, NDArray[Any]], path: 
     figure, axis = subplots(figsize=(7, 3.4))
     for name, changes in lines.items():
         axis.plot(errors, changes, "o-", markersize=3, label=name)
-    axis.set(xlabel="error_px of a camera that does not move", ylabel="RMS change, codes of 255")
+    axis.set(xlabel="error_px of a camera that does not move", ylabel="RMS change of 8-bit values")
     figure.legend(loc="outside upper center", ncols=2)
     finish(figure, (axis,), path)
 

@@ -1,4 +1,4 @@
-"""Shares of worlds hidden from viewers by each set of directions, the chosen set, and the time of the choice."""
+"""Share of what viewers see that no view shows, by set of directions; the chosen set and the time to choose it."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from benchmarks.harness.timing import timed
 from nearfar.orthoview._disocclusion import GOOD_DISOCCLUSION, Choice, choose_directions
 from nearfar.orthoview._grid import COUNTS, Grid
 
-GRID = 28.5
+STREET_ANGLE = 28.5
 """Angle in degrees about y that aligns Manhattan's avenues with an axis."""
 
 ANGLES = (0.0, 15.0, 30.0, 45.0)
@@ -55,7 +55,7 @@ def main() -> None:
 
 
 def worlds() -> Iterator[World]:
-    """Yield cities with and without a grid, wooded land, and bodies in space."""
+    """Yield cities with and without a street grid, wooded land, and bodies in space."""
     city = nf.datasets.city(blocks=12, detail=1)
     yield World("city, streets along the axes", city, 40.0)
     yield World("city, streets along the axes", city, 80.0)
@@ -75,7 +75,7 @@ def turned_worlds() -> Iterator[World]:
     """Yield Manhattan at angles to the axes."""
     for _, scene in scenes.present("Manhattan core"):
         for angle in ANGLES:
-            yield World(f"Manhattan, {angle:g}°", rotate_about_y(scene, GRID + angle), 250.0)
+            yield World(f"Manhattan, {angle:g}°", rotate_about_y(scene, STREET_ANGLE + angle), 250.0)
 
 
 def rotate_about_y(scene: nf.Scene, degrees: float) -> nf.Scene:
@@ -96,7 +96,7 @@ def measure(world: World, rows: list[list[object]]) -> Choice:
 
 
 def draw(choices: Mapping[str, Choice], by_angle: Sequence[Choice], path: Path) -> None:
-    """Draw the shares of all worlds by set, with a ring around the chosen ones, and those of Manhattan by angle."""
+    """Draw the shares of all worlds by set, with a ring around the chosen set, and the shares of Manhattan by angle."""
     from matplotlib import colormaps
 
     figure, axes = subplots(1, 2, figsize=(12, 4.8), sharey=True, width_ratios=(2, 1))
@@ -119,8 +119,8 @@ def draw(choices: Mapping[str, Choice], by_angle: Sequence[Choice], path: Path) 
     save_figure(figure, path)
 
 
-def line(axis: Any, places: Any, shares: list[float], label: str, color: Any) -> None:
-    axis.plot(places, [100 * share for share in shares], marker=".", label=label, color=color)
+def line(axis: Any, x: Any, shares: list[float], label: str, color: Any) -> None:
+    axis.plot(x, [100 * share for share in shares], marker=".", label=label, color=color)
 
 
 if __name__ == "__main__":

@@ -28,7 +28,7 @@ EVERYWHERE = np.array([[-np.inf] * 3, [np.inf] * 3])
 SIGMAS = (0.4, 0.5, 0.55, 0.6, 0.7, 0.85)
 SIZE = (480, 320)
 VIEWS = 8
-"""Number of views of a cell in `tree.render`; splats contain all views."""
+"""Greatest number of views of a cell that `tree.render` draws; exported splats are from all views."""
 Array = NDArray[np.float64]
 
 
@@ -38,7 +38,7 @@ def main() -> None:
         "--out",
         name={"choices": TABLES},
         store={"help": "a tree"},
-        level=(2, "of the cells"),
+        level=(2, "level of the cells"),
         error=(2.0, "error_px of the pictures"),
     )
     TABLES[given.name](nf.orthoview.open(given.store), given)
@@ -51,10 +51,10 @@ def sizes(tree: nf.orthoview.OrthoTree, given: argparse.Namespace) -> None:
         for name, compression in (("one.spz", None), ("one.glb", None), ("packed.glb", "spz")):
             counts, time = timed(tree.export_splats, folder / name, level=given.level, compression=compression)
             cells, pixels, splats = counts["cells"], counts["pixels"], counts["splats"]
-            sizes = pixels / cells, splats / cells, pixels / splats, counts["bytes"] / splats
-            rows.append([name, cells, *sizes, 1e6 * time.cpu / splats])
-    stored, views = tree.held, tree.held["chunks"] / 3
-    print(f"the store: {stored['bytes']:,} bytes, {stored['bytes'] / views:,.0f} a view\n")
+            figures = pixels / cells, splats / cells, pixels / splats, counts["bytes"] / splats
+            rows.append([name, cells, *figures, 1e6 * time.cpu / splats])
+    held, views = tree.held, tree.held["chunks"] / 3
+    print(f"the store: {held['bytes']:,} bytes, {held['bytes'] / views:,.0f} a view\n")
     header = "file | cells | pixels a cell {:,.0f} | splats a cell {:,.0f} | ratio {:.2f} | bytes a splat {:.1f}"
     title = f"{Path(tree.path).name}, level {given.level}"
     print(table(title, header + " | CPU s a million splats {:.1f}", rows))
@@ -67,10 +67,10 @@ def sigma(tree: nf.orthoview.OrthoTree, given: argparse.Namespace) -> None:
     box = tree.box(*key)
     x, y, z = box.mean(axis=0).tolist()
     side = box[1, 0] - box[0, 0]
-    # A pixel of the view is about one of the picture.
+    # A pixel of a view is about as wide as one of the picture.
     look = Look((x, y + 0.7 * side, z + 1.9 * side), (x, y - 0.4 * side, z), 30.0, (320, 240))
     ours = tree.render(look.camera, samples=16, geometry=False, clip=nf.Clip(box=box), channels=("color", "coverage"))
-    rows, files, usual = [], [], _gaussians.SIGMA
+    rows, files, default_sigma = [], [], _gaussians.SIGMA
     with tempfile.TemporaryDirectory() as folder:
         try:
             for number, width in enumerate(SIGMAS):
@@ -80,7 +80,7 @@ def sigma(tree: nf.orthoview.OrthoTree, given: argparse.Namespace) -> None:
                 path.write_bytes(_spz.encode(cell.gaussians))
                 files.append((path, cell.center))
         finally:
-            _gaussians.SIGMA = usual
+            _gaussians.SIGMA = default_sigma
         _, pictures = spark(files, [(look, [number]) for number in range(len(SIGMAS))])
     cover = np.asarray(ours.coverage)
     for width, picture in zip(SIGMAS, pictures, strict=True):
@@ -91,7 +91,7 @@ def sigma(tree: nf.orthoview.OrthoTree, given: argparse.Namespace) -> None:
         shares = 100 * (alpha[is_covered] < 0.9).mean(), 100 * alpha[cover == 0].mean()
         rows.append([width, *quality(reference, picture_on_grey), *shares])
     header = "σ, pixels {:g} | PSNR, dB {:.1f} | SSIM {:.3f} | surface with alpha < 0.9, % {:.1f}"
-    header += " | mean alpha beside, % {:.2f}"
+    header += " | mean alpha beside the surface, % {:.2f}"
     print(table(f"{Path(tree.path).name}, cell {key}", header, rows))
 
 
@@ -103,7 +103,7 @@ def pictures(tree: nf.orthoview.OrthoTree, given: argparse.Namespace) -> None:
         camera = look.camera
         cut = tree.cut(camera, error_px=given.error, geometry=False)
         rows_of_cut = zip(cut.level.tolist(), cut.place.tolist(), cut.in_picture, strict=True)
-        keys = [(level, tuple(place)) for level, place, seen in rows_of_cut if seen]
+        keys = [(level, tuple(place)) for level, place, is_in_picture in rows_of_cut if is_in_picture]
         ours = tree.render(camera, views=VIEWS, samples=16, geometry=False, error_px=given.error, channels=("color",))
         truth = nf.render(scene, camera, samples=16, channels=("color", "coverage"))
         rgba, count = by_spark(tree, look, keys)
@@ -113,9 +113,9 @@ def pictures(tree: nf.orthoview.OrthoTree, given: argparse.Namespace) -> None:
         solid = np.asarray(truth.coverage) > 0.999
         tree_picture, holes = ours.to_image() / 255.0, (rgba[..., 3] < 0.5) & solid
         splats, hole_share = count / 1e6, 100 * holes.sum() / solid.sum()
-        rows.append([name, "tree.render beside rays", len(keys), None, *quality(reference, tree_picture), None])
-        rows.append([name, "Spark beside rays", len(keys), splats, *quality(reference, spark_picture), hole_share])
-        rows.append([name, "Spark beside tree.render", len(keys), splats, *quality(tree_picture, spark_picture), None])
+        rows.append([name, "tree.render against rays", len(keys), None, *quality(reference, tree_picture), None])
+        rows.append([name, "Spark against rays", len(keys), splats, *quality(reference, spark_picture), hole_share])
+        rows.append([name, "Spark against tree.render", len(keys), splats, *quality(tree_picture, spark_picture), None])
         sheet.append(np.concatenate([tree_picture, spark_picture], axis=1))
     header = "camera | program | cells | million splats {:.2f} | PSNR, dB {:.1f} | SSIM {:.3f} | holes, % {:.2f}"
     print(table(f"{Path(tree.path).name}, error_px = {given.error:g}, {VIEWS} views, no geometry", header, rows))

@@ -1,7 +1,7 @@
 """Flights over links: stalls and bytes with and without prefetching, against a client of 3D Tiles; bytes per metre.
 
     python -m benchmarks.orthoview.flights stalls TREE             # speeds and links, on a virtual clock
-    python -m benchmarks.orthoview.flights speed TREE              # ever faster: pictures that adapt, and stalls
+    python -m benchmarks.orthoview.flights speed TREE              # growing speeds: adapted errors, and stalls
     python -m benchmarks.orthoview.flights growth TREE --out FOLDER  # bytes a metre in worlds of growing extent
 
 TREE is a store of the whole of Tokyo with geometry. The client of 3D Tiles selects the same leaves by screen-space
@@ -27,21 +27,21 @@ from nearfar.orthoview._simulate import fly_through
 RATE, SECONDS = 72, 60
 FOV, PICTURE = nf.Fov.symmetric(60, 4 / 3), (640, 480)
 START = (-8000.0, -3000.0)
-"""Starting point of flights, in Tokyo's metres."""
-WAYS = {"walk": (1.5, 2.0), "drive": (14.0, 30.0), "helicopter": (50.0, 120.0), "aeroplane": (150.0, 400.0)}
-"""Speeds in metres per second, and heights in metres."""
+"""x and z of the start of flights, in metres of the dataset."""
+TRAVELS = {"walk": (1.5, 2.0), "drive": (14.0, 30.0), "helicopter": (50.0, 120.0), "aeroplane": (150.0, 400.0)}
+"""Speed in metres per second and height in metres by means of travel."""
 LINKS = (20.0, 50.0, 100.0)
 """Rates in megabits per second."""
-RTT = 30.0
+RTT_MS = 30.0
 FINEST = 1e-6
 """Error at which all visible leaves are geometry: with this tileset's errors 3D Tiles refines all within 30 km."""
-LOOKS = 8
-"""Frames between updates of the client of 3D Tiles, since each takes long here."""
+PLAN_INTERVAL = 8
+"""Frames between plans of the client of 3D Tiles, each of which takes long to compute here."""
 
 
 def main() -> None:
-    given = start(__doc__, "--out", what={"choices": WHAT}, tree={"help": "store of the whole of Tokyo"})
-    print(WHAT[given.what](nf.orthoview.open(given.tree), given.out))
+    given = start(__doc__, "--out", what={"choices": TABLES}, tree={"help": "store of the whole of Tokyo"})
+    print(TABLES[given.what](nf.orthoview.open(given.tree), given.out))
 
 
 def flight(speed: float, height: float, seconds: float = SECONDS) -> list[nf.Camera]:
@@ -68,7 +68,7 @@ class Tiles:
     ) -> Plan:
         """Plan the tiles in the picture."""
         self._frames += 1
-        if self._frames % LOOKS == 1:
+        if self._frames % PLAN_INTERVAL == 1:
             self._plan = self._look(camera)
         return self._plan
 
@@ -85,48 +85,48 @@ def tiles(tree: nf.orthoview.OrthoTree, cameras: list[nf.Camera], link: nf.strea
 
 def stalls(tree: nf.orthoview.OrthoTree, out: Path | None) -> str:
     rows = []
-    for (way, (speed, height)), mbps in itertools.product(WAYS.items(), LINKS):
-        cameras, link = flight(speed, height), nf.stream.Link(mbps=mbps, rtt_ms=RTT)
-        bare = nf.orthoview.simulate(tree, cameras, link=link, prefetch=False, adapt=False)
-        ahead = nf.orthoview.simulate(tree, cameras, link=link, adapt=False)
-        for name, log in (("on demand", bare), ("prefetch", ahead), ("3D Tiles", tiles(tree, cameras, link))):
+    for (travel, (speed, height)), mbps in itertools.product(TRAVELS.items(), LINKS):
+        cameras, link = flight(speed, height), nf.stream.Link(mbps=mbps, rtt_ms=RTT_MS)
+        on_demand = nf.orthoview.simulate(tree, cameras, link=link, prefetch=False, adapt=False)
+        prefetched = nf.orthoview.simulate(tree, cameras, link=link, adapt=False)
+        for name, log in (("on demand", on_demand), ("prefetch", prefetched), ("3D Tiles", tiles(tree, cameras, link))):
             first = int(np.argmin(log.stalled)) if not log.stalled.all() else len(log.time)
             later = 100 * log.stalled[first:].mean() if first < len(log.time) else np.nan
             shares = first / RATE, 100 * log.stalled.mean(), later
-            rows.append([f"{way}, {speed:g} m/s", mbps, name, *shares, log.asked / 1e6, log.asked / bare.asked])
+            rows.append([f"{travel}, {speed:g} m/s", mbps, name, *shares, log.asked / 1e6, log.asked / on_demand.asked])
             print(rows[-1], flush=True)
-    header = "way | Mb/s {:g} | client | first, s {:.1f} | stalled, % {:.1f} | after first, % {:.1f} | MB {:.1f}"
+    header = "travel | Mb/s {:g} | client | first picture, s {:.1f} | stalled, % {:.1f} | later, % {:.1f} | MB {:.1f}"
     return table("Stalls", header + " | bytes, × {:.2f}", rows)
 
 
 def speed(tree: nf.orthoview.OrthoTree, out: Path | None) -> str:
     """Increase the speed at one height, over a link that is too slow for the last speeds."""
-    rows, link = [], nf.stream.Link(mbps=20.0, rtt_ms=RTT)
-    for metres in (50.0, 100.0, 200.0, 400.0):
-        cameras = flight(metres, 120.0, 30)
-        for name, adapt in (("wanted error", False), ("adapts", True)):
+    rows, link = [], nf.stream.Link(mbps=20.0, rtt_ms=RTT_MS)
+    for metres_per_second in (50.0, 100.0, 200.0, 400.0):
+        cameras = flight(metres_per_second, 120.0, 30)
+        for name, adapt in (("fixed error", False), ("adapted error", True)):
             log = nf.orthoview.simulate(tree, cameras, link=link, adapt=adapt)
             later = log.time >= 10.0
             error = log.error_px[later]
             stalled = 100 * log.stalled[later].mean()
-            rows.append([metres, name, stalled, error.mean(), error.max(), log.asked / 1e6])
+            rows.append([metres_per_second, name, stalled, error.mean(), error.max(), log.asked / 1e6])
     header = "m/s {:g} | picture | stalled after 10 s, % {:.1f} | mean error, px {:.2f} | greatest {:.2f} | MB {:.1f}"
-    return table("Ever faster", header, rows)
+    return table("Growing speeds", header, rows)
 
 
 def growth(tree: nf.orthoview.OrthoTree, out: Path | None) -> str:
     """Table of bytes that come into the picture per metre, by the world's extent.
 
-    A world that ends at a square's sides has the cells within it: cuts of the whole one without cells outside.
+    Smaller worlds are squares: the cuts are those of the whole world, without the cells outside the square.
     """
     rows: list[list[float]] = []
     world_side = float((tree.bounds[1] - tree.bounds[0]).max())
-    parts_by_way = {name: _parts_per_metre(tree, WAYS[name][1]) for name in ("walk", "helicopter")}
+    parts_by_travel = {name: _parts_per_metre(tree, TRAVELS[name][1]) for name in ("walk", "helicopter")}
     for side in (1000.0, 2000.0, 4000.0, 8000.0, 16000.0, world_side):
         rows.append([side / 1e3])
-        for metres in parts_by_way.values():
+        for metres in parts_by_travel.values():
             half = side / 2
-            in_square = [{part: size for part, (size, away) in parts.items() if away <= half} for parts in metres]
+            in_square = [{part: size for part, (size, far) in parts.items() if far <= half} for parts in metres]
             received = dict(in_square[0])
             first_bytes = sum(received.values())
             for parts in in_square[1:]:
@@ -141,7 +141,7 @@ def growth(tree: nf.orthoview.OrthoTree, out: Path | None) -> str:
 
 
 def _parts_per_metre(tree: nf.orthoview.OrthoTree, height: float) -> list[dict[Part, tuple[int, float]]]:
-    """Parts of the picture on each of 400 metres, with bytes and the distance of their cells from the way's middle."""
+    """Parts of the picture at each metre of 400, with bytes and their cells' distance from the middle of the path."""
     opened = tree._open_store()
     cutter, grid, metres = opened.viewer.cutter, opened.grid, 400
     facts: dict[Part, tuple[int, float]] = {}
@@ -172,7 +172,7 @@ def _plot(rows: list[list[float]], out: Path) -> None:
     save_figure(figure, out / "orthoview_growth.png", dpi=110)
 
 
-WHAT = {"stalls": stalls, "speed": speed, "growth": growth}
+TABLES = {"stalls": stalls, "speed": speed, "growth": growth}
 
 if __name__ == "__main__":
     main()

@@ -1,4 +1,4 @@
-"""The second layer of views: its cost, and the number of pixels of other views that it fills."""
+"""The second layer of views: its cost, and the share of viewers' pixels that it fills."""
 
 from __future__ import annotations
 
@@ -21,9 +21,9 @@ from nearfar.orthoview._grid import OCTANTS, directions_of
 from nearfar.orthoview._layout import CHANNELS
 
 LAYOUT = layout_of()
-MORE = directions_of(13)
-"""Directions with which a second layer is compared; the first ones are the same."""
-AXES = [axes_of(direction, 1.0) for direction in MORE]
+MORE_DIRECTIONS = directions_of(13)
+"""Directions with which a second layer is compared; they begin with `DIRECTIONS`."""
+AXES = [axes_of(direction, 1.0) for direction in MORE_DIRECTIONS]
 UNITS = np.array([axes[2] for axes, _ in AXES])
 BOUNDS = (0.0, 0.002, 0.005, 0.01, 0.02, 0.05)
 VIEWERS = 8
@@ -57,17 +57,17 @@ class Cell:
 
 @dataclass(frozen=True)
 class Gain:
-    """Findings about a cell; bytes and shares are by direction."""
+    """Cost and use of second layers for a cell; arrays are by direction."""
 
     unseen: Floats
     first_bytes: Floats
     second_bytes: Floats
     hidden: float
     """Share of viewers' pixels that no view's first layer shows."""
-    left: float
+    still_hidden: float
     """Share that is still hidden with second layers."""
     hidden_with_more: float
-    """Share that no view's first layer shows with more directions."""
+    """Share that no view's first layer shows with `MORE_DIRECTIONS`."""
     filled: Floats
     """Share shown by each direction's second layer."""
 
@@ -79,13 +79,13 @@ def main() -> None:
         ratio, gain = time_ratio(cell), measure_gain(cell)
         gains.append(gain)
         kilobytes = (each.sum() / len(DIRECTIONS) / 1e3 for each in (gain.first_bytes, gain.second_bytes))
-        shares = gain.hidden, gain.left, gain.hidden_with_more, gain.unseen.mean()
+        shares = gain.hidden, gain.still_hidden, gain.hidden_with_more, gain.unseen.mean()
         rows.append([cell.name, ratio, *kilobytes, *(100 * share for share in shares)])
-    header = "cell | times as long {:.1f} | kB a view {:.1f} | kB a second layer {:.1f} | hidden, % {:.2f}"
-    header += " | left, % {:.2f} | 13 directions, % {:.2f} | unseen, % {:.2f}"
+    header = "cell | build time, × {:.1f} | kB a view {:.1f} | kB a second layer {:.1f} | hidden, % {:.2f}"
+    header += " | still hidden, % {:.2f} | 13 directions, % {:.2f} | unseen, % {:.2f}"
     print(table(f"Nine views of {SIZE}² pixels", header, rows))
     header = "kept where unseen exceeds {:g} | directions, % {:.0f} | bytes, % of first layers' {:.0f}"
-    header += " | of what is filled, % {:.0f}"
+    header += " | of filled pixels, % {:.0f}"
     print(table("Second layers that are kept", header, [bound_row(bound, gains) for bound in BOUNDS]))
 
 
@@ -116,11 +116,11 @@ def render_cell(cell: Cell, *, behind: bool, count: int = len(DIRECTIONS)) -> _c
 
 def leaf(scene: _core.Scene, cell: Cell, *, behind: bool, count: int = len(DIRECTIONS)) -> _core.OrthoViews:
     corner_and_side = (cell.corner.tolist(), cell.side)
-    return _core.OrthoViews.of_cell(scene, corner_and_side, MORE[:count], LAYOUT.format, behind=behind)
+    return _core.OrthoViews.of_cell(scene, corner_and_side, MORE_DIRECTIONS[:count], LAYOUT.format, behind=behind)
 
 
 def compose(children: Children, *, behind: bool, count: int = len(DIRECTIONS)) -> _core.OrthoViews:
-    parent = _core.OrthoParent(MORE[:count], LAYOUT.format, behind=behind)
+    parent = _core.OrthoParent(MORE_DIRECTIONS[:count], LAYOUT.format, behind=behind)
     for octant, views in children:
         parent.add(octant, views)
     return parent.finish()
@@ -134,13 +134,13 @@ def time_ratio(cell: Cell) -> float:
 
 
 def fresh_parent(cell: Cell, *, behind: bool) -> Callable[[], object]:
-    """Compose a cell of its children, which are drawn."""
+    """Draw a cell's children; return the job that composes the cell of them."""
     children = [(octant, render_cell(child, behind=behind)) for octant, child in cell.children()]
     return lambda: compose(children, behind=behind)
 
 
 def fresh_leaf(cell: Cell, *, behind: bool) -> Callable[[], object]:
-    """Draw a scene without search trees, like each leaf of a build, twice."""
+    """Copy a leaf's scene without search trees, as in a build, twice; return the job that draws a copy."""
     part = cell.part()
     scenes = [part.subset(triangles=np.ones(part.triangle_count, bool))._core for _ in range(2)]
     return lambda: leaf(scenes.pop(), cell, behind=behind)
@@ -149,7 +149,7 @@ def fresh_leaf(cell: Cell, *, behind: bool) -> Callable[[], object]:
 def measure_gain(cell: Cell) -> Gain:
     views = render_cell(cell, behind=True)
     second = views.second_layer()
-    firsts = render_cell(cell, behind=False, count=len(MORE)).depths()[..., 0]
+    firsts = render_cell(cell, behind=False, count=len(MORE_DIRECTIONS)).depths()[..., 0]
     seconds = np.zeros_like(firsts) if second is None else second.depths()[..., 0]
     rng, part, filled = np.random.default_rng(1), cell.part(), np.zeros(len(DIRECTIONS))
     total, hidden, hidden_by_both, with_more = 0, 0, 0, 0
@@ -177,9 +177,9 @@ def measure_gain(cell: Cell) -> Gain:
     )
 
 
-def lost_points(points: Floats, firsts: NDArray[np.uint16], drawn_ones: list[int], cell: Cell) -> Floats:
+def lost_points(points: Floats, firsts: NDArray[np.uint16], directions: list[int], cell: Cell) -> Floats:
     """Return the points that none of the given views shows."""
-    lost: Floats = points[~np.any([shows(firsts[n], n, points, cell) for n in drawn_ones], axis=0)]
+    lost: Floats = points[~np.any([shows(firsts[n], n, points, cell) for n in directions], axis=0)]
     return lost
 
 
@@ -191,7 +191,7 @@ def chunk_bytes(views: _core.OrthoViews | None) -> Floats:
 
 
 def visible_points(scene: nf.Scene, cell: Cell, toward: Floats) -> Floats:
-    """Return the points, one per pixel, of a cell's surfaces that face a viewer of this cell only."""
+    """Return the points, one per pixel, of a cell's surfaces that a viewer of this cell alone sees from their front."""
     right = np.cross([0, 1, 0], toward)
     right /= np.linalg.norm(right)
     up = np.cross(toward, right)
@@ -200,7 +200,7 @@ def visible_points(scene: nf.Scene, cell: Cell, toward: Floats) -> Floats:
     across, above = np.meshgrid(steps * width, steps * height)
     center = cell.corner + cell.side / 2 + 2 * cell.side * toward
     starts = (center + across[..., None] * right + above[..., None] * up).reshape(-1, 3)
-    # Within the cell: after the last of the planes by which rays enter, before the first of those by which they leave.
+    # A ray is in the cell after the last plane that it enters by, and before the first plane that it leaves by.
     sides = [(cell.corner + is_far_side * cell.side - starts) / -toward for is_far_side in (0.0, 1.0)]
     enter, leave = np.minimum(*sides).max(axis=1), np.maximum(*sides).min(axis=1)
     is_inside = enter < leave
@@ -213,7 +213,7 @@ def visible_points(scene: nf.Scene, cell: Cell, toward: Floats) -> Floats:
 
 
 def shows(codes: NDArray[np.uint16], direction: int, points: Floats, cell: Cell) -> Bools:
-    """Whether one of the 3 × 3 pixels around a point's place has a depth as near as one surface may reach."""
+    """Whether one of the 3 × 3 pixels around each point has about the point's depth (see `shown_by`)."""
     axes, extents = AXES[direction]
     extents = extents * cell.side
     metres = np.where(codes > 0, (codes - 0.5) * extents[2] / LAYOUT.steps, np.inf)

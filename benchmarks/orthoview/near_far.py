@@ -9,7 +9,7 @@ from benchmarks.harness.report import folder_or_temporary, start, table
 from benchmarks.harness.timing import timed
 from benchmarks.orthoview._worlds import tokyo
 
-R1, R2, FACE, SIZE = 30.0, 50.0, 512, (640, 480)
+R1, R2, FACE_SIZE, SIZE = 30.0, 50.0, 512, (640, 480)
 
 
 def main() -> None:
@@ -20,12 +20,12 @@ def main() -> None:
         for number, camera in enumerate(world.from_ground()):
             for name, source in (("world", world.scene), ("tree", tree)):
                 rows.append(_row(f"{number}, {name}", source, world.scene, camera))
-    header = "place, source | reduced in, s {:.2f} | PSNR to the truth, dB {:.1f} | SSIM {:.3f} | triangles {:,}"
+    header = "place, source | reduction, s {:.2f} | PSNR, dB {:.1f} | SSIM {:.3f} | triangles {:,}"
     print(table("Near–far reduction", header + " | map, MB {:.1f}", rows))
 
 
 def _row(name: str, source: nf.Scene | nf.orthoview.OrthoTree, scene: nf.Scene, camera: nf.Camera) -> list[object]:
-    reduced, time = timed(nf.reduce, source, center=camera.position, r1=R1, r2=R2, face_size=FACE)
+    reduced, time = timed(nf.reduce, source, center=camera.position, r1=R1, r2=R2, face_size=FACE_SIZE)
     user = nf.Camera.look_at(np.add(camera.position, [3.0, 0.0, 2.0]), _ahead(camera), fov=camera.fov, size=SIZE)
     truth, picture = nf.render(scene, user, samples=4), reduced.render(user, samples=4)
     quality = nf.psnr(truth, picture), float(nf.ssim(truth, picture))

@@ -3,8 +3,8 @@
     python -m benchmarks.orthoview.pictures sets cuts errors geometry layers sheet wide --tiles FOLDER --out FOLDER
 
 Trees of 26 directions are built once and stored in --trees; those of fewer directions are their first views. Each
-table gives the mean of two places on the ground and of two in the air. Without --tiles, Tokyo is another part, its
-core, which is in one file.
+table gives the mean of two places on the ground and of two in the air. Without --tiles, Tokyo is
+another part of the city, its core, which is in one file.
 """
 
 from __future__ import annotations
@@ -31,10 +31,10 @@ ERRORS = (0.5, 1.0, 2.0, 4.0)
 DIRECTIONS = 9
 """Number of directions in tables that do not vary it."""
 PARTS = {"Tokyo": 500.0, "forest": 40.0, "landscape": 250.0}
-"""Worlds, and sides of the parts with second layers, which take longer to build."""
+"""Worlds, and the side in metres of their parts with second layers, smaller because these take longer to build."""
 QUALITY = (
-    "PSNR, dB {:.1f} | SSIM {:.3f} | holes, % {:.2f} | within surfaces, % {:.2f} | too far, % {:.2f}"
-    " | beyond edges, % {:.2f} | too near, % {:.2f} | false, % {:.2f}"
+    "PSNR, dB {:.1f} | SSIM {:.3f} | holes, % {:.2f} | inner holes, % {:.2f} | too far, % {:.2f}"
+    " | inner too far, % {:.2f} | too near, % {:.2f} | false, % {:.2f}"
 )
 """Columns of `cells`."""
 AMOUNTS = "MB read {:.2f} | of geometry {:.2f} | thousand splats {:.0f}"
@@ -82,7 +82,7 @@ def by_sets(worlds: list[World], trees: Path, out: Path | None) -> None:
 
 
 def by_cuts(worlds: list[World], trees: Path, out: Path | None) -> None:
-    """Table of sets of directions with equal cuts: sets whose widest view is wider are allowed as much more error."""
+    """Table of sets of directions with equal cuts: the error is scaled by the width of a set's widest view."""
     rows = []
     for world in worlds:
         path = world.build(trees)
@@ -153,7 +153,7 @@ def sheet(worlds: list[World], trees: Path, out: Path | None) -> None:
     for world in worlds:
         tree = open_tree(world.build(trees), DIRECTIONS)
         for name, cameras in places(world):
-            camera = replace(cameras[0], size=_sheets.SMALL)
+            camera = replace(cameras[0], size=_sheets.PICTURE_SIZE)
             truth = Truth(world, camera, tree.bounds)
             rows.append([name, truth, [Setting(views).render(tree, camera) for views in VIEWS]])
     name = "pictures" if len(worlds) > 1 else worlds[0].name

@@ -1,9 +1,9 @@
-"""Popping: stability of consecutive pictures of a flight, with and without `Steady`, and its cost.
+"""Popping: similarity of consecutive pictures of a flight, with and without `Steady`, and the cost of `Steady`.
 
     python -m benchmarks.orthoview.popping flight swaps speed blends --tiles FOLDER --trees FOLDER --out FOLDER
 
-The flight is measured in parts, whose findings are stored in --out: --parts limits the number measured in a run, and
-the table contains all available ones. The tree has 26 directions; see `benchmarks.orthoview.pictures`.
+The flight is measured in parts, whose results are stored in --out. --parts limits how many are measured in this run;
+the table contains all stored ones. The tree has 26 directions; see `benchmarks.orthoview.pictures`.
 """
 
 from __future__ import annotations
@@ -22,13 +22,13 @@ from benchmarks.harness.timing import best
 from benchmarks.orthoview._blends import Blend, render_blended
 from benchmarks.orthoview._worlds import World, tokyo
 
-PLACES = (2.0, 12.0, 22.0)
-"""Times of the flight at which cuts are swapped, seconds."""
-FADE = 36
+SWAP_TIMES = (2.0, 12.0, 22.0)
+"""Times of the flight at which cuts are swapped and splats are blended, seconds."""
+FADE_PICTURES = 36
 """Number of pictures of a fade that are compared."""
-SMALL = (160, 120)
-BLENDED = 8
-"""Number of pictures of splats that blend."""
+BLEND_SIZE = (160, 120)
+BLEND_PICTURES = 8
+"""Number of pictures of blended splats at each time."""
 Tree = nf.orthoview.OrthoTree
 
 RATE = 72
@@ -39,14 +39,14 @@ FOV = nf.Fov.symmetric(60, 4 / 3)
 SAMPLES = 4
 """Samples per pixel of orthoviews; the truth has 16."""
 PARTS, FRAMES = 10, 30
-"""Number of drawn parts of the flight, and of pictures of each."""
-FIRST = 8
-"""Number of ignored pictures at a part's start: nothing was faded before."""
+"""Number of parts of the flight, and of pictures of each."""
+IGNORED = 8
+"""Number of ignored pictures at a part's start, before which there is nothing to fade from."""
 METHODS = ("truth", "orthoviews", "steady", "steady truth")
 
 
 def camera_at(world: World, time: float, size: tuple[int, int] = SIZE) -> nf.Camera:
-    """Camera on a third of a circle of 420 m, 18 m or more from the houses, at 29 m/s and heights of 65 to 155 m."""
+    """Camera on a third of a circle of 420 m, at least 18 m from the houses, at 29 m/s and heights of 65 to 155 m."""
     angle = np.pi - np.radians(4) * time
     height = 110 + 45 * np.cos(2 * np.pi * time / SECONDS)
     middle = world.box[0] + (world.side / 2, 1.0, world.side / 2)
@@ -66,9 +66,9 @@ def truth_at(world: World, tree: nf.orthoview.OrthoTree, time: float, size: tupl
 
 @dataclass
 class Findings:
-    """Findings about a method's pictures."""
+    """Measures of a method's pictures."""
 
-    alike: list[float]
+    stability: list[float]
     """Motion-compensated SSIM of each picture with the previous one."""
     psnr: list[float]
     ssim: list[float]
@@ -89,14 +89,14 @@ def part(world: World, tree: nf.orthoview.OrthoTree, number: int, folder: Path) 
                 "truth": truth,
                 "orthoviews": views,
                 "steady": steady.next(views, time),
-                # Without motion, as for the tree's pictures.
+                # Without motion, which the tree's pictures lack, too.
                 "steady truth": filtered.next(replace(truth, motion=None), time),
             }
-            # All are compared where the truth shows the same surfaces.
+            # All pictures are compared where the truth shows the same surfaces in both.
             now = {name: replace(frame, range=truth.range, motion=truth.motion) for name, frame in drawn.items()}
-            if n >= FIRST:
+            if n >= IGNORED:
                 for name, findings in findings_by_method.items():
-                    findings.alike.append(float(nf.metrics.motion_ssim(previous[name], now[name])))
+                    findings.stability.append(float(nf.metrics.motion_ssim(previous[name], now[name])))
                     if name != "truth":
                         findings.psnr.append(nf.psnr(truth, now[name]))
                         findings.ssim.append(float(nf.ssim(truth, now[name])))
@@ -107,7 +107,7 @@ def part(world: World, tree: nf.orthoview.OrthoTree, number: int, folder: Path) 
 
 
 def flown(world: World, tree: nf.orthoview.OrthoTree, folder: Path, max_measured: int) -> Iterator[dict[str, Findings]]:
-    """Yield the parts of the flight, of which at most `max_measured` are measured now."""
+    """Yield the stored parts of the flight, and at most `max_measured` new ones."""
     missing = [n for n in range(PARTS) if not (folder / f"popping-{n}.json").is_file()]
     later = set(missing[max_measured:])
     return (part(world, tree, n, folder) for n in range(PARTS) if n not in later)
@@ -119,13 +119,13 @@ def plot(parts: list[dict[str, Findings]], path: Path) -> None:
     colors = {"truth": "black", "orthoviews": "tab:red", "steady": "tab:blue"}
     for name, color in colors.items():
         for n, findings_by_method in enumerate(parts):
-            # Parts are drawn wider than they are: 0.3 s would be a line.
-            alike = findings_by_method[name].alike
-            times = (n + 0.9 * np.arange(len(alike)) / len(alike)) * SECONDS / PARTS
+            # Parts are stretched in time: the 0.3 s of one would be a vertical line.
+            stability = findings_by_method[name].stability
+            times = (n + 0.9 * np.arange(len(stability)) / len(stability)) * SECONDS / PARTS
             label = {"steady": "orthoviews, steady"}.get(name, name) if n == 0 else None
-            axis.plot(times, alike, color=color, linewidth=1.2, label=label)
+            axis.plot(times, stability, color=color, linewidth=1.2, label=label)
     axis.set(
-        xlabel=f"time, s; each part has {FRAMES - FIRST} pictures ({(FRAMES - FIRST) / RATE:.1f} s, drawn wider)",
+        xlabel=f"time, s; each part has {FRAMES - IGNORED} pictures ({(FRAMES - IGNORED) / RATE:.1f} s, drawn wider)",
         ylabel="motion-compensated SSIM",
     )
     axis.grid(alpha=0.3)
@@ -152,23 +152,23 @@ def main() -> None:
 def flight(world: World, tree: Tree, out: Path, parts: int) -> None:
     """Table of the similarity of consecutive pictures, and their errors."""
     measured_parts = list(flown(world, tree, out, parts))
-    truth = np.concatenate([part["truth"].alike for part in measured_parts])
+    truth = np.concatenate([part["truth"].stability for part in measured_parts])
     rows = []
     for name in METHODS:
-        alike, psnr, ssim = (
-            np.concatenate([getattr(part[name], what) for part in measured_parts]) for what in ("alike", "psnr", "ssim")
-        )
-        numbers = [alike.mean(), np.percentile(alike, 1), alike.min(), (alike - truth).min()]
+        names = ("stability", "psnr", "ssim")
+        lists = ([getattr(part[name], each) for part in measured_parts] for each in names)
+        stability, psnr, ssim = map(np.concatenate, lists)
+        numbers = [stability.mean(), np.percentile(stability, 1), stability.min(), (stability - truth).min()]
         rows.append([name, *numbers, *([psnr.mean(), ssim.mean()] if len(psnr) else [None, None])])
-    header = "pictures | mean {:.4f} | 1st percentile {:.4f} | least {:.4f} | least above the truth's {:.4f}"
+    header = "pictures | mean {:.4f} | 1st percentile {:.4f} | least {:.4f} | least difference from the truth's {:.4f}"
     print(table(f"Flight, {len(measured_parts)} parts", header + " | PSNR {:.2f} | SSIM {:.4f}", rows))
     plot(measured_parts, out / "orthoview_steady.png")
 
 
 def swaps(world: World, tree: Tree, out: Path, parts: int) -> None:
-    """Table of the least similarity of consecutive pictures after the cut was swapped for a static camera."""
+    """Table of the least similarity of consecutive pictures of a static camera after its cut was swapped."""
     rows = []
-    for time in PLACES:
+    for time in SWAP_TIMES:
         camera = camera_at(world, time)
         start = tree.render(camera, samples=SAMPLES)
         for name, views, error_px in (("error 2 px", 3, 2.0), ("2 views", 2, 1.0), ("5 views", 5, 1.0)):
@@ -176,20 +176,20 @@ def swaps(world: World, tree: Tree, out: Path, parts: int) -> None:
             rows.append([f"{time:g} s", name, *fades(start, other)])
         one, two = (tree.render(side, samples=SAMPLES) for side in bisector(tree, world, time))
         rows.append([f"{time:g} s", "other directions", *fades(one, two)])
-    print(table("Swapped cuts", "place | change | without | 72 pictures a second | 30", rows))
+    print(table("Swapped cuts", "time | change | without Steady | 72 pictures a second | 30", rows))
 
 
 def fades(one: nf.Frame, other: nf.Frame) -> Iterator[str]:
-    """Yield SSIM without and with blending."""
+    """Yield least SSIM of consecutive pictures without `Steady`, and with it at 72 and at 30 pictures a second."""
     yield f"{nf.ssim(one, other):.4f}"
     for rate in (RATE, 30):
         steady = nf.orthoview.Steady()
-        pictures = [steady.next(one, 0.0), *(steady.next(other, n / rate) for n in range(1, FADE))]
+        pictures = [steady.next(one, 0.0), *(steady.next(other, n / rate) for n in range(1, FADE_PICTURES))]
         yield f"{min(nf.ssim(a, b) for a, b in pairwise(pictures)):.4f}"
 
 
 def bisector(tree: Tree, world: World, start: float) -> tuple[nf.Camera, nf.Camera]:
-    """Cameras on both sides of the next place of the flight at which some cell is seen from other directions."""
+    """Cameras just before and after the next moment of the flight at which a cell's drawn directions change."""
 
     def directions(time: float) -> set[object]:
         return set(tree.cut(camera_at(world, time)).keys(in_picture=True))
@@ -227,26 +227,26 @@ def blends(world: World, tree: Tree, out: Path, parts: int) -> None:
         "directions": Blend(directions=True),
         "both": Blend(opacity=True, directions=True),
     }
-    nowhere = nf.Clip(box=tree.bounds + 10 * np.ptp(tree.bounds, axis=0))
+    empty_clip = nf.Clip(box=tree.bounds + 10 * np.ptp(tree.bounds, axis=0))
     rows = []
-    for moment in PLACES:
-        alike: dict[str, list[float]] = {name: [] for name in ("truth", *blends)}
+    for moment in SWAP_TIMES:
+        stability: dict[str, list[float]] = {name: [] for name in ("truth", *blends)}
         errors: dict[str, list[tuple[float, float]]] = {name: [] for name in blends}
         previous: dict[str, nf.Frame] = {}
-        for n in range(BLENDED):
-            truth = truth_at(world, tree, moment + n / RATE, SMALL)
-            sky = nf.render(world.scene, truth.camera, clip=nowhere, channels=("color",))
+        for n in range(BLEND_PICTURES):
+            truth = truth_at(world, tree, moment + n / RATE, BLEND_SIZE)
+            sky = nf.render(world.scene, truth.camera, clip=empty_clip, channels=("color",))
             now = {"truth": truth}
             for name, blend in blends.items():
                 now[name] = replace(truth, color=render_blended(tree, truth.camera, blend, sky).color)
                 errors[name].append((nf.psnr(truth, now[name]), float(nf.ssim(truth, now[name]))))
             for name, frame in previous.items():
-                alike[name].append(float(nf.metrics.motion_ssim(frame, now[name])))
+                stability[name].append(float(nf.metrics.motion_ssim(frame, now[name])))
             previous = now
-        for name, values in alike.items():
+        for name, values in stability.items():
             quality = np.mean(errors[name], axis=0) if name in errors else (None, None)
             rows.append([moment, name, np.mean(values), min(values), *quality])
-    header = "place {:g} s | splats | mean {:.4f} | least {:.4f} | PSNR {:.2f} | SSIM {:.4f}"
+    header = "time, s {:g} | splats | mean {:.4f} | least {:.4f} | PSNR {:.2f} | SSIM {:.4f}"
     print(table("Splats that blend", header, rows))
 
 

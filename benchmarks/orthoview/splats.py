@@ -1,9 +1,9 @@
-"""Speed of pictures of a tree: splats per second, their peers, and the cut of a world of a million cells.
+"""Speed of pictures of a tree: splats per second, against peers' points; and of cuts of worlds of up to 10⁶ leaves.
 
     NEARFAR_NUM_THREADS=1 python -m benchmarks.orthoview.splats TREE
 
-Eyes look at the middle of the tree along its diagonal from half its width away. NumPy and pyrender draw the points
-only: a pixel each, without planes, balls or normals.
+Eyes look at the middle of the tree, diagonally, from half its width away. NumPy and pyrender draw the points
+only, one pixel each, without planes, balls or normals.
 """
 
 from __future__ import annotations
@@ -46,7 +46,7 @@ def eye(tree: nf.orthoview.OrthoTree, height: float) -> nf.Camera:
 
 
 def pictures(tree: nf.orthoview.OrthoTree, camera: nf.Camera, repeat: int, title: str) -> str:
-    """Table of splats per second, of all in the views and of projected ones, and of the peers' points."""
+    """Table of visible and of projected splats per second, and of the peers' points."""
     cut = tree.cut(camera, geometry=False)
     splats = tree._viewer.views.get(cut.keys())
     total = sum(view.count for view in splats)
@@ -67,7 +67,7 @@ def pictures(tree: nf.orthoview.OrthoTree, camera: nf.Camera, repeat: int, title
         for name, (time, count_seen, projected) in timings.items()
     ]
     full_title = f"{title}: {len(cut)} cells, {len(splats)} views, {total / 1e6:.2f} million splats"
-    header = "way | ms {:.1f} | CPU ms {:.1f} | million seen a second {:.1f} | million projected a second {:.1f}"
+    header = "method | ms {:.1f} | CPU ms {:.1f} | million seen a second {:.1f} | million projected a second {:.1f}"
     return table(full_title, header, rows)
 
 
@@ -84,7 +84,7 @@ def points_of(tree: nf.orthoview.OrthoTree, keys: list[Any]) -> tuple[NDArray[np
 
 
 def numpy_points(points: NDArray[np.float64], camera: nf.Camera) -> Callable[[], NDArray[np.uint64]]:
-    """The nearest point of each pixel, by keys of depth and number."""
+    """Return the function that finds the nearest point of each pixel, by keys of depth and number."""
     width, height = camera.size
 
     def draw() -> NDArray[np.uint64]:
@@ -103,7 +103,7 @@ def numpy_points(points: NDArray[np.float64], camera: nf.Camera) -> Callable[[],
 def pyrender_points(
     points: NDArray[np.float64], colors: NDArray[np.uint8], camera: nf.Camera
 ) -> Callable[[], Any] | None:
-    """Draw the same points by OpenGL, in software without a graphics card; None without pyrender."""
+    """Return the function that draws the points by OpenGL, in software without a GPU; None without pyrender."""
     peer = opengl.pyrender()
     if peer is None:
         return None

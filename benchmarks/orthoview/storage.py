@@ -22,10 +22,10 @@ from nearfar.orthoview._grid import Grid
 
 LAYOUT = layout_of()
 PLACE = (1, 1, 1)
-"""Place of the leaf, among neighbours on all sides."""
+"""Place of the leaf: in the middle of 3 × 3 × 3."""
 
 SIDES = (125.0, 250.0, 500.0, 1000.0)
-"""Sides of leaves in metres for which the crossing is given in triangles per square kilometre."""
+"""Sides of leaves in metres for which triangles per square kilometre are listed at equal bytes."""
 
 
 @dataclass(frozen=True)
@@ -38,7 +38,7 @@ class Leaf:
     geometry: int
     """Bytes of its GLB."""
     shared: int
-    """Bytes of meshes with several placements among them."""
+    """Bytes of the GLB that are meshes with several placements."""
     merged: int
     """Bytes of its GLB if each placement had its own triangles."""
     views: int
@@ -60,9 +60,7 @@ class Leaf:
 def main() -> None:
     plots = start(__doc__, "--plots").plots
     leaves = [leaf for leaf in map(measure, worlds()) if leaf is not None]
-    header = (
-        "leaf | triangles {:,} | a km² {:,.0f} | a pixel {:.3g} | geometry, kB {:,.1f} | of it shared meshes {:,.1f}"
-    )
+    header = "leaf | triangles {:,} | a km² {:,.0f} | a pixel {:.3g} | geometry, kB {:,.1f} | shared meshes, kB {:,.1f}"
     header += " | merged, kB {:,.1f} | views, kB {:,.1f} | merged, bytes a triangle {:.1f} | geometry / views {:.3g}"
     print(table(f"Geometry and nine views of {SIZE}² pixels", header, [leaf.row for leaf in leaves]))
     worlds_of = dict.fromkeys(leaf.world for leaf in leaves)
@@ -97,7 +95,7 @@ def measure(case: tuple[str, Any, float]) -> Leaf | None:
     corner_and_side = (grid.corner(0, PLACE), side)
     views = _core.OrthoViews.of_cell(part._core, corner_and_side, DIRECTIONS, LAYOUT.format)
     chunks = sum(map(len, _codec.encode(views, LAYOUT).values()))
-    unshared = part._derived(part._core.of_mesh(part._core.merged()), part._rest[:0])
+    unshared = part._derived(part._core.of_mesh(part._core.merged()), part._load_placements[:0])
     merged = cell_glb(unshared, grid, PLACE)
     assert merged is not None
     triangles = glb.header(geometry)[0]["asset"]["extras"]["triangles"]
@@ -133,7 +131,7 @@ def crossing_row(world: str, leaves: list[Leaf]) -> list[object]:
     left_index = int(changes[0]) if len(changes) else len(ordered) - 2
     slope = (ratios[left_index + 1] - ratios[left_index]) / (log_triangles[left_index + 1] - log_triangles[left_index])
     crossing = float(np.exp(log_triangles[left_index] - ratios[left_index] / slope))
-    numbers = f"{crossing:,.0f}" + ("" if len(changes) else " (beyond)"), crossing / SIZE**2
+    numbers = f"{crossing:,.0f}" + ("" if len(changes) else " (extrapolated)"), crossing / SIZE**2
     return [world, *numbers, *(crossing / (side / 1000) ** 2 for side in SIDES)]
 
 
@@ -142,10 +140,10 @@ def draw(all_leaves: list[Leaf], path: Path) -> None:
     figure, axes = subplots(figsize=(7.5, 4.8))
     for number, world in enumerate(dict.fromkeys(leaf.world for leaf in all_leaves)):
         leaves = [leaf for leaf in all_leaves if leaf.world == world]
-        dense: NDArray[np.float64] = np.array([leaf.triangles for leaf in leaves]) / SIZE**2
+        density: NDArray[np.float64] = np.array([leaf.triangles for leaf in leaves]) / SIZE**2
         for name, marker, style in (("merged", "o", "-"), ("geometry", "s", ":"), ("views", "x", "--")):
             values = [getattr(leaf, name) / 1000 for leaf in leaves]
-            axes.plot(dense, values, color=f"C{number}", marker=marker, linestyle=style, label=f"{world}, {name}")
+            axes.plot(density, values, color=f"C{number}", marker=marker, linestyle=style, label=f"{world}, {name}")
     axes.set(xscale="log", yscale="log", xlabel=f"triangles a pixel of a view ({SIZE}²)", ylabel="kB a leaf")
     axes.legend(fontsize="x-small", ncols=2)
     save_figure(figure, path)

@@ -1,7 +1,7 @@
 """Updates of a tree: seconds and computed cells of squares of 200, 400 and 800 m.
 
-The squares lie around the middle of the tree. The world is unchanged, so that all views stay equal and only work is
-measured. Chaudhuri et al. report 20.8, 24.0 and 42.5 s.
+The squares lie around the middle of the tree. The world is unchanged, so all views stay equal; only
+the time counts. Chaudhuri et al. report 20.8, 24.0 and 42.5 s.
 """
 
 from __future__ import annotations
@@ -30,11 +30,11 @@ def main() -> None:
             box[:, 1] = -np.inf, np.inf
             seconds = []
             for _ in range(given.repeat):
-                tree, spent = timed(tree.update, box, source)
-                seconds.append(spent.wall)
-            done = tree.done
-            computed = done.get("drawn", 0) + done.get("empty", 0) + done["composed"]
-            rows.append([side, min(seconds), max(seconds), computed, f"{done}"])
+                tree, timing = timed(tree.update, box, source)
+                seconds.append(timing.wall)
+            counts = tree.done
+            computed = counts.get("drawn", 0) + counts.get("empty", 0) + counts["composed"]
+            rows.append([side, min(seconds), max(seconds), computed, f"{counts}"])
         shutil.rmtree(tree.path)
     header = "square, m {:g} | s, least {:.2f} | s, greatest {:.2f} | cells computed | of which"
     print(table("Updates", header, rows))

@@ -1,4 +1,4 @@
-"""Views of leaves and parents: triangle by triangle against ray by ray, and against Embree's rays alone."""
+"""Views of leaves and parents: rasterised triangles against rays, and against Embree's rays without shading."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def main() -> None:
     header = ["leaf", "triangles {:,}", "a pixel {:.2f}", *(f"{name}, ms {{:.0f}}" for name in times)]
     print(table(f"Nine views of {SIZE}² pixels, drawn at twice the size", header, rows))
     if views is not None:
-        print(table("Of the last leaf", "step | ms {:.1f} | GB/s {:.1f}", step_rows(views)))
+        print(table("Steps for the last leaf", "step | ms {:.1f} | GB/s {:.1f}", step_rows(views)))
 
 
 def leaves() -> Iterator[Leaf]:
@@ -47,8 +47,8 @@ def measure_leaf(leaf: Leaf) -> tuple[_core.OrthoViews, list[object]]:
 
     def draw(way: str) -> Callable[[], _core.OrthoViews]:
         # Each leaf of a build is a new scene, whose search tree must be built before rays.
-        fresh_ones = [copy_without_trees(scene)._core for _ in range(REPEAT + 1)]
-        return lambda: _core.OrthoViews.of_cell(fresh_ones.pop(), corner_and_side, DIRECTIONS, LAYOUT.format, way=way)
+        fresh_scenes = [copy_without_trees(scene)._core for _ in range(REPEAT + 1)]
+        return lambda: _core.OrthoViews.of_cell(fresh_scenes.pop(), corner_and_side, DIRECTIONS, LAYOUT.format, way=way)
 
     times = [best(draw(way), repeat=REPEAT).ms for way in ("triangles", "rays")]
     row = [leaf.name, scene.triangle_count, scene.triangle_count / (4 * SIZE * SIZE), *times, time_renderer(leaf)]
@@ -56,11 +56,11 @@ def measure_leaf(leaf: Leaf) -> tuple[_core.OrthoViews, list[object]]:
 
 
 def time_renderer(leaf: Leaf) -> float:
-    """Milliseconds of the same pictures by the renderer: without limits, reduction and codes."""
-    fresh_ones = [copy_without_trees(leaf.scene) for _ in range(REPEAT + 1)]
+    """Milliseconds of the same pictures by the renderer: without clipping to the cell, reduction and codes."""
+    fresh_scenes = [copy_without_trees(leaf.scene) for _ in range(REPEAT + 1)]
 
     def job() -> None:
-        scene = fresh_ones.pop()
+        scene = fresh_scenes.pop()
         for direction in DIRECTIONS:
             (_, up, toward), extents = axes_of(direction, leaf.side)
             x, y, z = extents / 2
@@ -95,8 +95,8 @@ def time_embree(leaf: Leaf) -> float | str:
 
     def job() -> None:
         tree = RayMeshIntersector(mesh)
-        for origins, along in rays:
-            tree.intersects_first(origins, along)
+        for origins, directions in rays:
+            tree.intersects_first(origins, directions)
 
     return best(job, repeat=2).ms
 
@@ -104,7 +104,7 @@ def time_embree(leaf: Leaf) -> float | str:
 def step_rows(views: _core.OrthoViews) -> list[list[object]]:
     parent = _core.OrthoParent(DIRECTIONS, LAYOUT.format)
     adds = itertools.cycle(OCTANTS)
-    # A texel of a child is 10 bytes. A texel of a parent's picture, four for each pixel, is 16: read and written.
+    # A child's texel is 10 bytes. A parent's picture has four texels of 16 bytes for each pixel, read and written.
     pixels = len(DIRECTIONS) * SIZE * SIZE
     jobs: dict[str, tuple[Callable[[], object], int | None]] = {
         "drawing a child into its parent": (lambda: parent.add(next(adds), views), pixels * (10 + 2 * 16)),

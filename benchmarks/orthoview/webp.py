@@ -1,7 +1,7 @@
 """Colours of leaves by zstd, lossless WebP and lossy WebP: bytes, time and error; and accumulated errors over levels.
 
-A parent's colours are computed from its children's. If these are lossy, a parent is composed of the decoded colours of
-its children, so that a resumed build reads the same colours; the last table compares that with parents of exact ones.
+A parent's colours are computed from its children's. If these are stored with loss, a parent is composed of
+its children's decoded colours, because a resumed build reads these; the last table compares parents of exact children.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ LEVELS = 3
 QUALITIES = (80, 90)
 
 Picture = NDArray[np.uint8]
-Seen = NDArray[np.bool_]
+Mask = NDArray[np.bool_]
 
 
 @dataclass(frozen=True)
@@ -34,7 +34,7 @@ class ColorCodec:
     """Encoder and decoder of the colours of a view."""
 
     name: str
-    encode: Callable[[Picture, Seen], bytes]
+    encode: Callable[[Picture, Mask], bytes]
     decode: Callable[[bytes], Picture]
 
 
@@ -44,12 +44,12 @@ def main() -> None:
     every = [*leaves(), *([textured] if textured else [])]
     header = "leaf | colours | kB a view {:.1f} | of zstd 3 {:.2f} | all channels, kB {:.1f} | encode, ms {:.1f}"
     rows = [row for leaf in every for row in leaf_rows(leaf)]
-    title = f"Colours of a view of {SIZE}² pixels; PSNR and SSIM of the pixels in which something is"
+    title = f"Colours of a view of {SIZE}² pixels; PSNR and SSIM of non-empty pixels"
     print(table(title, header + " | decode, ms {:.1f} | PSNR, dB {:.1f} | SSIM {:.3f}", rows))
     deep = [leaf for leaf in every if leaf.name in ("forest, 80 m", "helmet, 0.75 m")]
     rows = [row for leaf in deep for row in level_rows(leaf, QUALITIES[-1])]
-    header = "world | level | from exact children, dB {:.1f} | from children as they are stored, dB {:.1f}"
-    print(table(f"Quality {QUALITIES[-1]} over levels: PSNR with a tree without losses", header, rows))
+    header = "world | level | from exact children, dB {:.1f} | from stored children, dB {:.1f}"
+    print(table(f"Quality {QUALITIES[-1]} over levels: PSNR against a tree without losses", header, rows))
 
 
 def color_codecs() -> list[ColorCodec]:
@@ -65,7 +65,7 @@ def color_codecs() -> list[ColorCodec]:
         return _webp.decode(data, SIZE)
 
     def lossy(quality: int) -> ColorCodec:
-        return ColorCodec(f"WebP {quality}", lambda picture, seen: _webp.encode(picture, quality, seen), decode)
+        return ColorCodec(f"WebP {quality}", lambda picture, mask: _webp.encode(picture, quality, mask), decode)
 
     return [
         by_zstd(3),
@@ -73,7 +73,7 @@ def color_codecs() -> list[ColorCodec]:
         by_zstd(19),
         ColorCodec("WebP lossless", lambda picture, _: _webp.encode(picture), decode),
         *map(lossy, QUALITIES),
-        ColorCodec("WebP 90, black about it", lambda picture, _: _webp.encode(picture, 90), decode),
+        ColorCodec("WebP 90, empty pixels black", lambda picture, _: _webp.encode(picture, 90), decode),
     ]
 
 
@@ -86,16 +86,16 @@ def leaf_rows(leaf: Leaf) -> Iterable[list[object]]:
     pictures, is_shown = views.colors()[directions], views.depths()[directions, ..., 0] > 0
     first_size = 0.0
     for codec in color_codecs():
-        files, writing = timed(lambda encode: [*map(encode, pictures, is_shown)], codec.encode)
-        decoded, reading = timed(lambda decode, files: np.array([*map(decode, files)]), codec.decode, files)
+        files, encoding = timed(lambda encode: [*map(encode, pictures, is_shown)], codec.encode)
+        decoded, decoding = timed(lambda decode, files: np.array([*map(decode, files)]), codec.decode, files)
         size = sum(map(len, files)) / len(directions)
         first_size = first_size or size
         sizes = size / 1e3, size / first_size, (size + other_bytes) / 1e3
-        times = (time.ms / len(directions) for time in (writing, reading))
+        times = (time.ms / len(directions) for time in (encoding, decoding))
         yield [leaf.name, codec.name, *sizes, *times, *picture_quality(pictures, decoded, is_shown)]
 
 
-def picture_quality(expected: Picture, decoded: Picture, is_shown: Seen) -> list[object]:
+def picture_quality(expected: Picture, decoded: Picture, is_shown: Mask) -> list[object]:
     if (expected == decoded)[is_shown].all():
         return ["exact", "1"]
     pairs = zip(expected, decoded, is_shown, strict=True)
@@ -103,7 +103,7 @@ def picture_quality(expected: Picture, decoded: Picture, is_shown: Seen) -> list
     return [psnr(expected, decoded, is_shown), np.mean(ssim)]
 
 
-def psnr(expected: Picture, decoded: Picture, is_shown: Seen) -> float:
+def psnr(expected: Picture, decoded: Picture, is_shown: Mask) -> float:
     return nf.psnr(expected[is_shown][:, None], decoded[is_shown][:, None], data_range=255)
 
 
@@ -119,8 +119,8 @@ def level_rows(world: Leaf, quality: int) -> Iterable[list[object]]:
         if level:
             exact = compose_parents(exact)
             stored = {place: decode_stored(views, quality) for place, views in compose_parents(stored).items()}
-        alone = {place: decode_stored(views, quality) for place, views in exact.items()}
-        yield [world.name, level, cell_psnr(exact, alone), cell_psnr(exact, stored)]
+        from_exact = {place: decode_stored(views, quality) for place, views in exact.items()}
+        yield [world.name, level, cell_psnr(exact, from_exact), cell_psnr(exact, stored)]
 
 
 def small_leaves(world: Leaf) -> Views:

@@ -1,6 +1,6 @@
 """Builds on a Dask cluster of this machine: one worker against two, each with one thread.
 
-Processes are started before the clock; sending the source to them is part of the time.
+Processes are started before the timing, which includes sending the source to them.
 """
 
 from __future__ import annotations
@@ -35,8 +35,8 @@ def main() -> None:
     for workers in (1, 2):
         seconds = []
         for _ in range(given.repeat):
-            spent, digest, tree = spread(source, np.array([low, high]), cell, workers)
-            seconds.append(spent)
+            build_seconds, digest, tree = spread(source, np.array([low, high]), cell, workers)
+            seconds.append(build_seconds)
             digests.add(digest)
         one_worker_seconds = one_worker_seconds or min(seconds)
         rows.append([workers, min(seconds), one_worker_seconds / min(seconds), f"{tree.done}"])
@@ -55,11 +55,11 @@ def spread(
         LocalCluster(n_workers=workers, threads_per_worker=1, dashboard_address=":0", env=env) as cluster,
         Client(cluster) as client,
     ):
-        tree, spent = timed(nf.orthoview.build, source, folder / "tree.zarr", **settings, cluster=client)
+        tree, timing = timed(nf.orthoview.build, source, folder / "tree.zarr", **settings, cluster=client)
         digest = hashlib.sha256()
         for path in sorted(path for path in folder.rglob("0") if path.is_file()):
             digest.update(path.read_bytes())
-        return spent.wall, digest.hexdigest(), tree
+        return timing.wall, digest.hexdigest(), tree
 
 
 if __name__ == "__main__":

@@ -1,10 +1,10 @@
 """Whole worlds: time, bytes and memory of trees of growing parts, and their extrapolation to larger ones.
 
     python -m benchmarks.orthoview.worlds tokyo --tiles FOLDER   # squares of up to 16 km, from a folder of tiles
-    python -m benchmarks.orthoview.worlds asteroids world         # rocks up to all; a procedural city, in part
+    python -m benchmarks.orthoview.worlds asteroids world         # parts of a ring of rocks; squares of a city
 
-Each tree is built in a separate process, whose peak memory is recorded. Slopes are those of a line through the
-logarithms; a slope of 1 is proportional.
+Each tree is built in a separate process, whose peak memory is recorded. Slopes are those of a line fitted to the
+logarithms; 1 means proportional.
 """
 
 from __future__ import annotations
@@ -53,14 +53,14 @@ def main() -> None:
 
 
 def tokyo(given: argparse.Namespace) -> Iterator[Row]:
-    """Squares around the middle of the city: more of it, the same leaves."""
+    """Growing squares around the middle of the city, with leaves of the same side."""
     cell = given.cell or 500.0
     for side in (500, 1000, 2000, 4000, 8000, 16000):
         yield {"world": "tokyo", "tiles": given.tiles, "side": side, "cell": cell}
 
 
 def asteroids(given: argparse.Namespace) -> Iterator[Row]:
-    """29,264 rocks of 97,000 polygons in a ring: those on one side of it, up to all."""
+    """29,264 rocks of 97,000 polygons in a ring: those on one side of a plane, up to all."""
     for fraction in (0.03, 0.1, 0.3, 1.0):
         yield {"world": "asteroids", "share": fraction, "cell": given.cell}
 
@@ -87,11 +87,11 @@ def build(job: Row) -> Row:
     memory_before = resident("VmHWM")
     with folder_or_temporary() as folder:
         settings: dict[str, Any] = {"cell": job["cell"], "aabb": aabb, "size": SIZE, "directions": DIRECTIONS}
-        tree, spent = timed(nf.orthoview.build, source, folder / "tree.zarr", **settings, geometry=False)
+        tree, timing = timed(nf.orthoview.build, source, folder / "tree.zarr", **settings, geometry=False)
     contents = {name: tree.held[name] for name in ("leaves", "cells", "bytes", "chunks")}
     return contents | {
-        "seconds": spent.wall,
-        "cpu": spent.cpu,
+        "seconds": timing.wall,
+        "cpu": timing.cpu,
         "side": job.get("side", job.get("share")),
         "triangles": source.query(aabb).triangle_count,
         "levels": tree.levels,
@@ -120,7 +120,7 @@ def open_world(job: Row) -> tuple[nf.SceneSource, np.ndarray]:
     aabb = np.array([middle - half_side, middle + half_side])
     aabb[:, 1] = -np.inf, np.inf
     aabb[:, 1] = (source if job["world"] == "tokyo" else source.query(aabb)).bounds[:, 1]
-    # A square ends with its last leaf, since its sides belong to leaves.
+    # A box that ended on a leaf's border would touch the next leaf, too.
     aabb[1, (0, 2)] -= 1e-3
     return source, aabb
 

@@ -116,7 +116,7 @@ def scenes_by_tolerance(quick: bool) -> str:
         for pixels in TOLERANCES:
             job = partial(nf._core.tessellate_scene, scene._core, **settings, tolerance=pixels * PIXEL)
             split, counts = job()
-            error = misses(touching(scene._derived(split, scene._rest), center), center, eyes).max()
+            error = misses(touching(scene._derived(split, scene._load_placements), center), center, eyes).max()
             numbers = counts["after"], (counts["split"], counts["examined"]), best(job, repeat=3).ms
             rows.append([name, pixels, *numbers, error, error / pixels])
     header = "scene | tolerance, px {:g} | triangles {:,} | split of examined {:,} of {:,} | ms {:.0f}"

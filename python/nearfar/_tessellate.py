@@ -100,7 +100,7 @@ def tessellate(
     if isinstance(mesh, Scene):
         with progress.bar("tessellating") as report:
             core, _counts = _core.tessellate_scene(mesh._core, **settings, report=report)
-        return mesh._derived(core, mesh._rest)
+        return mesh._derived(core, mesh._load_placements)
     return _tessellate_trimesh(mesh, settings)
 
 

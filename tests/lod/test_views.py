@@ -14,18 +14,18 @@ from nearfar.lod._measure.one_object import PILOT
 from tests.support.lod_cases import FOV, SMALL, Array, ball, fibonacci, levels, turn
 
 
-def stand() -> level_views.Stand:
-    return level_views.Stand(level_views.Screen.from_arguments(None, FOV, (128, 128)), (3.0, -2.0, 1.0), 1.2, 1.2)
+def orbit() -> level_views.Orbit:
+    return level_views.Orbit(level_views.Screen.from_arguments(None, FOV, (128, 128)), (3.0, -2.0, 1.0), 1.2, 1.2)
 
 
 def cameras(views: int, directions: level_views.Directions) -> list[nf.Camera]:
     """Return the camera of each distinct picture."""
-    return [stand().camera(1, one) for one in level_views.turns(views, directions)[0]]
+    return [orbit().camera(1, one) for one in level_views.turns(views, directions)[0]]
 
 
 def sides(seen: list[nf.Camera]) -> Array:
     """Return directions (N, 3) from the object to its cameras."""
-    away = np.array([camera.position for camera in seen]) - stand().center
+    away = np.array([camera.position for camera in seen]) - orbit().center
     return np.asarray(away / np.linalg.norm(away, axis=1, keepdims=True))
 
 
@@ -39,12 +39,12 @@ def test_cameras_move_inversely_to_the_objects_rotation(directions: level_views.
     views = 24
     turns, shown = level_views.turns(views, directions)
     assert len(shown) == views
-    still = stand().camera(2, (0.0, 0.0, 0.0, 1.0))
+    still = orbit().camera(2, (0.0, 0.0, 0.0, 1.0))
     points = ball(6)[0]
     for view in range(views):
-        camera = stand().camera(2, turns[shown[view]])
+        camera = orbit().camera(2, turns[shown[view]])
         # A turned object before a fixed camera looks like the fixed object before a camera that moves around it.
-        turned = (points - stand().center) @ turn(view, views, directions).T + stand().center
+        turned = (points - orbit().center) @ turn(view, views, directions).T + orbit().center
         np.testing.assert_allclose(camera.project(points), still.project(turned), rtol=0, atol=1e-9)
 
 

@@ -223,7 +223,7 @@ def test_folders_of_the_first_version_are_read(folder: Path, tmp_path: Path) -> 
     older = shutil.copytree(folder, tmp_path / "older")
     document = json.loads((older / "reduced.json").read_text())
     loaded = nf.ReducedScene.load(folder)
-    rest = dict(zip((row["object"] for row in document["moving"]), loaded.scene._rest.tolist(), strict=True))
+    rest = dict(zip((row["object"] for row in document["moving"]), loaded.scene._load_placements.tolist(), strict=True))
     for row in document["moving"]:
         row.setdefault("transform", loaded.scene.transform(row["object"]).tolist())
         row.setdefault("rest", rest[row["object"]])

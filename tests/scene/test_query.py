@@ -101,7 +101,7 @@ def test_a_cell_of_a_large_world_takes_the_memory_of_the_cell() -> None:
     assert np.array_equal(part.triangles(), world.triangles()[touching(world, [[10, 0, 10], [12, 1, 40]])])
     assert part.triangle_count
     assert part._core.bytes() * 500 < world._core.bytes()
-    assert len(part._rest) * 500 < len(world._rest)
+    assert len(part._load_placements) * 500 < len(world._load_placements)
 
 
 def test_an_infinite_box_returns_the_whole_scene(scene: nf.Scene) -> None:

@@ -63,7 +63,7 @@ def test_transforms_keep_their_bits(tmp_path: Path, offset: Any, compression: st
     # Instances are in the scene's order; "tiny" has no area after rounding, and the bundle omits it.
     rows = [n for n, owner in enumerate(posed._core.moving_objects()) if posed.object_names[owner] in kept]
     np.testing.assert_array_equal(found._core.moving_placements(), posed._core.moving_placements()[rows])
-    np.testing.assert_array_equal(found._rest, posed._rest[rows])
+    np.testing.assert_array_equal(found._load_placements, posed._load_placements[rows])
     for name in kept:
         np.testing.assert_array_equal(found.poses[name], posed.poses[name])
         np.testing.assert_array_equal(found.transform(name), posed.transform(name))

@@ -142,7 +142,7 @@ async function main(): Promise<void> {
   }
   const panel = createPanel(root, commands);
   const { isStatic } = opened;
-  const headsetSettings = { pose: () => pose, bounds: () => viewer.facts.bounds, left: controls.setPose, isStatic };
+  const headsetSettings = { pose: () => pose, bounds: () => viewer.facts.bounds, onLeave: controls.setPose, isStatic };
   offerHeadset(viewer, headsetSettings, (result) => {
     headset = typeof result === 'string' ? null : result;
     commands.headset = result;

@@ -74,7 +74,7 @@ async function checkCuts(store: Opened, cases: readonly Case[]): Promise<void> {
   for (const each of cases) {
     const { reach, cells, leaves, files } = each;
     const found = await whole(store, each);
-    assert.ok(Math.abs(found.reach / reach - 1) < 1e-12);
+    assert.ok(Math.abs(found.leafDistance / reach - 1) < 1e-12);
     const drawn = found.cells.map(({ level, place, isInPicture, directions }) => [
       level,
       place,

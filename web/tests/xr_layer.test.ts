@@ -34,7 +34,7 @@ test('coarse maps are drawn, because a layer has the texels of full maps', () =>
   Object.assign(globalThis, { DOMPointReadOnly: class {} });
   const { renderer: made, copies } = renderer();
   const layer = createMapLayer(made, 1024);
-  const cube = (size: number): Cube => ({ size, holds: 0, color: {} }) as unknown as Cube;
+  const cube = (size: number): Cube => ({ size, ringShown: 0, color: {} }) as unknown as Cube;
   assert.equal(layer?.show(cube(512), 0), false);
   assert.equal(copies(), 0);
   layer?.show(cube(1024), 0);

@@ -58,7 +58,7 @@ class Shaped:
         return str(script)
 
     def counts(self) -> dict[str, Any]:
-        """Count packets `down` to the client and `up`; the `latest` delivery in seconds after its due time; `cpu`."""
+        """Return counts of packets `down` to the client and `up`, the `latest` delay of a delivery and `cpu` seconds."""
         assert self._process.stdin
         self._process.stdin.write("\n")
         self._process.stdin.flush()
@@ -103,7 +103,7 @@ def _queue(link: nf.stream.Link) -> int:
 @contextmanager
 def _forwarder(settings: dict[str, Any]) -> Iterator[subprocess.Popen[str]]:
     """Run the process between the sides until the context ends."""
-    # An interrupt is for the user of the link, who then closes it. The process ends when its input is closed.
+    # Interrupts reach only this process, which then closes the link; the other one ends when its input is closed.
     with subprocess.Popen(
         [sys.executable, "-m", "benchmarks.harness.link.forward", json.dumps(settings)],
         cwd=CHECKOUT,

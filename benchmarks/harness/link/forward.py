@@ -44,45 +44,45 @@ class Counts:
 
 
 class Path:
-    """Packets in transit, on a clock that the caller reads. Packets stay in order."""
+    """Packets in transit, in order; the caller passes the time as `now`, in seconds."""
 
     def __init__(self, clock: Clock, *, delay: float, loss: float, queue: int, seed: int) -> None:
         """Store the clock of the rate, the delay in seconds, the share lost, and the size of the queue in bytes."""
         self._clock, self._delay, self._loss, self._max_queued = clock, delay, loss, queue
         self._random = random.Random(seed).random
-        self._waiting = deque[tuple[float, int]]()
+        self._bottleneck = deque[tuple[float, int]]()
         """Times at which packets leave the bottleneck, and their bytes."""
         self._queued = 0
         self._last_departure = 0.0
-        self._flying = deque[tuple[float, bytes]]()
+        self._in_transit = deque[tuple[float, bytes]]()
         self.counts = Counts()
 
     def take(self, now: float, packet: bytes) -> None:
         """Accept a packet that a side sends."""
-        counts, waiting, size = self.counts, self._waiting, len(packet)
+        counts, bottleneck, size = self.counts, self._bottleneck, len(packet)
         counts.taken += 1
-        while waiting and waiting[0][0] <= now:
-            self._queued -= waiting.popleft()[1]
+        while bottleneck and bottleneck[0][0] <= now:
+            self._queued -= bottleneck.popleft()[1]
         if self._queued + size > self._max_queued:
             counts.overflowed += 1
             return
         self._last_departure = self._clock.end_of_transfer(max(now, self._last_departure), size)
         self._queued += size
-        waiting.append((self._last_departure, size))
+        bottleneck.append((self._last_departure, size))
         if self._random() < self._loss:
             counts.lost += 1
             return
-        self._flying.append((self._last_departure + self._delay, packet))
+        self._in_transit.append((self._last_departure + self._delay, packet))
 
     def next(self) -> float | None:
         """Time at which the next packet arrives at the other side."""
-        return self._flying[0][0] if self._flying else None
+        return self._in_transit[0][0] if self._in_transit else None
 
     def due(self, now: float) -> list[bytes]:
         """Remove and return the packets that have arrived."""
-        flying, arrived = self._flying, list[bytes]()
-        while flying and flying[0][0] <= now:
-            arrived.append(flying.popleft()[1])
+        in_transit, arrived = self._in_transit, list[bytes]()
+        while in_transit and in_transit[0][0] <= now:
+            arrived.append(in_transit.popleft()[1])
         self.counts.delivered += len(arrived)
         self.counts.delivered_bytes += sum(map(len, arrived))
         return arrived
@@ -97,7 +97,7 @@ class Forwarder:
         self._paths = dict(zip(devices, paths, strict=True))
         self._opposite = dict(zip(devices, reversed(devices), strict=True))
         self._start: float | None = None
-        self._late = 0.0
+        self._max_delay = 0.0
 
     def run(self, control: int, answers: Any) -> None:
         """Forward packets until the control is closed."""
@@ -126,7 +126,7 @@ class Forwarder:
         for device, path in self._paths.items():
             now, time_due = self._seconds(), path.next()
             if time_due is not None and time_due <= now:
-                self._late = max(self._late, now - time_due)
+                self._max_delay = max(self._max_delay, now - time_due)
                 for packet in path.due(now):
                     # A side whose device is down loses its packets.
                     with suppress(OSError):
@@ -145,7 +145,7 @@ class Forwarder:
     def _counts(self) -> dict[str, Any]:
         """Counts of both directions, the greatest delay of a write after its due time, and seconds of CPU time."""
         down, up = (asdict(path.counts) for path in self._paths.values())
-        return {"down": down, "up": up, "latest": self._late, "cpu": time.process_time()}
+        return {"down": down, "up": up, "latest": self._max_delay, "cpu": time.process_time()}
 
 
 def main() -> None:

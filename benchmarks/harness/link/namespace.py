@@ -107,9 +107,9 @@ def _device(namespace: int) -> int:
 
 
 def _ip(*arguments: str) -> None:
-    done = subprocess.run(["ip", *arguments], capture_output=True, text=True, check=False)
-    if done.returncode:
-        raise OSError(f"ip {' '.join(arguments)}: {done.stderr.strip()}")
+    process = subprocess.run(["ip", *arguments], capture_output=True, text=True, check=False)
+    if process.returncode:
+        raise OSError(f"ip {' '.join(arguments)}: {process.stderr.strip()}")
 
 
 def _call(name: str, *arguments: int) -> None:

@@ -12,10 +12,10 @@ from benchmarks.orthoview._splats import Pixels
 from nearfar._camera.rotation import rotation
 from nearfar.orthoview._gaussians import MIN_COSINE, SUN, shade
 
-BORDER = 1.27
-"""Factor of the size of surfels at the border of a surface, as in `tree.render`."""
-INNER = 9
-"""Number of pixels of a surfel's neighbourhood connected with it, including itself, away from borders."""
+BORDER_SCALE = 1.27
+"""Factor by which surfels at the border of a surface are enlarged, as in `tree.render`."""
+INNER_NEIGHBOURS = 8
+"""Number of neighbours connected with a pixel that is not at a border."""
 STEP = 0.01
 """Step of the projection's derivative, as a share of a splat's sides."""
 
@@ -34,7 +34,7 @@ def circle(pixels: Pixels, camera: nf.Camera) -> Sides:
 def warped_circle(pixels: Pixels, camera: nf.Camera) -> Sides:
     """Discs of the same radius on the tangent planes."""
     width = np.hypot(*pixels.sides) / np.sqrt(2)
-    tangent = _unit(np.cross(pixels.normal, _other(pixels.normal)))
+    tangent = _unit(np.cross(pixels.normal, _least_parallel_axis(pixels.normal)))
     return width * tangent, width * np.cross(pixels.normal, tangent)
 
 
@@ -47,8 +47,8 @@ def mixed(is_surfel: NDArray[np.bool_], is_inner: NDArray[np.bool_]) -> Callable
     """Ellipses for connected pixels, larger ones at borders, and balls elsewhere."""
 
     def shape(pixels: Pixels, camera: nf.Camera) -> Sides:
-        surfel, inner = (picked[pixels.seen][:, None] for picked in (is_surfel, is_inner))
-        factor = np.where(inner, 1.0, BORDER)
+        surfel, inner = (flags[pixels.mask][:, None] for flags in (is_surfel, is_inner))
+        factor = np.where(inner, 1.0, BORDER_SCALE)
         pairs = zip(ellipse(pixels, camera), circle(pixels, camera), strict=True)
         u, v = (np.where(surfel, factor * flat, ball) for flat, ball in pairs)
         return u, v
@@ -63,7 +63,7 @@ def inner(bits: NDArray[np.uint8]) -> NDArray[np.bool_]:
     for link, (y, x) in ((right, (0, 1)), (below, (1, 0)), (below_right, (1, 1)), (below_left, (1, -1))):
         count += link
         count += np.roll(link, (y, x), axis=(0, 1))
-    is_inner: NDArray[np.bool_] = count == INNER - 1
+    is_inner: NDArray[np.bool_] = count == INNER_NEIGHBOURS
     return is_inner
 
 
@@ -108,14 +108,14 @@ def rasterize(pixels: Pixels, sides: Sides, camera: nf.Camera) -> tuple[NDArray[
 
 
 def _lit(pixels: Pixels, camera: nf.Camera) -> NDArray[np.uint8]:
-    """Colours in the light of all pictures, with normals turned towards the viewer."""
+    """Colours in the light of `nf.render`, with normals turned towards the viewer."""
     toward = np.array(camera.position) - pixels.middle
     side = np.where((pixels.normal * toward).sum(axis=1, keepdims=True) < 0, -1.0, 1.0)
     return shade(pixels.color, (side * pixels.normal).astype(np.float32), SUN)
 
 
 def _image(camera: nf.Camera, middle: Floats, side: Floats) -> Floats:
-    """Image of a side by the derivative of the projection (N, 2), pixels."""
+    """Vectors (N, 2) in pixels that show a side in the picture, by the derivative of the projection."""
     ahead, behind = (camera.project(middle + sign * STEP * side)[:, :2] for sign in (1, -1))
     image: Floats = (ahead - behind) / (2 * STEP)
     return image
@@ -132,8 +132,8 @@ def ahead_of(camera: nf.Camera) -> Floats:
     return -rotation(camera.orientation)[:, 2]
 
 
-def _other(normals: Floats) -> Floats:
-    """For each vector an axis that is far from parallel."""
+def _least_parallel_axis(normals: Floats) -> Floats:
+    """For each vector the coordinate axis that is least parallel to it."""
     axes: Floats = np.eye(3)[np.abs(normals).argmin(axis=1)]
     return axes
 

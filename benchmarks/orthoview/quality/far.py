@@ -25,10 +25,10 @@ TREES, SIDE, CELL = 96_000, 1760.0, 160.0
 EYE, TARGET = (0.0, 350.0, 1700.0), (0.0, 0.0, 150.0)
 LARGE = (2072, 1554)
 """Size in pixels of a picture with one sample per pixel, which is then reduced."""
-TRUTH = 256
-"""Samples of a pixel."""
+TRUTH_SAMPLES = 256
+"""Samples per pixel of the truth."""
 PART, CROP, ZOOM = (128, 104, 320, 240), (256, 230, 80, 60), 4
-"""Displayed and enlarged parts of the pictures: left, top, width and height in pixels."""
+"""Displayed and enlarged parts of the pictures (left, top, width, height in pixels), and the enlargement."""
 
 Picture = NDArray[np.uint8]
 
@@ -44,22 +44,22 @@ def main() -> None:
         camera = nf.Camera.look_at(EYE, TARGET, fov=FOV, size=PICTURE)
         clip = nf.Clip(box=tree.bounds)
         print(f"{world.scene.triangle_count:,} triangles; {tree.held['bytes'] / 1e6:.0f} MB of views\n")
-        truth = nf.render(world.scene, camera, clip=clip, samples=TRUTH, channels=("color",)).to_image()
+        truth = nf.render(world.scene, camera, clip=clip, samples=TRUTH_SAMPLES, channels=("color",)).to_image()
         rows, panels = [], [("truth, 16 × 16 samples", truth)]
         for name, draw in methods(world, tree, camera, clip).items():
             picture = draw()
             psnr, ssim = (float(measure(truth, picture, data_range=255)) for measure in (nf.psnr, nf.ssim))
             timing = best(draw, repeat=given.repeat)
             rows.append([name, timing.wall, timing.cpu, psnr, ssim])
-            if name in SHOWN:
+            if name in PANELS:
                 panels.append((f"{name}\n{timing.cpu:.2f} CPU s, {psnr:.1f} dB, SSIM {ssim:.3f}", picture))
-        print(table("A far forest", "way | s {:.2f} | CPU s {:.2f} | PSNR, dB {:.1f} | SSIM {:.3f}", rows))
+        print(table("A far forest", "method | s {:.2f} | CPU s {:.2f} | PSNR, dB {:.1f} | SSIM {:.3f}", rows))
         print(dict(tree.render(camera, channels=("color",)).stats))
     if given.out is not None:
         save(panels, given.out / "orthoview_far.jpg")
 
 
-SHOWN = ("geometry, 4 × 4 samples", f"geometry, {LARGE[0]} × {LARGE[1]} reduced", "orthoviews, one sample")
+PANELS = ("geometry, 4 × 4 samples", f"geometry, {LARGE[0]} × {LARGE[1]} reduced", "orthoviews, one sample")
 
 
 def methods(
@@ -76,9 +76,9 @@ def methods(
 
     return {
         "geometry, one sample": lambda: geometry(1).to_image(),
-        SHOWN[0]: lambda: geometry(16).to_image(),
-        SHOWN[1]: lambda: average(geometry(1, LARGE)),
-        SHOWN[2]: orthoviews(1),
+        PANELS[0]: lambda: geometry(16).to_image(),
+        PANELS[1]: lambda: average(geometry(1, LARGE)),
+        PANELS[2]: orthoviews(1),
         "orthoviews, 4 × 4 samples": orthoviews(16),
         "orthoviews, 4 × 4 samples, half the error": orthoviews(16, 0.5),
     }

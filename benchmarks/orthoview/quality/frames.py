@@ -1,7 +1,7 @@
-"""Time of a frame of geometry and of a tree, by the extent of the world: loaded and drawn first, and once more.
+"""Time of a frame of geometry and of a tree, by the extent of the world: the first with loading, and later ones.
 
-TREE is a store of the whole of Tokyo with geometry, and the folder has its tiles. Worlds end at a square around the
-eye, for which `benchmarks.orthoview.flights growth` counts bytes. Each frame is drawn in a separate process.
+TREE is a store of the whole of Tokyo with geometry, and --tiles has its tiles. Smaller worlds are squares around the
+eye, those of `benchmarks.orthoview.flights growth`. Each world is drawn by each method in a separate process.
 """
 
 from __future__ import annotations
@@ -31,8 +31,8 @@ from nearfar.orthoview._viewer import Parts
 
 SIDES = (1.0, 2.0, 4.0, 8.0, 16.0, 32.0)
 """Sides of worlds, kilometres."""
-WHOLE = 60.0
-"""Side of a square around the eye that contains the whole of Tokyo, the last world."""
+WHOLE_SIDE = 60.0
+"""Side of a square around the eye that contains the whole of Tokyo, kilometres; it replaces the last of `SIDES`."""
 EYES = {"walker": 2.0, "120 m above": 120.0}
 """Heights of the eyes, metres."""
 WAYS = ("rays", "rasters", "orthoviews")
@@ -51,7 +51,7 @@ def main() -> None:
         tiles={"type": str, "required": True, "help": "folder of its tiles, which nf.write_tiles wrote"},
         sides=(list(SIDES), "kilometres"),
         ways=(list(WAYS), f"of {', '.join(WAYS)}"),
-        found=(Path, "file of findings, which a later run goes on with"),
+        found=(Path, "file of results, which a later run continues"),
         one=str,
     )
     if given.one:
@@ -71,7 +71,7 @@ def main() -> None:
 
 
 def run_separately(given: argparse.Namespace, side: float, way: str) -> Row:
-    """Draw in a separate process; return the reason if it fails."""
+    """Measure in a separate process; return its row, or the reason if it fails."""
     arguments = given.tree, "--tiles", given.tiles, "--one", json.dumps({"side": side, "way": way})
     try:
         return dict(run_module("benchmarks.orthoview.quality.frames", *arguments, seconds=LIMIT))
@@ -81,28 +81,27 @@ def run_separately(given: argparse.Namespace, side: float, way: str) -> Row:
 
 def measure(tree: str, tiles: str, job: Row) -> Row:
     """Seconds of the first frame, and of the next ones."""
-    half_side = 500.0 * (WHOLE if job["side"] == SIDES[-1] else job["side"])
+    half_side = 500.0 * (WHOLE_SIDE if job["side"] == SIDES[-1] else job["side"])
     wall_start, cpu_start = time.perf_counter(), time.process_time()
-    draws, facts = orthoviews(tree, half_side) if job["way"] == "orthoviews" else geometry(tiles, half_side, job["way"])
-    row: Row = facts
+    draw, row = orthoviews(tree, half_side) if job["way"] == "orthoviews" else geometry(tiles, half_side, job["way"])
     for name, height in EYES.items():
         camera = eye(height)
-        draws(camera)
+        draw(camera)
         if "first" not in row:
             row["first"] = [time.perf_counter() - wall_start, time.process_time() - cpu_start]
-        timing = best(partial(draws, camera), repeat=REPEAT)
+        timing = best(partial(draw, camera), repeat=REPEAT)
         row[name] = [timing.wall, timing.cpu]
     return row | {"memory": resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1024}
 
 
 def eye(height: float) -> nf.Camera:
-    """Camera in the middle of the way of `flights growth`."""
+    """Camera in the middle of the walk of `flights growth`."""
     position = np.array([START[0], height, START[1]])
     return nf.Camera.look_at(position, np.add(position, [1.0, -0.15, 0.0]), fov=FOV, size=PICTURE)
 
 
 def geometry(tiles: str, half_side: float, way: str) -> tuple[Callable[[nf.Camera], Any], Row]:
-    """Draw all triangles of the square."""
+    """Load all triangles of the square; return the function that draws them, and their number."""
     source = nf.open_source(tiles)
     low, high = source.bounds
     box = [(START[0] - half_side, low[1], START[1] - half_side), (START[0] + half_side, high[1], START[1] + half_side)]
@@ -113,7 +112,7 @@ def geometry(tiles: str, half_side: float, way: str) -> tuple[Callable[[nf.Camer
 
 
 def orthoviews(path: str, half_side: float) -> tuple[Callable[[nf.Camera], Any], Row]:
-    """Draw the cells and leaves of the cut whose middles lie in the square."""
+    """Return the function that draws a cut's cells and leaves whose middles lie in the square."""
     tree = nf.orthoview.open(path)
     opened = tree._open_store()
     viewer, grid = opened.viewer, opened.grid
@@ -137,14 +136,14 @@ def report(rows: list[Row]) -> str:
     """Table with a row for each world and method."""
     lines = []
     for row in rows:
-        name = row["side"], row["way"]
+        key = row["side"], row["way"]
         if "failed" in row:
-            lines.append([*name, None, row["failed"], None, *(None for _ in EYES)])
+            lines.append([*key, None, row["failed"], None, *(None for _ in EYES)])
             continue
         later_frames = [(1e3 * row[name][0], 1e3 * row[name][1]) for name in EYES]
-        lines.append([*name, row.get("triangles"), tuple(row["first"]), row["memory"] / 1e9, *later_frames])
+        lines.append([*key, row.get("triangles"), tuple(row["first"]), row["memory"] / 1e9, *later_frames])
     eyes = (f"{name}, ms (CPU) {{:.0f}} ({{:.0f}})" for name in EYES)
-    header = ["side, km {:g}", "way", "triangles {:,}", "first frame, s (CPU) {:.1f} ({:.1f})", "memory, GB {:.2f}"]
+    header = ["side, km {:g}", "method", "triangles {:,}", "first frame, s (CPU) {:.1f} ({:.1f})", "memory, GB {:.2f}"]
     return table("Frames", [*header, *eyes], lines)
 
 

@@ -26,7 +26,7 @@ from nearfar.orthoview._viewer import Parts
 
 VIEWS, DIRECTIONS = 3, 9
 PLACES = 12
-"""Number of other places in the air."""
+"""Number of random places in the air."""
 CAUSES = {
     "no direction of 26": (120, 0, 140),
     "no direction of 9": (220, 40, 40),
@@ -36,10 +36,10 @@ CAUSES = {
 }
 """Causes of holes by the views that show the surface, and their colours."""
 SURFACES = ("walls", "roofs", "ground")
-FLAT = 0.7
+MIN_ROOF_UP = 0.7
 """Least upward component of a roof's normal."""
 NUDGE = 0.01
-"""Metres by which points are moved to the viewer, so that those on a cell's side lie in the cell that shows them."""
+"""Metres by which points are moved to the viewer, so that those between two cells lie in the cell that shows them."""
 
 Bools = NDArray[np.bool_]
 Choice = Callable[[nf.orthoview.OrthoTree, nf.Camera], OrthoCut]
@@ -51,9 +51,9 @@ def main() -> None:
     city = tokyo(given.tiles)
     with folder_or_temporary(given.trees) as trees:
         print(causes_table(city, trees, given.out))
-        title = f"Tokyo from {PLACES} other places, {VIEWS} views"
-        header = "directions | higher by {}° | holes, % {:.2f} | at most {:.2f}"
-        print(table(title, header, other_place_rows(city, trees)))
+        title = f"Tokyo from {PLACES} random places, {VIEWS} views"
+        header = "directions | raised by {}° | holes, % {:.2f} | at most {:.2f}"
+        print(table(title, header, random_place_rows(city, trees)))
         worlds = [world for world in (city, forest(), landscape()) if world.name in given.worlds]
         rows = [row for world in worlds for row in choice_rows(world, trees)]
     header = "place | views | thousand splats {:.0f} | holes, % {:.2f} | PSNR, dB {:.1f} | SSIM {:.3f}"
@@ -62,14 +62,14 @@ def main() -> None:
 
 def causes_table(city: World, trees: Path, out: Path | None) -> str:
     """Table of holes by cause and surface, and a picture of them."""
-    tree, all_views = (open_tree(city.build(trees), count) for count in (DIRECTIONS, 26))
+    tree, tree_of_26 = (open_tree(city.build(trees), count) for count in (DIRECTIONS, 26))
     counts = np.zeros((len(CAUSES), len(SURFACES)))
     surfaces, panels = 0, []
     for number, camera in enumerate(city.from_air()):
         channels = ("color", "range", "position", "normal")
         truth = nf.render(city.scene, camera, clip=nf.Clip(box=tree.bounds), channels=channels)
         frame = render_choice(tree, camera, raise_direction(0))
-        cause, kind = causes(tree, all_views, truth, frame)
+        cause, kind = causes(tree, tree_of_26, truth, frame)
         surfaces += int(np.isfinite(truth.require("range")).sum())
         for n in range(len(CAUSES)):
             counts[n] += [((cause == n) & (kind == k)).sum() for k in range(len(SURFACES))]
@@ -83,7 +83,7 @@ def causes_table(city: World, trees: Path, out: Path | None) -> str:
 
 
 def render_choice(tree: nf.orthoview.OrthoTree, camera: nf.Camera, choose: Choice, samples: int = 1) -> nf.Frame:
-    """Draw a tree from chosen views."""
+    """Draw a tree from the views of a choice."""
     viewer, cut = tree._viewer, choose(tree, camera)
     keys = cut.keys()
     near_leaves = viewer.near.scene(viewer.cutter.with_guests(cut.leaf_places()))
@@ -100,7 +100,7 @@ def cells(cut: OrthoCut) -> Iterator[tuple[int, Place]]:
 
 
 def causes(
-    tree: nf.orthoview.OrthoTree, every: nf.orthoview.OrthoTree, truth: nf.Frame, frame: nf.Frame
+    tree: nf.orthoview.OrthoTree, tree_of_26: nf.orthoview.OrthoTree, truth: nf.Frame, frame: nf.Frame
 ) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
     """Numbers (H, W) of the causes of holes, −1 elsewhere, and of surfaces."""
     camera = frame.camera
@@ -116,8 +116,8 @@ def causes(
         if not len(indices):
             continue
         cause = np.zeros(len(indices), int)
-        for direction, steps in enumerate(every.directions):
-            view = every.view(level, place, direction)
+        for direction, steps in enumerate(tree_of_26.directions):
+            view = tree_of_26.view(level, place, direction)
             if view is not None:
                 rank = 3 if direction in directions else 2 if steps in tree.directions else 1
                 axes = np.stack([view.right, view.up, view.toward])
@@ -128,11 +128,11 @@ def causes(
     numbers[holes] = causes_of_holes
     up = truth.require("normal")[..., 1]
     is_ground = truth.require("position")[..., 1] + truth.origin[1] < 0
-    return numbers, np.where(is_ground, 2, np.where(np.nan_to_num(up) > FLAT, 1, 0))
+    return numbers, np.where(is_ground, 2, np.where(np.nan_to_num(up) > MIN_ROOF_UP, 1, 0))
 
 
 def colored(truth: nf.Frame, cause: NDArray[np.int64]) -> NDArray[np.uint8]:
-    """Draw a pale picture with the causes of holes."""
+    """Pale picture of the truth, with holes in the colours of their causes."""
     picture = (128 + truth.to_image() // 2).astype(np.uint8)
     for n, color in enumerate(CAUSES.values()):
         picture[cause == n] = color
@@ -140,7 +140,7 @@ def colored(truth: nf.Frame, cause: NDArray[np.int64]) -> NDArray[np.uint8]:
 
 
 def raise_direction(degrees: float, views: int = VIEWS) -> Choice:
-    """Choose the views nearest to the viewer's direction raised by an angle."""
+    """Return the choice of the views nearest to the viewer's direction, raised by an angle."""
     return lambda tree, camera: tree.cut(camera, views=views, lift_deg=degrees)
 
 
@@ -176,10 +176,10 @@ CHOICES: dict[str, Choice] = {
 }
 
 
-def other_place_rows(world: World, trees: Path) -> list[list[float]]:
-    """Rows of holes from other places in the air, by directions and by the angle."""
-    draw = np.random.default_rng(0)
-    eyes, targets = (draw.uniform(0, 1, (PLACES, 3)) for _ in range(2))
+def random_place_rows(world: World, trees: Path) -> list[list[float]]:
+    """Rows of holes from random places in the air, by number of directions and angle of raising."""
+    rng = np.random.default_rng(0)
+    eyes, targets = (rng.uniform(0, 1, (PLACES, 3)) for _ in range(2))
     low = world.box[0]
     eyes = low + eyes * [world.side, 300.0, world.side] + [0.0, 0.3 * world.height, 0.0]
     targets = low + targets * [world.side, 0.0, world.side]
@@ -205,7 +205,7 @@ def measure(tree: nf.orthoview.OrthoTree, truth: Truth, choose: Choice) -> list[
     is_surface = np.isfinite(truth.range)
     holes = 100 * float((is_surface & ~np.isfinite(frame.require("range"))).sum() / is_surface.sum())
     picture, reference = render_choice(tree, truth.camera, choose, SAMPLES).to_image(), truth.color.to_image()
-    psnr, ssim = (float(measure(reference, picture, data_range=255)) for measure in (nf.psnr, nf.ssim))
+    psnr, ssim = (float(metric(reference, picture, data_range=255)) for metric in (nf.psnr, nf.ssim))
     return [frame.stats["splats_in_picture"] / 1e3, holes, psnr, ssim]
 
 

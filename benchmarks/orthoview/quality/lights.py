@@ -1,8 +1,7 @@
-"""Other lights: the splats of one cut shaded by three lights, against the same shading of ray-traced truth.
+"""Relighting: the splats of one cut shaded by three lights, against ray-traced truth in the same lights.
 
-Views contain normals, and colours without light. A client that has drawn these for a picture, and its distances, can
-thus shade it by any light without further data. By day the formula is that of all renderers; at night lamps light the
-streets, without shadows.
+Views contain normals, and colours without light. A client that has drawn these and distances can thus shade its
+picture by any light without further data. By day the formula is that of `nf.render`; at night lamps without shadows.
 """
 
 from __future__ import annotations
@@ -30,9 +29,9 @@ SIZE = (420, 315)
 GRID = 3
 """Samples along each axis of a pixel."""
 CHANNELS = ("albedo", "shading_normal", "position")
-HEAD = (0.0, 6.9, 1.85)
+LAMP_HEAD = (0.0, 6.9, 1.85)
 """Position of a lamp's light relative to its foot, metres."""
-LAMPS, REACH = 12, 60.0
+LAMPS, MAX_LAMP_DISTANCE = 12, 60.0
 """Number of nearest lamps that light a point, and their maximum distance in metres."""
 
 Floats = NDArray[np.float32]
@@ -44,10 +43,12 @@ class Light:
 
     name: str
     sky: tuple[tuple[float, float, float], tuple[float, float, float]]
-    """Linear RGB of surfaces that face away from the brightest sky, and towards it."""
+    """Light on surfaces that face away from the brightest sky, and towards it; linear RGB."""
     brightest: tuple[float, float, float]
+    """Direction of the brightest sky."""
     sun: tuple[float, float, float]
     toward: tuple[float, float, float]
+    """Direction of the sun."""
     background: tuple[tuple[float, float, float], ...]
     """Colours at the nadir, the horizon and the zenith."""
     lamp: tuple[float, float, float] = (0.0, 0.0, 0.0)
@@ -96,18 +97,18 @@ def main() -> None:
         truth = nf.render(world.scene, camera, clip=nf.Clip(box=tree.bounds), channels=("color", *CHANNELS))
         # A pixel of a view is as wide as a pixel of the picture, not as one of its samples.
         views = tree.render(camera, error_px=GRID, channels=("color", *CHANNELS))
-        read = tree._viewer.views.read_bytes
+        read_bytes = tree._viewer.views.read_bytes
         rows, pictures = [], []
         for light in LIGHTS:
             reference = shade(truth, light, heads)
-            picture, spent = timed(shade, views, light, heads)
+            picture, timing = timed(shade, views, light, heads)
             psnr, ssim = (float(measure(reference, picture, data_range=255)) for measure in (nf.psnr, nf.ssim))
-            rows.append([light.name, psnr, ssim, tree._viewer.views.read_bytes - read, spent.ms])
+            rows.append([light.name, psnr, ssim, tree._viewer.views.read_bytes - read_bytes, timing.ms])
             pictures.append((reference, picture, f"{light.name}\n{psnr:.1f} dB, SSIM {ssim:.3f}"))
         day = nf.psnr(encode(truth.require("color")), shade(truth, LIGHTS[0], heads), data_range=255)
-        print(f"{read / 1e6:.1f} MB of views are read once; {dict(views.stats)}")
+        print(f"{read_bytes / 1e6:.1f} MB of views are read once; {dict(views.stats)}")
         print(f"the truth by day and the picture of nf.render: {day:.1f} dB\n")
-    print(table("Other lights", "light | PSNR, dB {:.1f} | SSIM {:.3f} | bytes read | shaded in, ms {:.0f}", rows))
+    print(table("Relighting", "light | PSNR, dB {:.1f} | SSIM {:.3f} | bytes read | shading, ms {:.0f}", rows))
     if given.out is not None:
         panels = [(f"truth, {light.name}", pictures[n][0]) for n, light in enumerate(LIGHTS)]
         panels += [(f"orthoviews, {title}", picture) for _, picture, title in pictures]
@@ -115,10 +116,10 @@ def main() -> None:
 
 
 def lamps(city: nf.Scene) -> NDArray[np.float64]:
-    """World positions (N, 3) of the city's lamps."""
+    """World positions (N, 3) of the lights of the city's lamps."""
     names = [name for name in city.object_names if name.startswith("lamp_post")]
     poses = city.with_dynamic(names).poses
-    return np.array([poses[name][:3, :3] @ HEAD + poses[name][:3, 3] for name in names])
+    return np.array([poses[name][:3, :3] @ LAMP_HEAD + poses[name][:3, 3] for name in names])
 
 
 def shade(frame: nf.Frame, light: Light, heads: NDArray[np.float64]) -> NDArray[np.uint8]:
@@ -140,7 +141,7 @@ def shade(frame: nf.Frame, light: Light, heads: NDArray[np.float64]) -> NDArray[
 
 def from_lamps(points: NDArray[np.float64], normals: Floats, heads: NDArray[np.float64]) -> Floats:
     """Light of the nearest lamps, which decreases with the square of the distance."""
-    distance, lamp = KDTree(heads).query(points, LAMPS, distance_upper_bound=REACH)
+    distance, lamp = KDTree(heads).query(points, LAMPS, distance_upper_bound=MAX_LAMP_DISTANCE)
     total = np.zeros(len(points), np.float32)
     for distances, number in zip(distance.T, lamp.T, strict=True):
         lit = np.isfinite(distances)
@@ -150,7 +151,7 @@ def from_lamps(points: NDArray[np.float64], normals: Floats, heads: NDArray[np.f
 
 
 def background(rays: Floats, light: Light) -> Floats:
-    """Sky along rays (H, W, 3), as in all renderers."""
+    """Sky along rays (H, W, 3), as in `nf.render`."""
     nadir, horizon, zenith = np.array(light.background, np.float32)
     end = np.where(rays[..., 1:2] < 0, nadir, zenith)
     sky: Floats = horizon + (end - horizon) * np.sqrt(np.abs(rays[..., 1:2]))

@@ -1,9 +1,9 @@
-"""Shapes of splats compared: a tree in front of a wall, 70° away from the direction of the view that shows them.
+"""Shapes of splats compared: a tree in front of a wall, drawn from 70° beside the direction of their view.
 
     python -m benchmarks.orthoview.quality.shapes --out FOLDER                   # one view of a cell of 10 m
 
-Surfaces that the view does not show do not count: shares are of the samples of the picture whose surfaces it shows;
-PSNR and SSIM are of pixels all of whose samples show these or the sky.
+Surfaces that the view does not show do not count: shares are relative to the samples whose surface it shows; PSNR and
+SSIM are of pixels all of whose samples show such surfaces or the sky.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from benchmarks.harness.report import start, table
-from benchmarks.orthoview import _quality as seen, _sheets, _splats
+from benchmarks.orthoview import _quality, _sheets, _splats
 from benchmarks.orthoview._leaves import Leaf, axes_of, layout_of, metres_of
 from benchmarks.orthoview._worlds import World, forest, landscape, open_tree, tokyo
 from benchmarks.orthoview.quality import _shapes
@@ -42,8 +42,8 @@ TURN = 70.0
 SIZE = (300, 264)
 GRID = 4
 """Samples along each axis of a pixel."""
-NEAR = 0.25
-"""Least difference in metres between distances of two surfaces."""
+MIN_GAP = 0.25
+"""Two surfaces differ if their depths differ by more than this, metres."""
 FRONT = (0, 0, 1)
 
 Bools = NDArray[np.bool_]
@@ -63,9 +63,9 @@ def main() -> None:
     rows, panels = [], [(f"truth\nfrom {TURN:g}° beside the view", truth.picture)]
     for name, shape in shapes(views, number).items():
         color, depth = _shapes.rasterize(pixels, shape(pixels, truth.fine), truth.fine)
-        findings = truth.compared(color, depth)
-        rows.append([name, *findings.cells()])
-        panels.append((f"{name}\n{findings.psnr:.1f} dB, {findings.holes:.1f} % holes", findings.picture))
+        measures = truth.compared(color, depth)
+        rows.append([name, *measures.cells()])
+        panels.append((f"{name}\n{measures.psnr:.1f} dB, {measures.holes:.1f} % holes", measures.picture))
     print(table(f"{len(pixels.middle):,} splats", f"shape | {HEADER.replace('%', '% {:.1f}')}", rows))
     kernel = truth.compared(*kernel_picture(leaf, views, number, truth.fine))
     ours = truth.compared(*_shapes.rasterize(pixels, shapes(views, number)["ours"](pixels, truth.fine), truth.fine))
@@ -76,15 +76,16 @@ def main() -> None:
 
 
 def tree_table(worlds: list[World], trees: Path) -> str:
-    """Compare pictures from the air by `tree.render` with surfels only, none of them larger at borders."""
+    """Compare `tree.render` from the air with pictures whose splats are all surfels, none enlarged at borders."""
     rows = []
     for world in worlds:
         tree = open_tree(world.build(trees), len(layout_of().directions))
-        true_pictures = [seen.Truth(world, onto, tree.bounds) for onto in world.from_air()]
+        true_pictures = [_quality.Truth(world, camera, tree.bounds) for camera in world.from_air()]
         for views in (1, 3):
             for name, decoded in (("ours", _codec.decode), ("ellipses", _surfels)):
                 with mock.patch.object(_codec, "decode", decoded):
-                    quality = seen.mean([seen.compare(truth, tree, seen.Setting(views)) for truth in true_pictures])
+                    setting = _quality.Setting(views)
+                    quality = _quality.mean([_quality.compare(truth, tree, setting) for truth in true_pictures])
                 shares = (100 * share for share in (quality.holes, quality.through, quality.before, quality.false))
                 rows.append([f"{world.name}, air", views, name, quality.psnr, quality.ssim, *shares])
                 print(rows[-1], file=sys.stderr, flush=True)
@@ -149,8 +150,8 @@ def shapes(views: _core.OrthoViews, number: int) -> dict[str, Shape]:
 
 
 @dataclass(frozen=True)
-class Findings:
-    """Findings about a picture; shares in percent of the samples whose surfaces the view shows."""
+class Measures:
+    """Measures of a picture; shares in percent of the samples whose surfaces the view shows."""
 
     picture: NDArray[np.uint8]
     psnr: float
@@ -159,7 +160,7 @@ class Findings:
     too_far: float
     too_near: float
     false: float
-    """Share of sky samples that show a splat."""
+    """Samples of the sky that show a splat, in the same percent."""
 
     def cells(self) -> tuple[float, ...]:
         """Cells of a table below `HEADER`."""
@@ -181,9 +182,9 @@ class Truth:
     """Mask of samples whose surfaces the view shows."""
 
     @classmethod
-    def trace(cls, leaf: Leaf, onto: nf.Camera, views: _core.OrthoViews, layout: Layout, number: int) -> Truth:
+    def trace(cls, leaf: Leaf, pixel_camera: nf.Camera, views: _core.OrthoViews, layout: Layout, number: int) -> Truth:
         """Trace the truth."""
-        fine = replace(onto, size=(GRID * SIZE[0], GRID * SIZE[1]))
+        fine = replace(pixel_camera, size=(GRID * SIZE[0], GRID * SIZE[1]))
         channels = ("color", "range", "position")
         frame = nf.render(leaf.scene, fine, clip=nf.Clip(box=leaf.box), channels=channels)
         points = frame.require("position") + np.array(frame.origin)
@@ -195,7 +196,7 @@ class Truth:
         """Picture of averaged samples, sRGB."""
         return average(self.frame.require("color"))
 
-    def compared(self, color: NDArray[np.uint8], depth: Floats) -> Findings:
+    def compared(self, color: NDArray[np.uint8], depth: Floats) -> Measures:
         """Compare a picture of the same samples."""
         is_drawn = np.isfinite(depth)
         linear = to_linear(color / 255.0)
@@ -204,22 +205,22 @@ class Truth:
         truth = self.frame.require("range") * (rays @ _shapes.ahead_of(self.fine))
         with np.errstate(invalid="ignore"):
             behind = depth - truth
-        shares = (~is_drawn, is_drawn & (behind > NEAR), behind < -NEAR)
+        shares = (~is_drawn, is_drawn & (behind > MIN_GAP), behind < -MIN_GAP)
         holes, far, near = (100 * float(share[self.shown].mean()) for share in shares)
         sky = ~np.isfinite(truth)
         false = 100 * float((sky & is_drawn).sum() / self.shown.sum())
-        fair = blocks(self.shown | sky).all(axis=(1, 3))
+        is_compared = blocks(self.shown | sky).all(axis=(1, 3))
         reference = self.picture
-        difference = (reference.astype(float) - picture)[fair]
-        ssim = float(nf.ssim(reference, picture, data_range=255, mask=fair))
+        difference = (reference.astype(float) - picture)[is_compared]
+        ssim = float(nf.ssim(reference, picture, data_range=255, mask=is_compared))
         psnr = float(10 * np.log10(255**2 / (difference**2).mean()))
-        return Findings(picture, psnr, ssim, holes, far, near, false)
+        return Measures(picture, psnr, ssim, holes, far, near, false)
 
 
 def visible_in_view(points: NDArray[Any], leaf: Leaf, views: _core.OrthoViews, layout: Layout, number: int) -> Bools:
     """Whether one view of a leaf shows world points (H, W, 3)."""
     axes, extents = axes_of(layout.directions[number], leaf.side)
-    return seen.shown_by(points, axes, extents, leaf.box.mean(axis=0), metres_of(views, number, layout, leaf.side))
+    return _quality.shown_by(points, axes, extents, leaf.box.mean(axis=0), metres_of(views, number, layout, leaf.side))
 
 
 def kernel_picture(

@@ -121,8 +121,8 @@ def load(path: str | os.PathLike[str]) -> Contents:
         decoder = glb.Decoder(data, known_names)
         core, names, undrawn = decoder.decode(), decoder.names, decoder.undrawn
     with formats.guarded(folder / DOCUMENT):
-        frames, rest_poses = frames_of(document["moving"], names, core.moving_placements(), NEAR)
-        near = Scene(core, names, frames=frames, rest=rest_poses, notes=notes, undrawn=undrawn)
+        frames, load_placements = frames_of(document["moving"], names, core.moving_placements(), NEAR)
+        near = Scene(core, names, frames=frames, load_placements=load_placements, notes=notes, undrawn=undrawn)
         return Contents(
             near,
             env,

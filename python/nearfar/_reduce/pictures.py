@@ -25,7 +25,7 @@ from nearfar._render.renderer import Renderer
 from nearfar._render.settings import RenderSettings
 
 
-class InPictures(ReducedData):
+class RenderMixin(ReducedData):
     """Mixin that renders a reduced scene."""
 
     def render(

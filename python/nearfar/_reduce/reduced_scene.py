@@ -15,13 +15,13 @@ from nearfar._partition.partition import partition
 from nearfar._reduce import folder
 from nearfar._reduce.drawing import MorphKind, check_morph, grow_radii, morph_spheres
 from nearfar._reduce.notebook import InNotebooks
-from nearfar._reduce.pictures import InPictures
+from nearfar._reduce.pictures import RenderMixin
 from nearfar._reduce.walk.recentering import Recenters
 from nearfar._scene.levels import Leveled, levels_of
 from nearfar._scene.scene import Scene
 
 
-class ReducedScene(InPictures, InNotebooks, Recenters):
+class ReducedScene(RenderMixin, InNotebooks, Recenters):
     """A reduced scene: near geometry, which is morphed for the user, in front of an environment map of the far part.
 
     Made by `reduce` or read by `load`. It shares the scene's meshes; only near triangles are copied (`near_bytes` of

@@ -19,14 +19,14 @@ def join_scenes(scenes: Sequence[Scene]) -> Scene:
     Scenes with levels contribute the levels that they show.
     """
     names, numbers = _union([scene._names for scene in scenes])
-    load_placements = [scene._rest.copy() for scene in scenes]
+    load_placements = [scene._load_placements.copy() for scene in scenes]
     for scene, rows in zip(scenes, load_placements, strict=True):
         rows[:, :, 3] += scene.origin - scenes[0].origin
     return Scene(
         _core.Scene.join([scene._core for scene in scenes], numbers),
         names,
         frames=_frames(scenes, names, numbers),
-        rest=np.concatenate(load_placements),
+        load_placements=np.concatenate(load_placements),
         dropped=sum(scene._dropped for scene in scenes),
         notes=tuple(dict.fromkeys(note for scene in scenes for note in scene._notes)),
         used=tuple(dict.fromkeys(part for scene in scenes for part in scene._used)),

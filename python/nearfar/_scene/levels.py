@@ -230,7 +230,7 @@ def levels_of(argument: str, levels: ArrayLike | Mapping[str, int], leveled: Lev
 
 
 def with_levels(
-    core: _core.Scene, rest: NDArray[np.float64], before: LevelTable | None, objects: int, new: NewLevels
+    core: _core.Scene, load_placements: NDArray[np.float64], before: LevelTable | None, objects: int, new: NewLevels
 ) -> tuple[_core.Scene, NDArray[np.float64], LevelTable]:
     """Replace the meshes of objects by levels; return the new scene, in which these objects show level 0.
 
@@ -240,7 +240,7 @@ def with_levels(
     has_new_levels = np.zeros(objects, bool)
     has_new_levels[new.numbers] = True
     owner = core.moving_objects()
-    placed, moves = _placements(core, rest, new)
+    placed, moves = _placements(core, load_placements, new)
     core, pieces = _core.with_surfaces(core, [level.scene._core for model in new.models for level in model.levels])
     rows = _rows(pieces, [len(model.levels) for model in new.models])
     table, row = _table(before, objects, new, rows)
@@ -254,11 +254,11 @@ def with_levels(
     )
     loaded = new.frames[order[moves[order]], :3].copy()
     loaded[:, :, 3] -= np.array(core.origin)
-    return core, np.concatenate([rest[~has_new_levels[owner]], loaded]), table
+    return core, np.concatenate([load_placements[~has_new_levels[owner]], loaded]), table
 
 
 def _placements(
-    core: _core.Scene, rest: NDArray[np.float64], new: NewLevels
+    core: _core.Scene, load_placements: NDArray[np.float64], new: NewLevels
 ) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
     """Present placements (K, 3, 4) of the objects, relative to the origin, and flags (K,) of those that move."""
     placed = new.frames[:, :3].copy()
@@ -266,7 +266,7 @@ def _placements(
     owner, first = np.unique(core.moving_objects(), return_index=True)
     moves = np.isin(new.numbers, owner)
     instance = first[np.searchsorted(owner, new.numbers[moves])]
-    present, loaded = (square(rows[instance]) for rows in (core.moving_placements(), rest))
+    present, loaded = (square(rows[instance]) for rows in (core.moving_placements(), load_placements))
     has_moved = (present != loaded).any(axis=(1, 2))
     moved_rows = np.flatnonzero(moves)[has_moved]
     # An object's mesh moved from `then` to `now`, so its levels' placement is now · then⁻¹ · (load placement).

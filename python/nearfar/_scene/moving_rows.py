@@ -22,7 +22,8 @@ def moving_rows(scene: Scene) -> list[dict[str, Any]]:
     """
     rows: list[dict[str, Any]] = []
     owners, placements = scene._core.moving_objects().tolist(), scene._core.moving_placements()
-    for owner, rest, placement, mesh in zip(owners, scene._rest, placements, _moving_meshes(scene), strict=True):
+    columns = owners, scene._load_placements, placements, _moving_meshes(scene)
+    for owner, load_placement, placement, mesh in zip(*columns, strict=True):
         if not mesh.face_count:
             continue
         name = scene.object_names[owner]
@@ -30,8 +31,8 @@ def moving_rows(scene: Scene) -> list[dict[str, Any]]:
         row: dict[str, Any] = {"object": name}
         if not np.array_equal(transform, np.eye(4)):
             row["transform"] = transform.tolist()
-        if not np.array_equal(rest, placement):
-            row["rest"] = rest.tolist()
+        if not np.array_equal(load_placement, placement):
+            row["rest"] = load_placement.tolist()
         rows.append(row)
     return rows
 
@@ -42,8 +43,8 @@ def frames_of(
     """Load transforms of objects by number, and the load placements of a file's moving instances."""
     if len(rows) != len(placements):
         raise ValueError(f"moving: expected {len(placements)} instances as in {file}, got {len(rows)}")
-    listed = [row.get("rest", placement) for row, placement in zip(rows, placements, strict=True)]
-    rest = np.array(listed, np.float64).reshape(-1, 3, 4)
+    load_placements = [row.get("rest", placement) for row, placement in zip(rows, placements, strict=True)]
+    load_array = np.array(load_placements, np.float64).reshape(-1, 3, 4)
     numbers = [names.number("moving", row["object"]) for row in rows]
     frames = np.tile(np.eye(4), (max(numbers, default=-1) + 1, 1, 1))
     for number, row in zip(numbers, rows, strict=True):
@@ -51,9 +52,9 @@ def frames_of(
         if transform.shape != (4, 4):
             raise ValueError(f"moving: expected transforms of 4 × 4 numbers, got shape {transform.shape}")
         frames[number] = transform
-    if not (np.isfinite(frames).all() and np.isfinite(rest).all()):
+    if not (np.isfinite(frames).all() and np.isfinite(load_array).all()):
         raise ValueError("moving: expected finite matrices")
-    return (frames if (frames != np.eye(4)).any() else None), rest
+    return (frames if (frames != np.eye(4)).any() else None), load_array
 
 
 def rows_of(scene: Scene, data: bytes) -> list[dict[str, Any]]:

@@ -19,18 +19,18 @@ if TYPE_CHECKING:
     from nearfar._scene.names import Names
 
 
-class InParts:
+class PartsMixin:
     """Mixin that creates scenes from parts of a scene."""
 
     _core: CoreScene
     _names: Names
-    _rest: NDArray[np.float64]
+    _load_placements: NDArray[np.float64]
     _table: LevelTable | None
 
     if TYPE_CHECKING:
 
         def _derived(
-            self, core: CoreScene, rest: NDArray[np.float64], table: LevelTable | None = None, **changes: Any
+            self, core: CoreScene, load_placements: NDArray[np.float64], table: LevelTable | None = None, **changes: Any
         ) -> Self: ...
 
     @property
@@ -59,12 +59,12 @@ class InParts:
         owner = self._core.moving_objects()
         if objects is not None:
             flags = self._names.flags("objects", objects)
-            return self._derived(self._core.subset_of_objects(flags), self._rest[flags[owner]], self._table)
+            return self._derived(self._core.subset_of_objects(flags), self._load_placements[flags[owner]], self._table)
         assert triangles is not None
         mask = triangle_mask(check.plain("triangles", triangles), self.triangle_count)
         before = np.concatenate([[0], np.cumsum(mask)])[self._core.triangle_offsets()]
         remains = np.diff(before)[self._core.instance_count - len(owner) :] > 0
-        return self._derived(self._core.subset_of_triangles(mask), self._rest[remains])
+        return self._derived(self._core.subset_of_triangles(mask), self._load_placements[remains])
 
     def query(self, aabb: ArrayLike, detail: SupportsFloat = 0.0) -> Self:
         """Return a scene of the whole triangles that touch a box, found through the search trees.
@@ -105,10 +105,10 @@ class InParts:
         """Part that touches a box (2, 3); each triangle is tested unless the trees exist or `builds` creates them."""
         least, greatest = box.tolist()
         core, remains = self._core.query(tuple(least), tuple(greatest), builds)
-        return self._derived(core, self._rest if remains is None else self._rest[remains])
+        return self._derived(core, self._load_placements if remains is None else self._load_placements[remains])
 
 
-class InPictures:
+class RenderMixin:
     """Mixin that renders a scene exactly."""
 
     _core: CoreScene

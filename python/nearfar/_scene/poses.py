@@ -21,17 +21,17 @@ def checked_pose(argument: str, pose: ArrayLike) -> Floats:
     return matrix
 
 
-def placements_in(pose: Floats, frame: Floats, rest: Floats, origin: Floats) -> Floats:
+def placements_in(pose: Floats, frame: Floats, load_placements: Floats, origin: Floats) -> Floats:
     """Compute an object's mesh placements (K, 3, 4) in a pose, relative to the world position `origin`, metres.
 
-    `pose` and `frame` are matrices object→world (4, 4): the new pose, and the load transform. `rest` are the load
-    placements of the meshes (K, 3, 4), relative to `origin`.
+    `pose` and `frame` are matrices object→world (4, 4): the new pose, and the load transform. `load_placements` are
+    those of the meshes (K, 3, 4), relative to `origin`.
     """
     if np.array_equal(pose, frame):
-        return rest
-    world = square(rest)
+        return load_placements
+    world = square(load_placements)
     world[:, :3, 3] += origin
-    # mesh→world = pose · frame⁻¹ · rest. The right product is solved first, so that equal factors cancel exactly.
+    # mesh→world = pose · frame⁻¹ · placement. The right product is solved first, so that equal factors cancel exactly.
     placements: Floats = (pose @ np.linalg.solve(frame, world))[:, :3]
     placements[:, :, 3] -= origin
     return placements
@@ -47,10 +47,10 @@ def frame_of(frames: Floats | None, number: int) -> Floats:
     return np.eye(4) if frames is None or number >= len(frames) else np.asarray(frames[number])
 
 
-def pose_of(core: _core.Scene, number: int, frame: Floats, rest: Floats) -> Floats:
+def pose_of(core: _core.Scene, number: int, frame: Floats, load_placements: Floats) -> Floats:
     """Present object→world (4, 4) of an object, from its load transform and moving instances' load placements."""
     rows = np.flatnonzero(core.moving_objects() == number)[:1]
-    present, loaded = square(core.moving_placements()[rows]), square(rest[rows])
+    present, loaded = square(core.moving_placements()[rows]), square(load_placements[rows])
     if np.array_equal(present, loaded):
         return frame.copy()
     present[:, :3, 3] += core.origin

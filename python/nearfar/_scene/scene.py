@@ -18,7 +18,7 @@ from nearfar._scene.assembly import Assembled, one_mesh
 from nearfar._scene.levels import Leveled, LevelTable, check_levels, kept_of, levels_of, with_levels
 from nearfar._scene.names import Names, names_of
 from nearfar._scene.options import Blend, LoadKeywords, LoadOptions, OnInvalid, Up
-from nearfar._scene.parts import InParts, InPictures
+from nearfar._scene.parts import PartsMixin, RenderMixin
 from nearfar._scene.poses import checked_pose, frame_of, placements_in, pose_of
 from nearfar._scene.report import Report
 from nearfar._scene.serialize import core_of_parts, parts_of
@@ -28,13 +28,13 @@ if TYPE_CHECKING:
     import trimesh
 
 
-class Scene(InParts, InPictures):
+class Scene(PartsMixin, RenderMixin):
     """An immutable scene: objects over shared meshes, some of which may move.
 
-    An object is a name over faces or instances. Static meshes placed once are merged; one that is placed several times
-    or moves keeps its instances. Scenes derived from a scene (`at`, `with_dynamic`, `with_levels`, `subset`) share its
-    meshes, textures and search trees. Metres, right-handed, y up. Make one with `load`, `from_trimesh`, `from_arrays`
-    or `nearfar.datasets`.
+    An object is a set of faces or instances with one name. Static meshes placed once are merged; one that is placed
+    several times or moves keeps its instances. Scenes derived from a scene (`at`, `with_dynamic`, `with_levels`,
+    `subset`) share its meshes, textures and search trees. Metres, right-handed, y up. Make one with `load`,
+    `from_trimesh`, `from_arrays` or `nearfar.datasets`.
     """
 
     def __init__(
@@ -43,7 +43,7 @@ class Scene(InParts, InPictures):
         names: Names,
         *,
         frames: NDArray[np.float64] | None = None,
-        rest: NDArray[np.float64] | None = None,
+        load_placements: NDArray[np.float64] | None = None,
         dropped: int = 0,
         notes: tuple[str, ...] = (),
         used: tuple[str, ...] = (),
@@ -52,7 +52,7 @@ class Scene(InParts, InPictures):
     ) -> None:
         self._core = check.instance("core", core, _core.Scene, "what Scene.load, from_arrays and others pass")
         self._names, self._frames = check.instance("names", names, Names, "what Scene.load and others pass"), frames
-        self._rest = core.moving_placements() if rest is None else rest
+        self._load_placements = core.moving_placements() if load_placements is None else load_placements
         self._dropped, self._notes, self._used, self._table = dropped, notes, used, table
         self._undrawn: Mapping[int, GltfMaterial] = {} if undrawn is None else undrawn
 
@@ -187,7 +187,8 @@ class Scene(InParts, InPictures):
     @cached_property
     def report(self) -> Report:
         """Counts of the scene's contents, and parts of its source that are used, dropped or not drawn."""
-        return Report.count(self._core, len(self._names), len(self._rest), self._dropped, self._notes, self._used)
+        moving = len(self._load_placements)
+        return Report.count(self._core, len(self._names), moving, self._dropped, self._notes, self._used)
 
     def triangles(self) -> NDArray[np.float32]:
         """Corners of all triangles (T, 3, 3), relative to `origin`; for exchange with other tools."""
@@ -204,8 +205,8 @@ class Scene(InParts, InPictures):
             A name that the scene does not have.
         """
         core = self._core.with_moving(self._names.flags("names", names))
-        rest = np.concatenate([self._rest, core.moving_placements()[len(self._rest) :]])
-        return self._derived(core, rest, self._table)
+        added = core.moving_placements()[len(self._load_placements) :]
+        return self._derived(core, np.concatenate([self._load_placements, added]), self._table)
 
     def with_levels(self, models: Mapping[str, Any]) -> Scene:
         """Return the same scene with levels of detail for some objects; it shows their level 0.
@@ -229,8 +230,8 @@ class Scene(InParts, InPictures):
         numbers = [self._names.number("models", name) for name in models]
         frames = np.array([self._frame(number) for number in numbers], np.float64).reshape(-1, 4, 4)
         new = check_levels(self._names, numbers, list(models.values()), frames, in_place=True)
-        core, rest, table = with_levels(self._core, self._rest, self._table, len(self._names), new)
-        return self._derived(core, rest, table, **kept_of(new.models, self))
+        changed = with_levels(self._core, self._load_placements, self._table, len(self._names), new)
+        return self._derived(*changed, **kept_of(new.models, self))
 
     @cached_property
     def leveled(self) -> Leveled | None:
@@ -238,7 +239,7 @@ class Scene(InParts, InPictures):
         return None if self._table is None else self._table.leveled(self._core, self._names)
 
     def shown_to(self, user: ArrayLike) -> Leveled | None:
-        """`leveled`, for the interface of renderables: the same for every user at a world position (3,)."""
+        """`leveled`; the protocol of renderables passes a user's world position (3,), which has no effect here."""
         return self.leveled
 
     def at_levels(self, levels: ArrayLike | Mapping[str, int]) -> Scene:
@@ -264,10 +265,10 @@ class Scene(InParts, InPictures):
         by_object = np.zeros(len(self._names), np.int32)
         by_object[leveled.numbers] = level_rows
         remains = (by_object >= 0)[self._core.moving_objects()]
-        return self._derived(table.core.choose(self._core, table.row_of, by_object), self._rest[remains])
+        return self._derived(table.core.choose(self._core, table.row_of, by_object), self._load_placements[remains])
 
     def transform(self, name: str) -> NDArray[np.float64]:
-        """Load transform object→world (4, 4) of an object, which `at` replaces."""
+        """Transform object→world (4, 4) that an object had when it was loaded; `at` replaces it."""
         return self._frame(self._names.number("name", name)).copy()
 
     @property
@@ -299,25 +300,26 @@ class Scene(InParts, InPictures):
             if not len(rows):
                 raise ValueError(f"poses: expected dynamic objects, but '{name}' is not; make it so by with_dynamic")
             matrix = checked_pose(f"poses[{name!r}]", pose)
-            placements[rows] = placements_in(matrix, self._frame(number), self._rest[rows], self.origin)
-        return self._derived(self._core.posed(placements), self._rest, self._table)
+            placements[rows] = placements_in(matrix, self._frame(number), self._load_placements[rows], self.origin)
+        return self._derived(self._core.posed(placements), self._load_placements, self._table)
 
     def _pose(self, number: int) -> NDArray[np.float64]:
         """Present object→world (4, 4) of an object."""
-        return pose_of(self._core, number, self._frame(number), self._rest)
+        return pose_of(self._core, number, self._frame(number), self._load_placements)
 
     def _frame(self, number: int) -> NDArray[np.float64]:
         return frame_of(self._frames, number)
 
     def _derived(
-        self, core: _core.Scene, rest: NDArray[np.float64], table: LevelTable | None = None, **changes: Any
+        self, core: _core.Scene, load_placements: NDArray[np.float64], table: LevelTable | None = None, **changes: Any
     ) -> Self:
-        return type(self)(core, self._names, **{**self._arguments, "rest": rest, "table": table, **changes})
+        arguments = self._arguments | {"load_placements": load_placements, "table": table}
+        return type(self)(core, self._names, **(arguments | changes))
 
     @property
     def _arguments(self) -> dict[str, Any]:
         """Keyword arguments that recreate this scene from its core and names."""
-        names = ("frames", "rest", "dropped", "notes", "used", "table", "undrawn")
+        names = ("frames", "load_placements", "dropped", "notes", "used", "table", "undrawn")
         return {name: getattr(self, f"_{name}") for name in names}
 
     def __getstate__(self) -> dict[str, Any]:

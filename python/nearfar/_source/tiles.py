@@ -104,8 +104,8 @@ class TileFolder:
             core, names, undrawn = decoder.decode(), decoder.names, decoder.undrawn
             if core.triangle_count != tile.triangles:
                 raise ValueError(f"expected {tile.triangles} triangles as in {DOCUMENT}, got {core.triangle_count}")
-            frames, rest = frames_of(tile.moving, names, core.moving_placements(), tile.file)
-        return Scene(core, names, frames=frames, rest=rest, notes=self._index.notes, undrawn=undrawn)
+            frames, placements = frames_of(tile.moving, names, core.moving_placements(), tile.file)
+        return Scene(core, names, frames=frames, load_placements=placements, notes=self._index.notes, undrawn=undrawn)
 
     def _evict(self, min_count: int = 0) -> None:
         """Evict the least recently used tiles until the others fit; search trees are counted once they are built."""

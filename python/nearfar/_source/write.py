@@ -152,5 +152,5 @@ class _TileWriter:
 
         with files.atomic_file(self._folder / file) as temporary:
             files.write(temporary, glb.encode(cell_scene._core, cell_scene.object_names, cell_scene._undrawn))
-        moving = tuple(moving_rows(cell_scene)) if len(cell_scene._rest) else ()
+        moving = tuple(moving_rows(cell_scene)) if len(cell_scene._load_placements) else ()
         return Tile(file, cell_scene.bounds, cell_scene.triangle_count, moving)

@@ -44,7 +44,7 @@ FORMATS = ("nearfar", "hmdq")
 class Hmd:
     """A headset as its runtime reports it.
 
-    ValueError and TypeError for values that are out of order or not finite.
+    ValueError and TypeError for values that are out of range, in the wrong order or not finite.
 
     Parameters
     ----------

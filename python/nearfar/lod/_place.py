@@ -75,8 +75,9 @@ def place(
     movers = [dynamic] if isinstance(dynamic, str) else check.items("dynamic", dynamic, str, "names of objects")
     object_names.flags("dynamic", movers)  # rejects unknown names
     new = check_levels(object_names, range(count), [row[number] for number in index.tolist()], frames, in_place=False)
-    core, rest, table = with_levels(empty_core(_origin(frames)), np.zeros((0, 3, 4)), None, count, new)
-    return Scene(core, object_names, frames=frames, rest=rest, table=table, **kept_of(new.models)).with_dynamic(movers)
+    core, placements, table = with_levels(empty_core(_origin(frames)), np.zeros((0, 3, 4)), None, count, new)
+    scene = Scene(core, object_names, frames=frames, load_placements=placements, table=table, **kept_of(new.models))
+    return scene.with_dynamic(movers)
 
 
 def _origin(frames: NDArray[np.float64]) -> tuple[float, float, float]:

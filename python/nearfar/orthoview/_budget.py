@@ -60,8 +60,8 @@ class Fitter:
     def fit(self, camera: Camera, settings: Settings) -> Fit:
         """Find the cut of the least error, not below the settings' error, whose splats fit the budget.
 
-        If even the greatest error exceeds the budget, views are left out: those of farther cells first, the third
-        views of all cells before any second one.
+        If the splats exceed the budget even at the greatest error, views are left out: those of farther cells first,
+        the third views of all cells before any second one.
         """
         budget = settings.budget
         if budget is None:

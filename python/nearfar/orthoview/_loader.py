@@ -27,7 +27,7 @@ class Loader:
         self._damaged: set[Part] = set()
         self._pause, self._retry_time = FIRST_PAUSE, 0.0
         self._errors: list[Exception] = []
-        self._is_reported = False
+        self._is_failing = False
         self._is_closed = False
         self._changed = threading.Condition()
         self._threads: list[threading.Thread] = []
@@ -55,7 +55,7 @@ class Loader:
             return self._changed.wait_for(self._is_done, seconds) and not self._queue
 
     def _is_done(self) -> bool:
-        return not self._in_progress and (not self._queue or self._is_reported or self._is_closed)
+        return not self._in_progress and (not self._queue or self._is_failing or self._is_closed)
 
     def errors(self) -> list[Exception]:
         """Errors since the last call: one for each damaged part, and the first one of an outage."""
@@ -118,15 +118,15 @@ class Loader:
 
     def _succeed(self, batch: Sequence[Part]) -> None:
         with self._changed:
-            self._pause, self._retry_time, self._is_reported = FIRST_PAUSE, 0.0, False
+            self._pause, self._retry_time, self._is_failing = FIRST_PAUSE, 0.0, False
         self._end(batch, None)
 
     def _fail(self, batch: Sequence[Part], error: Exception) -> None:
         with self._changed:
             self._retry_time = time.monotonic() + self._pause
             self._pause = min(2.0 * self._pause, MAX_PAUSE)
-            is_new = not self._is_reported
-            self._is_reported = True
+            is_new = not self._is_failing
+            self._is_failing = True
             self._queue.extendleft(reversed(batch))
         self._end(batch, error if is_new else None)
 

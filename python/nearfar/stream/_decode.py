@@ -141,8 +141,8 @@ def join_rings(moving: Scene | None, rings: Sequence[tuple[str, Scene]]) -> Scen
     placements[:, :, 3] = [scene.origin - np.asarray(core.origin) for _, scene in rings]
     numbers = np.arange(len(moving_names), len(names), dtype=np.int32)
     joined = _core.with_instances(core, meshes, placements, numbers, 0)
-    rest = placements if moving is None else np.concatenate([moving._rest, placements])
-    return Scene(joined, Names(names), frames=None if moving is None else moving._frames, rest=rest)
+    at_load = placements if moving is None else np.concatenate([moving._load_placements, placements])
+    return Scene(joined, Names(names), frames=None if moving is None else moving._frames, load_placements=at_load)
 
 
 def _about_origin(core: _core.Scene) -> _core.Scene:

@@ -165,7 +165,7 @@ class Splitting:
                 except ValueError as error:
                     raise ValueError(f"split_px: too small for ring {ring} of this scene: {error}") from None
                 addable -= added
-        return replace(rings, scene=rings.scene._derived(core, rings.scene._rest))
+        return replace(rings, scene=rings.scene._derived(core, rings.scene._load_placements))
 
     def _settings(self, center: tuple[float, float, float], radii: tuple[float, ...], ring: int) -> dict[str, Any]:
         return {"center": center, **stages(radii, ring), "reach": self.reach, "tolerance": self.tolerance}

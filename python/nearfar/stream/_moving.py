@@ -31,7 +31,7 @@ def moving_scene(entry: dict[str, Any], read: Read, location: str) -> Scene:
         if not np.isfinite(placements).all():
             raise ValueError("expected finite matrices")
         names = Names(tuple(dict.fromkeys(str(row["object"]) for row in rows)))
-        frames, rest = frames_of(rows, names, placements, location)
+        frames, at_load = frames_of(rows, names, placements, location)
         parts = {
             **_core.scene_parts(loaded.core),
             "origin": origin,
@@ -42,7 +42,7 @@ def moving_scene(entry: dict[str, Any], read: Read, location: str) -> Scene:
         core = _core.Scene(**parts)
         if not np.abs(core.bounds()).max() <= check.FARTHEST:
             raise ValueError(f"expected positions up to {check.FARTHEST:g} m")
-        return Scene(core, names, frames=frames, rest=rest, notes=loaded.notes, undrawn=loaded.undrawn)
+        return Scene(core, names, frames=frames, load_placements=at_load, notes=loaded.notes, undrawn=loaded.undrawn)
 
 
 def _merged_meshes(core: _core.Scene) -> list[_core.Mesh]:

@@ -17,7 +17,7 @@ from nearfar._base import check
 from nearfar.stream import _room_frames as frames
 from nearfar.stream._room_arguments import parse_hand, parse_pointer, parse_pose, user_name
 from nearfar.stream._room_connection import Address, Connection, broken, complete, require
-from nearfar.stream._room_events import Begin, Ended, Event, Joined, Left, Pose, Posed, RoomError, To, User
+from nearfar.stream._room_events import Ended, Event, Joined, Left, PointerOrigin, Pose, Posed, RoomError, To, User
 from nearfar.stream._room_queues import Inbox, RoundTrips
 
 if TYPE_CHECKING:
@@ -123,7 +123,7 @@ class Room:
         *,
         left: HandPose | None = None,
         right: HandPose | None = None,
-        pointer: tuple[Begin, float] | None = None,
+        pointer: tuple[PointerOrigin, float] | None = None,
         stops: bool = False,
         acknowledged: bool = False,
     ) -> int:

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from nearfar._base import check
-from nearfar.stream._room_events import Begin, Placed, Pointer
+from nearfar.stream._room_events import Placed, Pointer, PointerOrigin as Origin
 from nearfar.stream._room_frames import MAX_METRES, MAX_NORM, MIN_NORM, ONE
 
 MAX_NAME_BYTES = 64
@@ -68,7 +68,7 @@ def parse_hand(name: str, value: tuple[ArrayLike, ArrayLike] | None) -> Placed |
     return parse_pose((name, name), *value)
 
 
-def parse_pointer(value: tuple[Begin, float] | None, left: Placed | None, right: Placed | None) -> Pointer | None:
+def parse_pointer(value: tuple[Origin, float] | None, left: Placed | None, right: Placed | None) -> Pointer | None:
     """Convert a pointer from its origin and length; None stays None. ValueError if its hand is missing."""
     if value is None:
         return None

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from nearfar._base.errors import Error
 
-Begin: TypeAlias = Literal["head", "left", "right"]
+PointerOrigin: TypeAlias = Literal["head", "left", "right"]
 """Origin of a pointer."""
 
 To: TypeAlias = Literal["group", "room"]
@@ -51,7 +51,7 @@ class Placed:
 class Pointer:
     """A ray that points along −z of its origin."""
 
-    begin: Begin
+    begin: PointerOrigin
     """Head or hand at which the ray starts."""
     length: float
     """Length, metres."""

@@ -10,11 +10,11 @@ from typing import TypeAlias
 import numpy as np
 
 from nearfar.stream._room_events import (
-    Begin,
     Joined,
     Left,
     Placed,
     Pointer,
+    PointerOrigin,
     Pose,
     Posed,
     RoomError,
@@ -41,10 +41,10 @@ REASONS = (
 """Names of the reasons for which a connection ends, in the order of their codes."""
 
 _TO: tuple[To, ...] = ("group", "room")
-_BEGINS: tuple[Begin, ...] = ("head", "left", "right")
+_POINTER_ORIGINS: tuple[PointerOrigin, ...] = ("head", "left", "right")
 _ACKNOWLEDGED, _STOPS, _LEFT, _RIGHT = 1, 2, 4, 8
 _POINTER_SHIFT = 4
-"""Bit position of the pointer's two flags: 0 without a pointer, else 1 plus its origin's index in `_BEGINS`."""
+"""Bit position of the pointer's two flags: 0 without a pointer, else 1 + its origin's index in `_POINTER_ORIGINS`."""
 
 _HEADER = struct.Struct("<BH")
 _USER = struct.Struct("<H")
@@ -70,7 +70,7 @@ class SettledUpTo:
 
 @dataclass(frozen=True)
 class Refused:
-    """The server ends the connection."""
+    """The server refuses or ends the connection."""
 
     reason: str
     sentence: str
@@ -92,7 +92,7 @@ def pose(value: Pose) -> bytes:
     flags |= _LEFT * (value.left is not None) | _RIGHT * (value.right is not None)
     length = b""
     if value.pointer is not None:
-        flags |= (1 + _BEGINS.index(value.pointer.begin)) << _POINTER_SHIFT
+        flags |= (1 + _POINTER_ORIGINS.index(value.pointer.begin)) << _POINTER_SHIFT
         length = struct.pack("<f", value.pointer.length)
     placed = b"".join(_placed_bytes(each) for each in (value.head, value.left, value.right) if each is not None)
     return _frame(2, _POSE.pack(value.sequence, value.clock, flags) + placed + length)
@@ -169,7 +169,7 @@ def _read_pose(body: bytes) -> Pose:
     if flags >> _POINTER_SHIFT:
         # Undefined flag values raise IndexError here.
         number = (flags >> _POINTER_SHIFT) - 1
-        pointer = Pointer(_BEGINS[number], *struct.unpack_from("<f", body, offset))
+        pointer = Pointer(_POINTER_ORIGINS[number], *struct.unpack_from("<f", body, offset))
         offset += 4
         if placed[number] is None:
             raise _fault("a pointer begins at a missing hand")
@@ -215,4 +215,4 @@ def _limited(data: bytes, max_bytes: int) -> bytes:
 
 
 def _fault(sentence: str) -> RoomError:
-    return RoomError("frame", f"expected valid frames from the server, got another message: {sentence}")
+    return RoomError("frame", f"expected valid frames from the server, got an invalid one: {sentence}")

@@ -51,8 +51,8 @@ def simulate(
 ) -> Timeline:
     """Load a region of a bundle over a link as the page does, on a virtual clock.
 
-    Files are requested in the page's order, at most six at a time, those of the next ring ahead. Rings fade in and grow
-    by the page's rules.
+    Files are requested in the page's order, at most six at a time; those of a ring before the previous one is shown.
+    Rings fade in and grow by the page's rules.
 
     Parameters
     ----------
@@ -87,7 +87,7 @@ def simulate(
     Raises
     ------
     ValueError
-        For unknown strategies, a bundle without objects by footprint where they are needed, and numbers out of range.
+        For unknown strategies, one by footprint for a bundle exported without `by_footprint`, numbers out of range.
     TypeError
         For arguments of another type.
 

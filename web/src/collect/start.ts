@@ -49,7 +49,7 @@ function collect(room: Room, host: Host, parameters: RuleParameters): void {
     const middle = viewer.facts.entry?.center ?? pose.position;
     const now = CLOCK.now();
     send(task.start(rulesAt(parameters, middle, pose.yaw), now));
-    follow(task, now);
+    moveToSeat(task, now);
   }
 
   /** Whether the user may start a run: as conductor, with enough users, while no trial runs or is pending. */
@@ -65,11 +65,11 @@ function collect(room: Room, host: Host, parameters: RuleParameters): void {
   function conduct(now: number): void {
     if (!task || room.connection.state.kind !== 'here') return;
     send(task.conduct(now, rays));
-    follow(task, now);
+    moveToSeat(task, now);
   }
 
   /** Moves the user to its seat when a trial has begun. */
-  function follow(activeTask: Task, now: number): void {
+  function moveToSeat(activeTask: Task, now: number): void {
     const { trial, seat } = activeTask;
     const stage = trial ? `${trial.run} ${trial.trial}` : '';
     if (stage === seatedStage || now - seatedAt < SEAT_INTERVAL) return;
@@ -93,7 +93,7 @@ function collect(room: Room, host: Host, parameters: RuleParameters): void {
       // Malformed messages are ignored.
       if (!(error instanceof FrameError)) throw error;
     }
-    follow(task, now);
+    moveToSeat(task, now);
   }
 
   function enter(user: number): void {

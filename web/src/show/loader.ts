@@ -8,7 +8,7 @@ import type { Store } from './buffers';
 import type { Shared } from './materials';
 import type { PieceMesh } from './pieces';
 import type { Programs } from './programs';
-import { complete, partSteps, type Region, turnOf } from './region';
+import { complete, cubeIndexOf, partSteps, type Region } from './region';
 import { createCube, createPictures, cubeSteps } from './textures';
 import type { Uploads } from './uploads';
 
@@ -33,7 +33,7 @@ export interface RegionLoading {
   readonly number: number;
   /** Called with each ring that can be shown. */
   readonly arrived: (ring: number) => void;
-  /** Called with the number of received bytes, and of bytes of files already loaded. */
+  /** Called with a number of bytes: when they are received, or when a file turns out to be loaded already. */
   readonly received: Received;
   /** Resolves to a ring when its files can be fetched and it is this region's turn. */
   readonly waitForRing: (ring: number) => Promise<RingEntry>;
@@ -49,15 +49,15 @@ interface Job extends Loading, RegionLoading {
 }
 
 /** Loads all rings; while one is decoded and uploaded, files of the next one are prefetched. */
-export async function loadRegion(loading: Loading, course: RegionLoading): Promise<void> {
-  const { manifest, region, received, signal, waitForRing } = course;
+export async function loadRegion(loading: Loading, regionLoading: RegionLoading): Promise<void> {
+  const { manifest, region, received, signal, waitForRing } = regionLoading;
   const sizeOf = (name: string): number => manifest.files[name]?.bytes ?? 0;
   const fetch: Fetch = (name, own) => loading.fetch(name, own, received);
-  const job: Job = { ...loading, ...course, prefetch: createPrefetch(fetch, sizeOf), requested: new Set() };
+  const job: Job = { ...loading, ...regionLoading, prefetch: createPrefetch(fetch, sizeOf), requested: new Set() };
   const { rings } = region.entry;
   const { map } = await waitForRing(0);
   if (map) await loadFirstMap(job, map);
-  course.arrived(0);
+  regionLoading.arrived(0);
   const { dynamic } = manifest;
   if (dynamic) await loadGeometry(job, 0, dynamic.geometry, dynamic.parts);
   for (let ring = 1; ring < rings.length; ring++) {
@@ -71,7 +71,7 @@ export async function loadRegion(loading: Loading, course: RegionLoading): Promi
     const isNew = (name: string): boolean => !isLoaded(loading, name) && !job.requested.has(name);
     if (next) job.prefetch.begin(filesOfRing(next).filter(isNew), signal);
     await Promise.all(jobs);
-    course.arrived(ring);
+    regionLoading.arrived(ring);
   }
 }
 
@@ -125,14 +125,14 @@ async function loadMap(job: Job, ring: number, { tiles, color, range }: MapEntry
   const { manifest, maps, region, renderer, signal, uploads } = job;
   const [pictures, codes] = await Promise.all([filesOf(job, color), filesOf(job, range)]);
   const isWhole = Array.isArray(color);
-  const cube = region.cubes[turnOf(ring)];
+  const cube = region.cubes[cubeIndexOf(ring)];
   await job.mayReplace(ring);
   signal.throwIfAborted();
   if (isWhole) await maps(firstRequest(job, manifest.map, region.entry.range, pictures));
   signal.throwIfAborted();
-  const since = cube.holds !== null && cube.hasRange ? cube.holds : null;
-  // Whole ranges are encoded like those of the first ring.
-  const update = await maps(nextRequest(job, isWhole ? 1 : ring, tiles, isWhole ? [] : pictures, codes, since));
+  const fromRing = cube.ringShown !== null && cube.hasRange ? cube.ringShown : null;
+  // The ranges of a whole map are encoded like those of ring 1.
+  const update = await maps(nextRequest(job, isWhole ? 1 : ring, tiles, isWhole ? [] : pictures, codes, fromRing));
   signal.throwIfAborted();
   await uploads.add(cubeSteps(renderer, cube, update, ring, manifest.map), signal);
 }
@@ -170,7 +170,7 @@ async function loadSharper(job: Job, ring: number, { layout, maps, range }: Shar
   }
   await job.mayReplace(ring);
   signal.throwIfAborted();
-  const index = turnOf(ring);
+  const index = cubeIndexOf(ring);
   region.cubes[index].dispose();
   region.cubes[index] = createCube(renderer, layout.face_size, range);
   await uploads.add(cubeSteps(renderer, region.cubes[index], update, ring, layout), signal);

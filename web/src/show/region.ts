@@ -40,7 +40,7 @@ export function createRegion(renderer: WebGLRenderer, entry: RegionEntry, size: 
 
 /** Returns the cube with a ring's map. */
 export function cubeOf(region: Region, ring: number): Cube {
-  const cubeOfRing = region.cubes.find((cube) => cube.holds === ring);
+  const cubeOfRing = region.cubes.find((cube) => cube.ringShown === ring);
   if (!cubeOfRing) throw new Error(`the map of ring ${ring} is missing`);
   return cubeOfRing;
 }
@@ -52,7 +52,7 @@ export function hasMap({ entry }: Region, ring: number): boolean {
 }
 
 /** Index of the cube for a ring's map. */
-export function turnOf(ring: number): 0 | 1 {
+export function cubeIndexOf(ring: number): 0 | 1 {
   return ring % 2 === 0 ? 0 : 1;
 }
 

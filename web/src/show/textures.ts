@@ -19,7 +19,7 @@ export function createCube(renderer: WebGLRenderer, size: number, scale: RangeSc
     color,
     codes,
     /** Ring whose map it holds; null for none. */
-    holds: null as number | null,
+    ringShown: null as number | null,
     /** Whether it has range codes. */
     hasRange: false,
     /** Texels per side of a face. */
@@ -64,7 +64,7 @@ export function colorOf(renderer: WebGLRenderer, { color }: Cube): WebGLTexture 
 export function* cubeSteps(renderer: WebGLRenderer, cube: Cube, update: MapUpdate, ring: number, layout: MapLayout) {
   const gl = renderer.getContext() as WebGL2RenderingContext;
   const { face_size: size, tile } = layout;
-  cube.holds = null;
+  cube.ringShown = null;
   if (update.whole) {
     for (const [face, color] of update.color.entries()) {
       const box = { face, x: 0, y: 0, width: size, height: size };
@@ -81,7 +81,7 @@ export function* cubeSteps(renderer: WebGLRenderer, cube: Cube, update: MapUpdat
       yield* boxSteps(renderer, gl, cube.codes, box, update.codes.subarray(index * area, (index + 1) * area));
     }
   }
-  cube.holds = ring;
+  cube.ringShown = ring;
 }
 
 /** Rectangle of texels in a face. */

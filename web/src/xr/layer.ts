@@ -30,9 +30,9 @@ export function createMapLayer(renderer: WebGLRenderer, faceSize: number): MapLa
 
   /** Copies a map into the layer; returns false if it is already there. */
   function hold(cube: Cube): boolean {
-    if (copiedMap?.cube === cube && copiedMap.ring === cube.holds && !layer.needsRedraw) return false;
+    if (copiedMap?.cube === cube && copiedMap.ring === cube.ringShown && !layer.needsRedraw) return false;
     copy(colorOf(renderer, cube), binding.getSubImage(layer, xr.getFrame()).colorTexture);
-    copiedMap = { cube, ring: cube.holds };
+    copiedMap = { cube, ring: cube.ringShown };
     return true;
   }
 

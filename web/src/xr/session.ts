@@ -17,10 +17,10 @@ import type { Bounds } from '../control/limit';
 import type { Pose, Vector } from '../control/pose';
 import { createWalk } from '../control/walk';
 import type { Viewer } from '../show/viewer';
+import { createHandVisuals, type HandVisuals } from './hand_visuals';
 import { createHands, type HandRay } from './hands';
 import { createSteering, type Input, readInputs, type Steering } from './inputs';
 import { createMapLayer } from './layer';
-import { createLook, type Look } from './look';
 import { createAiming, createJump, type Jump } from './teleport';
 
 export type Headset = ReturnType<typeof createHeadset>;
@@ -28,16 +28,16 @@ export type Headset = ReturnType<typeof createHeadset>;
 export interface HeadsetSettings {
   /** Returns the user's pose at the begin of a session. */
   readonly pose: () => Pose;
-  /** Returns the area in which the eyes stay, also when it changes. */
+  /** Returns the area in which the eyes stay at present; called in every frame. */
   readonly bounds: () => Bounds | null;
   /** Called after the end of a session, with a pose for the screen. */
-  readonly left: (pose: Pose) => void;
+  readonly onLeave: (pose: Pose) => void;
   /** Whether nothing moves, so that the browser may show the map in a composition layer. */
   readonly isStatic: boolean;
 }
 
 interface SessionState {
-  readonly look: Look;
+  readonly visuals: HandVisuals;
   readonly aim: ReturnType<typeof createAiming>;
   readonly findHands: ReturnType<typeof createHands>;
   /** Ends listening to the session. */
@@ -78,7 +78,7 @@ function createHeadset(viewer: Viewer, xr: XRSystem, settings: HeadsetSettings) 
     }
     const newState = begin(session);
     state = newState;
-    rig.add(newState.look.group);
+    rig.add(newState.visuals.group);
     renderer.xr.getReferenceSpace()?.addEventListener('reset', () => (newState.isMoved = true));
     if (settings.isStatic) viewer.setMapLayer(createMapLayer(renderer, viewer.faceSize));
   }
@@ -86,7 +86,7 @@ function createHeadset(viewer: Viewer, xr: XRSystem, settings: HeadsetSettings) 
   function begin(session: XRSession): SessionState {
     const [pose, stop] = [settings.pose(), new AbortController()];
     const newState: SessionState = {
-      look: createLook(),
+      visuals: createHandVisuals(),
       aim: createAiming(session, stop.signal, (target) => {
         const { floor, jump } = newState;
         const goal = floor && worldOf(floor, target);
@@ -107,15 +107,15 @@ function createHeadset(viewer: Viewer, xr: XRSystem, settings: HeadsetSettings) 
 
   function leave(): void {
     if (!state) return;
-    const { look, stop, floor, pose } = state;
+    const { visuals, stop, floor, pose } = state;
     state = null;
     hands = [];
     stop.abort();
-    look.dispose();
+    visuals.dispose();
     viewer.setMapLayer(null);
     viewer.setVeil(0);
     const [x, y, z] = pose.position;
-    settings.left({ position: [x, floor ? floor.position[1] + EYE_HEIGHT : y, z], yaw: pose.yaw, pitch: 0 });
+    settings.onLeave({ position: [x, floor ? floor.position[1] + EYE_HEIGHT : y, z], yaw: pose.yaw, pitch: 0 });
   }
 
   /** Returns the floor after a frame: the user has walked, turned or jumped, and stays within the bounds. */
@@ -167,7 +167,7 @@ function createHeadset(viewer: Viewer, xr: XRSystem, settings: HeadsetSettings) 
       viewer.stand(floor);
       hands = state.findHands(inputs, floor);
       const allowed = (point: Vector): Vector => localOf(floor, clampToBounds(worldOf(floor, point), bounds));
-      state.look.update(inputs, state.aim(inputs, allowed));
+      state.visuals.update(inputs, state.aim(inputs, allowed));
       return state.pose;
     },
   };
@@ -177,7 +177,7 @@ function stickOf(inputs: readonly Input[], hand: XRHandedness): Input['stick'] {
   return inputs.find(({ source }) => source.handedness === hand)?.stick ?? null;
 }
 
-/** Detects the headset; `tell` is called with it, or with a sentence why there is none, now and on changes. */
+/** Detects the headset; `report` is called with it, or with a sentence why there is none, now and on changes. */
 export function offerHeadset(viewer: Viewer, settings: HeadsetSettings, report: (found: Headset | string) => void): void {
   const { xr } = navigator;
   let headset: Headset | null = null;

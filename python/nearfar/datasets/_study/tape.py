@@ -28,12 +28,12 @@ class _Layout:
     """Distance of the tape's far end from the centre's axis."""
 
 
-# A picture of a straight tape on the ground is straight between the radii as well, but bends at r₁ and at r₂: for a
-# user u beside the centre, a stretch that ends at r₂ points u (row − r₂)/(r₂ − r₁) beside its rectangle. So the
-# rectangles stand just beyond r₂. A picture from the centre shows them shifted by u: users who moved 4 m to 8 m, up to
-# three halves of the gap to the neighbour's far edge, take a neighbour for the right one.
+# A picture of a straight tape on the ground is straight between the radii as well, but bends at r₁ and at r₂: if
+# the user stands u metres beside the centre, the continuation of a piece that ends at r₂ misses its rectangle by
+# u (row − r₂)/(r₂ − r₁). So the rectangles stand just beyond r₂. A picture from the centre shows them shifted by u:
+# users who moved between spacing − wide/2 = 3.8 m and spacing + wide/2 = 8.2 m take a neighbour for the right one.
 _ENDS_NEAR = _Layout(row=52.0, spacing=6.0, wide=4.4, tape_to=44.0)
-# The gaps are wider than the rectangles; the spacing is less than the 5 m that users walk away from the centre.
+# The spacing, between the rectangles' middles, is less than the 5 m that users walk away from the centre.
 _ENDS_FAR = _Layout(row=90.0, spacing=4.0, wide=2.4, tape_to=70.0)
 _TALL, _THICK = 4.0, 0.1
 _TAPE_FROM, _TAPE_WIDE, _TAPE_HIGH, _STEP = 6.0, 0.6, 0.1, 0.5
@@ -83,7 +83,7 @@ def tape_task(seed: int = 0, rectangles: int = 3, *, ends: str = "near") -> tupl
     layout = _ENDS_NEAR if check.choice("ends", ends, ("near", "far")) == "near" else _ENDS_FAR
     stage = Stage()
     stage.once(ground(), "ground")
-    # Fractions of a full turn; to the right the view turns clockwise.
+    # Fractions of a full turn; negative because positive turns (about +y) lead to the left.
     turns = -in_row(count, layout.spacing) / (2.0 * np.pi * layout.row)
     names = []
     half = np.array([0.5 * layout.wide, 0.5 * _TALL, 0.5 * _THICK])

@@ -23,7 +23,7 @@ class Parts:
     def __init__(self, low: Floats, high: Floats, half: float) -> None:
         self.low, self.high, self.half = low, high, half
         self._builder = SceneBuilder()
-        self._numbers = np.array([self._builder.material(color) for color in _palette.linear_colors()], np.int32)
+        self._materials = np.array([self._builder.material(color) for color in _palette.linear_colors()], np.int32)
         self._ground = self._builder.material((1.0, 1.0, 1.0, 1.0), texture=grain())
         self._water = self._builder.material((1.0, 1.0, 1.0, 1.0))
         self._shapes: dict[Hashable, int] = {}
@@ -39,7 +39,7 @@ class Parts:
         if len(names):
             if key not in self._shapes:
                 self._shapes[key] = self._builder.mesh(
-                    shape.positions, shape.faces, material=self._numbers[shape.materials], colors=shape.colors
+                    shape.positions, shape.faces, material=self._materials[shape.materials], colors=shape.colors
                 )
             self._builder.place_many(self._shapes[key], transforms, names)
 
@@ -48,46 +48,46 @@ class Parts:
         corners = shape.positions[shape.faces].astype(np.float64) + np.array([x, 0.0, z])
         touches = (corners.min(1) <= self.high).all(1) & (corners.max(1) >= self.low).all(1)
         touches &= (np.abs(corners[:, :, [0, 2]]) <= self.half).all((1, 2))
-        faces, materials = shape.faces[touches], self._numbers[shape.materials[touches]]
+        faces, materials = shape.faces[touches], self._materials[shape.materials[touches]]
         if len(faces):
             vertices, numbers = np.unique(faces, return_inverse=True)
             numbers = numbers.reshape(faces.shape).astype(np.uint32)
             self._place(self._builder.mesh(shape.positions[vertices], numbers, material=materials), (x, z), name)
 
-    def tile(self, of: Tile) -> None:
+    def tile(self, tile: Tile) -> None:
         """Add the part of a tile's ground and water that touches the box."""
-        line = lattice.spacing(of.level) * np.arange(COUNT + 1.0)
-        x, z = (self._overlaps(start + line, axis) for start, axis in zip(of.corner, (0, 2), strict=True))
+        line = lattice.spacing(tile.level) * np.arange(COUNT + 1.0)
+        x, z = (self._overlaps(start + line, axis) for start, axis in zip(tile.corner, (0, 2), strict=True))
         inside = x & z[:, None]
-        squares = [of.height[a : COUNT + a, b : COUNT + b] for a in (0, 1) for b in (0, 1)]
+        squares = [tile.height[a : COUNT + a, b : COUNT + b] for a in (0, 1) for b in (0, 1)]
         low, high = np.min(squares, axis=0), np.max(squares, axis=0)
         cells: NDArray[np.bool_] = inside & (low <= self.high[1]) & (high >= self.low[1])
         if cells.any():
-            vertices, faces, points = _compact(cells, line, of.height)
+            vertices, faces, points = _compact(cells, line, tile.height)
             mesh = self._builder.mesh(
                 points,
                 faces,
                 material=self._ground,
                 uvs=points[:, [0, 2]] / np.float32(TEXTURE),
-                colors=of.color.reshape(-1, 4)[vertices],
-                normals=of.normal.reshape(-1, 3)[vertices].astype(np.float32),
+                colors=tile.color.reshape(-1, 4)[vertices],
+                normals=tile.normal.reshape(-1, 3)[vertices].astype(np.float32),
             )
-            self._place(mesh, of.corner, f"land_{of.name}")
-        if of.water is not None and self.low[1] <= 0.0 <= self.high[1]:
-            self._pool(of, of.water, inside, low < 0.0)
+            self._place(mesh, tile.corner, f"land_{tile.name}")
+        if tile.water is not None and self.low[1] <= 0.0 <= self.high[1]:
+            self._pool(tile, tile.water, inside, low < 0.0)
 
-    def _pool(self, of: Tile, colors: NDArray[np.uint8], inside: NDArray[np.bool_], wet: NDArray[np.bool_]) -> None:
-        # The surface is flat, so fine grids are replaced by squares of four cells.
-        wide = max(1, 4 >> of.level)
+    def _pool(self, tile: Tile, colors: NDArray[np.uint8], inside: NDArray[np.bool_], wet: NDArray[np.bool_]) -> None:
+        # The surface is flat, so fine grids are replaced by squares up to four cells wide.
+        wide = max(1, 4 >> tile.level)
         count = COUNT // wide
         squares = [np.asarray(flags.reshape(count, wide, count, wide).any((1, 3))) for flags in (wet, inside)]
         cells = squares[0] & squares[1]
         if cells.any():
-            line = wide * lattice.spacing(of.level) * np.arange(count + 1.0)
+            line = wide * lattice.spacing(tile.level) * np.arange(count + 1.0)
             vertices, faces, points = _compact(cells, line, np.zeros((count + 1, count + 1)))
             colors = colors[::wide, ::wide].reshape(-1, 4)[vertices]
             mesh = self._builder.mesh(points, faces, material=self._water, colors=colors)
-            self._place(mesh, of.corner, f"water_{of.name}")
+            self._place(mesh, tile.corner, f"water_{tile.name}")
 
     def _place(self, mesh: int, corner: tuple[float, float], name: str) -> None:
         """Add an instance of a mesh whose origin is at x and z."""

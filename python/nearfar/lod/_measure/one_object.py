@@ -115,7 +115,7 @@ class _Measurement:
 
     def _model(self, kept: list[int]) -> LodModel:
         table = self.table
-        sigma = np.array([table.stand.sigma(size) for size in table.sizes])
+        sigma = np.array([table.orbit.sigma(size) for size in table.sizes])
         views = table.scores[kept][..., table.turn_of_view]
         views[~self.is_measured[kept]] = np.nan
         samples = Samples(sigma, statistic.of_views(views, self.settings.percentile), views)

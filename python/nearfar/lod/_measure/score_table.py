@@ -14,7 +14,7 @@ from nearfar.lod._measure import statistic
 from nearfar.lod._measure.score_cache import ScoreCache, content
 from nearfar.lod._measure.scores import Compared, scores
 from nearfar.lod._measure.settings import MeasureSettings
-from nearfar.lod._measure.views import Stand, turns
+from nearfar.lod._measure.views import Orbit, turns
 
 MAX_BLOCK_PIXELS = 1 << 20
 """Pixels of a block of views. Memory holds two pictures of each view and every level's mask; Ctrl-C loses one level's
@@ -42,7 +42,7 @@ class ScoreTable:
         self.levels, self.settings, self.report = levels, settings, report
         self.renders = 0
         self.screen = settings.screen
-        self.stand = Stand.around(levels, self.screen)
+        self.orbit = Orbit.around(levels, self.screen)
         self.turns, self.turn_of_view = turns(settings.views, settings.directions)
         self.sizes = range(1, settings.distances + 1)
         self.scores = np.full((len(levels), settings.distances, len(self.turns)), np.nan, np.float32)
@@ -68,8 +68,8 @@ class ScoreTable:
         self.is_base[:] = [one == contents[0] for one in contents]
         self.scores[self.is_base] = 1.0
         if self.settings.cache:
-            screen, stand = self.screen, self.stand
-            place = (stand.center, stand.radius, screen.tan_half_angle, screen.pixel, screen.size)
+            screen, orbit = self.screen, self.orbit
+            place = (orbit.center, orbit.radius, screen.tan_half_angle, screen.pixel, screen.size)
             pictured = (self.settings.views, self.settings.directions, self.settings.samples, self.device)
             self.cache = ScoreCache(contents, (*place, *pictured), self.scores)
         self.was_known = np.isfinite(self.scores)
@@ -81,12 +81,12 @@ class ScoreTable:
         is_requested[slice(None) if among is None else among] = True
         self.is_used[numbers, size - 1] |= is_requested
         missing = np.flatnonzero(is_requested & np.isnan(table[numbers]).any(axis=0)) if numbers else np.empty(0, int)
-        block = max(1, MAX_BLOCK_PIXELS // self.stand.pixel_count(size))
+        block = max(1, MAX_BLOCK_PIXELS // self.orbit.pixel_count(size))
         for start in range(0, len(missing), block):
             views = missing[start : start + block]
             new = {number: np.flatnonzero(np.isnan(table[number, views])) for number in numbers}
             new = {number: places for number, places in new.items() if len(places)}
-            cameras = [self.stand.camera(size, self.turns[view]) for view in views]
+            cameras = [self.orbit.camera(size, self.turns[view]) for view in views]
             compared = [Compared(self.levels[number].scene, places) for number, places in new.items()]
             new_scores = scores(self.levels[0].scene, compared, cameras, self.settings.samples, self.backend)
             self.renders += len(views)
@@ -110,6 +110,6 @@ class ScoreTable:
 
     def _report(self, size: int, share: float) -> None:
         """Report the pixels of earlier sizes and a share of this one's, as if each size were measured once."""
-        pixels = [self.stand.pixel_count(number) for number in self.sizes]
+        pixels = [self.orbit.pixel_count(number) for number in self.sizes]
         self._done = max(self._done, int(sum(pixels[: size - 1]) + share * pixels[size - 1]))
         self.report(self._done, sum(pixels))

@@ -105,7 +105,7 @@ class Screen:
 
 
 @dataclass(frozen=True)
-class Stand:
+class Orbit:
     """Cameras around an object's bounding sphere, by the number of the distance, from 1."""
 
     screen: Screen
@@ -115,7 +115,7 @@ class Stand:
     """Distance from the centre to the farthest corner of any level, metres: coarse levels may exceed the sphere."""
 
     @classmethod
-    def around(cls, levels: Levels, screen: Screen) -> Stand:
+    def around(cls, levels: Levels, screen: Screen) -> Orbit:
         """Make the cameras around the levels of an object."""
         reach = 0.0
         for level in levels:

@@ -106,7 +106,7 @@ export interface Cut {
   /** Leaves drawn as geometry, the nearest ones first; their views are shown until it has arrived. */
   readonly leaves: readonly Drawn[];
   /** Distance from which leaves are fine enough, metres; cells of level k from 2ᵏ times as far. */
-  readonly reach: number;
+  readonly leafDistance: number;
   /** Unknown subtrees, in whose place coarser cells are drawn. */
   readonly unknown: readonly { readonly tier: number; readonly place: Triple }[];
 }
@@ -115,7 +115,7 @@ export interface Cut {
 export function cut(cells: Cells, camera: Camera, settings: Settings): Cut {
   const { layout } = cells;
   const pitch = (layout.cell * widest(layout.directions)) / layout.size;
-  const reach = pitch / (pixelSize(camera) * settings.error);
+  const leafDistance = pitch / (pixelSize(camera) * settings.error);
   const planes = frustumOf(camera);
   const units = layout.directions.map((direction) => frameOf(direction).axes[2]);
   const raise = liftOf(settings.lift);
@@ -135,15 +135,15 @@ export function cut(cells: Cells, camera: Camera, settings: Settings): Cut {
       const directions = nearestDirections(units, raise(toViewer), toViewer, mask, settings.views);
       list.push({ level, place, distance, isInPicture: containment !== 'outside', directions });
     };
-    const isFine = distance >= reach * 2 ** level;
+    const isFine = distance >= leafDistance * 2 ** level;
     if (!isFine && level === 0 && hasGeometry) {
       draw(leaves);
-      requireGuests(place);
+      requestGuests(place);
     } else if (isFine || level === 0 || !refine(level - 1, place, containment)) draw(drawnCells);
   }
 
-  /** Requires the records of a leaf's guests, which locate their geometry. */
-  function requireGuests(leaf: Triple): void {
+  /** Asks for the records of the leaves whose triangles reach into this one: they say where that geometry is stored. */
+  function requestGuests(leaf: Triple): void {
     for (const guest of cells.guestsOf(leaf)) {
       const { tier, place } = subtreeOf(layout, 0, guest);
       if (!cells.knows(tier, place)) addUnknown(0, guest);
@@ -170,7 +170,7 @@ export function cut(cells: Cells, camera: Camera, settings: Settings): Cut {
   if (root) visit(top, [0, 0, 0], root.mask, 'across');
   else addUnknown(top, [0, 0, 0]);
   for (const list of [drawnCells, leaves]) list.sort((a, b) => a.distance - b.distance);
-  return { cells: drawnCells, leaves, reach, unknown: [...unknown.values()] };
+  return { cells: drawnCells, leaves, leafDistance, unknown: [...unknown.values()] };
 }
 
 /** Distance of a cube's nearest point. */
@@ -201,7 +201,7 @@ export function countOf(mask: number, { views }: Pick<Settings, 'views'>): numbe
   return Math.min(count, views);
 }
 
-/** Horizontal part of a unit vector below which it has no side to be raised to. */
+/** Least horizontal length of a unit vector; shorter ones have no known horizontal direction. */
 const MIN_HORIZONTAL = 1e-9;
 
 /** Function that rotates unit vectors by an angle in degrees towards +y, at most to +y. Straight down stays. */

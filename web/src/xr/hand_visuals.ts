@@ -17,7 +17,7 @@ import {
 import type { Input } from './inputs';
 import { type Aim, ARC_POINTS } from './teleport';
 
-export type Look = ReturnType<typeof createLook>;
+export type HandVisuals = ReturnType<typeof createHandVisuals>;
 
 /** Number of hands, and joints per hand. */
 const [HANDS, JOINTS] = [2, 25] as const;
@@ -26,7 +26,7 @@ const [CONTROLLER_RADIUS, CONTROLLER_HALF_LENGTH, ARC_POINT_RADIUS] = [0.018, 0.
 const RING = [0.22, 0.3] as const;
 const [FREE_COLOR, CLAMPED_COLOR] = [0x4cc2ff, 0xffb84c] as const;
 
-export function createLook() {
+export function createHandVisuals() {
   const group = new Group();
   const body = new MeshLambertMaterial({ color: 0xd5dbe3 });
   // Without depth test: the ground may lie slightly before or behind the user's floor.
