@@ -58,7 +58,7 @@ class Shaped:
         return str(script)
 
     def counts(self) -> dict[str, Any]:
-        """Return counts of packets `down` to the client and `up`, the `latest` delay of a delivery and `cpu` seconds."""
+        """Count packets `down` to the client and `up`, the `latest` delay of a delivery and `cpu`, seconds."""
         assert self._process.stdin
         self._process.stdin.write("\n")
         self._process.stdin.flush()
