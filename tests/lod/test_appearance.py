@@ -227,7 +227,7 @@ def test_a_planted_factor_is_recovered() -> None:
     none = _correction.validity(samples, _correction.cross_validated(samples, "no correction"))
     assert none.explained == 0
     assert none.log == pytest.approx(np.sqrt((samples.logarithm**2).mean()))
-    assert appearance.verdict(samples).count(": a factor") == len(_correction.KINDS)
+    assert appearance.verdict(samples).count(": yes") == len(_correction.KINDS)
 
 
 def test_intervals_cover_a_planted_factor_of_varied_objects() -> None:
@@ -243,7 +243,7 @@ def test_unrelated_objects_are_reported_as_such() -> None:
     samples = _correction.collect(planted(np.zeros(len(KNOWN)), own=0.5), _appearance.Plan().materials)
     found = _correction.validity(samples, _correction.cross_validated(samples, "coefficients"))
     assert found.explained < 0.1
-    assert appearance.verdict(samples).count(": no factor") >= 3
+    assert appearance.verdict(samples).count(": no.") >= 3
 
 
 def test_the_neutral_material_has_the_factor_one(quick: dict[str, Array]) -> None:
@@ -271,7 +271,7 @@ def test_everything_is_printed_and_drawn(
     printed = capsys.readouterr().out
     assert printed.count("### ") == 3
     assert "nan" not in printed
-    assert printed.count(": a factor") + printed.count(": no factor") == len(_correction.KINDS)
+    assert printed.count(": yes") + printed.count(": no.") == len(_correction.KINDS)
     for name in ("materials", "scores", "factors"):
         with Image.open(tmp_path / f"lod-appearance-{name}.png") as picture:
             assert len(np.unique(np.asarray(picture))) > 100
