@@ -9,9 +9,8 @@ use glam::Vec3;
 use rayon::prelude::*;
 
 use super::direction::Frame;
-use super::format::Format;
 use super::normals;
-use super::view::{View, Views};
+use super::view::{Format, View, Views};
 use crate::base::{Error, Result};
 
 /// Bounds τ₁, τ₂ and τ₃.

@@ -4,9 +4,8 @@ use glam::DVec3;
 use rayon::prelude::*;
 
 use super::cell::{Cell, Sight};
-use super::format::Format;
 use super::reduce::reach;
-use super::view::{Texel, View, Views};
+use super::view::{Format, Texel, View, Views};
 
 /// Returns, for each direction, the number of the second layer's pixels that no first-layer view shows, divided by the
 /// number of the first layer's pixels with a surface.

@@ -32,8 +32,8 @@ pub(super) struct Taps {
     pub share: [f32; 2],
 }
 
-/// Distance in eye pixels, across and down, within which the four pixels around a position lie.
-const AROUND: usize = 2;
+/// Distance in eye pixels, horizontally and vertically, within which the four pixels around a position lie.
+const TAP_DISTANCE: usize = 2;
 
 impl EyeMap<'_> {
     /// Returns the third camera's position for position (x, y) of the eye's picture, pixels.
@@ -55,8 +55,8 @@ impl EyeMap<'_> {
     /// Returns the weights of the taps for a pixel of the eye: bilinear, without taps covered by the eye's own
     /// surfaces. `None` if no such surface is near, so that all taps count.
     pub fn uncovered(&self, column: usize, row: usize, taps: &Taps) -> Option<[f32; 4]> {
-        let columns = column.saturating_sub(AROUND)..(column + AROUND + 1).min(self.eye.0);
-        let mut rows = row.saturating_sub(AROUND)..(row + AROUND + 1).min(self.eye.1);
+        let columns = column.saturating_sub(TAP_DISTANCE)..(column + TAP_DISTANCE + 1).min(self.eye.0);
+        let mut rows = row.saturating_sub(TAP_DISTANCE)..(row + TAP_DISTANCE + 1).min(self.eye.1);
         let covered = |row: usize| {
             let start = row * self.eye.0;
             self.coverage[start + columns.start..start + columns.end].iter().any(|share| *share > 0.0)

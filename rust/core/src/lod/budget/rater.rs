@@ -44,7 +44,7 @@ pub(super) struct Order {
 
 /// Buffers for a block.
 #[derive(Default)]
-pub(super) struct Room {
+pub(super) struct Scratch {
     scores: Vec<Lanes>,
     gains: Vec<Lanes>,
     slopes: Vec<Lanes>,
@@ -107,28 +107,28 @@ impl<'a> Rater<'a> {
     }
 
     /// Computes scores and slopes of a block.
-    pub fn rate<'r>(&self, ladder: &'r Ladder, block: &'r [u32], room: &'r mut Room) -> RatedBlock<'r> {
+    pub fn rate<'r>(&self, ladder: &'r Ladder, block: &'r [u32], scratch: &'r mut Scratch) -> RatedBlock<'r> {
         let (mut sizes, mut weights) = ([0.0; LANES], [0.0; LANES]);
         sizes.iter_mut().zip(block).for_each(|(to, &object)| *to = self.seen.read[object as usize]);
         weights.iter_mut().zip(block).for_each(|(to, &object)| *to = self.weight(object));
-        scores(ladder, &sizes, &mut room.scores);
+        scores(ladder, &sizes, &mut scratch.scores);
         let mut floors = [0.0; LANES];
         if let Some(floor) = self.floor {
             for (lane, (to, &object)) in floors.iter_mut().zip(block).enumerate() {
                 let least = self.seen.threshold[object as usize] - floor;
-                *to = room.scores.iter().rposition(|scores| scores[lane] >= least).unwrap_or(0) as f64;
+                *to = scratch.scores.iter().rposition(|scores| scores[lane] >= least).unwrap_or(0) as f64;
             }
         }
-        slopes(ladder, &room.scores, &floors, self.choice, &mut room.slopes);
+        slopes(ladder, &scratch.scores, &floors, self.choice, &mut scratch.slopes);
         let worth = Worth {
             weights: weights.map(|weight| weight * self.scale),
-            held: self.held_steps(ladder, block, room),
+            held: self.held_steps(ladder, block, scratch),
             hold: 1.0 + self.hysteresis,
             first: if self.choice == Choice::FromFloor { floors } else { [f64::INFINITY; LANES] },
         };
-        worths(&mut room.slopes, &worth, &mut room.classes);
-        gains(&room.scores, &weights, &mut room.gains);
-        let Room { scores, gains, slopes, classes } = room;
+        worths(&mut scratch.slopes, &worth, &mut scratch.classes);
+        gains(&scratch.scores, &weights, &mut scratch.gains);
+        let Scratch { scores, gains, slopes, classes } = scratch;
         RatedBlock { objects: block, ladder, weights, scores, gains, slopes, classes }
     }
 
@@ -137,7 +137,7 @@ impl<'a> Rater<'a> {
     }
 
     /// Returns the step from which the previous frame's level is held; +∞ for none.
-    fn held_steps(&self, ladder: &Ladder, block: &[u32], room: &Room) -> Lanes {
+    fn held_steps(&self, ladder: &Ladder, block: &[u32], scratch: &Scratch) -> Lanes {
         let mut held = [f64::INFINITY; LANES];
         let Some(previous) = self.objects.previous.filter(|_| self.hysteresis > 0.0) else { return held };
         for (lane, (to, &object)) in held.iter_mut().zip(block).enumerate() {
@@ -145,8 +145,8 @@ impl<'a> Rater<'a> {
             let place = ladder.level.iter().position(|&own| level >= 0 && own >= level);
             // A level below the hull is not held: the edge above it would be split.
             let is_corner = |&place: &usize| {
-                let [coarse, fine] = edge_around(&room.slopes, lane, place);
-                place == coarse || place == fine || is_on_edge(ladder, &room.scores, lane, [coarse, fine], place)
+                let [coarse, fine] = edge_around(&scratch.slopes, lane, place);
+                place == coarse || place == fine || is_on_edge(ladder, &scratch.scores, lane, [coarse, fine], place)
             };
             *to = place.filter(is_corner).map_or(f64::INFINITY, |place| place as f64);
         }

@@ -1,11 +1,15 @@
-//! Fit of one curve: scale the values, find start points, descend from the best ones, and classify the result.
+//! Fit of one curve, or of many: scale the values, find start points, descend from the best ones, and classify the result.
+
+use rayon::prelude::*;
 
 use super::descend::{self, EvaluatedLine};
 use super::frame::{SampleFrame, Unfit};
 use super::logistic::{self, LANES, Pack, Samples};
 use super::steps::{self, Start};
-use crate::base::{Progress, Result};
+use crate::base::{Error, Progress, Result};
 
+/// Number of curves in one task.
+const TASK: usize = 16;
 /// Maximum number of descents for one curve.
 const STARTS: usize = 8;
 /// Upper bound of the angle, in radians, between any curve and the nearest curve of the grid. It limits how much a
@@ -58,14 +62,14 @@ pub struct LogisticCurve {
 }
 
 impl LogisticCurve {
-    pub(super) fn unfit(why: Unfit) -> Self {
+    fn unfit(why: Unfit) -> Self {
         Self { a: f64::NAN, b: f64::NAN, c: f64::NAN, d: f64::NAN, rms: f64::NAN, status: Status::Unfit(why) }
     }
 }
 
 /// Buffers shared by all fits of one thread.
 #[derive(Default)]
-pub(super) struct FitScratch {
+struct FitScratch {
     values: Vec<f64>,
     unit: Vec<f32>,
     packed: Vec<Pack>,
@@ -74,8 +78,40 @@ pub(super) struct FitScratch {
     starts: Vec<Start>,
 }
 
+/// Fits least-squares curves to rows of `count` samples. `x` is one row shared by all curves, or has as many numbers
+/// as `y`. Samples that are not finite are ignored.
+pub fn fit_4pl(x: &[f64], y: &[f64], count: usize, progress: &Progress) -> Result<Vec<LogisticCurve>> {
+    if count == 0 || !y.len().is_multiple_of(count) || x.len() != count && x.len() != y.len() {
+        let got = format!("{} of x and {} of y for {count} each", x.len(), y.len());
+        return Err(Error::value("x", "as many numbers as y, or one row of them", got));
+    }
+    let rows = y.len() / count;
+    progress.expect(rows as u64);
+    let is_shared = x.len() == count && rows > 0;
+    let shared_frame = is_shared.then(|| SampleFrame::new(x, |n| x[n].is_finite(), progress)).transpose()?;
+    let mut curves = vec![LogisticCurve::unfit(Unfit::TooFew); rows];
+    curves.par_chunks_mut(TASK).enumerate().try_for_each(|(task, curves)| {
+        let mut scratch = FitScratch::default();
+        for (n, curve) in curves.iter_mut().enumerate() {
+            let first = (task * TASK + n) * count;
+            let y = &y[first..first + count];
+            let x = if is_shared { x } else { &x[first..first + count] };
+            let has_finite_y = |frame: &SampleFrame| frame.order.iter().all(|&n| y[n].is_finite());
+            *curve = match &shared_frame {
+                Some(Ok(frame)) if has_finite_y(frame) => fit(frame, y, &mut scratch, progress)?,
+                _ => match SampleFrame::new(x, |n| x[n].is_finite() && y[n].is_finite(), progress)? {
+                    Ok(frame) => fit(&frame, y, &mut scratch, progress)?,
+                    Err(reason) => LogisticCurve::unfit(reason),
+                },
+            };
+        }
+        progress.report(curves.len() as u64)
+    })?;
+    Ok(curves)
+}
+
 /// Returns the least-squares curve through the samples of a frame.
-pub(super) fn fit(frame: &SampleFrame, y: &[f64], room: &mut FitScratch, progress: &Progress) -> Result<LogisticCurve> {
+fn fit(frame: &SampleFrame, y: &[f64], room: &mut FitScratch, progress: &Progress) -> Result<LogisticCurve> {
     let count = frame.order.len() as f64;
     let values = || frame.order.iter().map(|&n| y[n]);
     let (low, high) = values().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), y| (low.min(y), high.max(y)));

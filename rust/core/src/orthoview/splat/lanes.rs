@@ -52,7 +52,7 @@ impl Constants {
 
 /// Projected splats of a block. A point with offset p from a splat's centre belongs to it if |inverse · p|² is at most
 /// `SQUARED_RADIUS`.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct Lanes {
     pub place: [Lane; 2],
     /// Inverse axes, row by row.
@@ -78,26 +78,6 @@ pub(super) struct Lanes {
 }
 
 impl Lanes {
-    pub fn new() -> Self {
-        let (zero, none) = ([[0.0; GROUP]; LANES / GROUP], [[[0; GROUP]; LANES / GROUP]; 2]);
-        Self {
-            place: [zero; 2],
-            inverse: [zero; 4],
-            nearness: zero,
-            slope: [zero; 2],
-            middle: none,
-            first: none,
-            last: none,
-            slot: none[0],
-            order: [[0; GROUP]; LANES / GROUP],
-            column: zero,
-            row: zero,
-            depth: zero,
-            normal: [zero; 2],
-            surfel: zero,
-        }
-    }
-
     /// Loads the splats of a block; returns their number.
     #[inline]
     pub fn gather(&mut self, splats: &Splats, block: &Block) -> usize {
