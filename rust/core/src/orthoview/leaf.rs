@@ -137,7 +137,7 @@ impl<'a> Lines<'a> {
     /// Returns whether a pixel's surface is visible along a line that it faces. `step` is the length of a depth step,
     /// metres.
     fn sees(&self, pixel: usize, sample: &Sample, step: f32) -> bool {
-        let point = self.sight.middle(pixel, f64::from(sample.depth * step)) - self.scene.origin;
+        let point = self.sight.point_of_pixel(pixel, f64::from(sample.depth * step)) - self.scene.origin;
         let normal = sample.normal.as_dvec3();
         self.lines.iter().any(|&line| {
             let cosine = normal.dot(line);

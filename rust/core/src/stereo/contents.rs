@@ -119,10 +119,9 @@ impl Rig {
             let eye = self.eye(side);
             let fov = widened(&eye.fov, self.size(), margin);
             for (corner, depth) in corners(&fov).into_iter().flat_map(|c| [(c, head.near), (c, end)]) {
-                let way = eye.orientation * corner.extend(-1.0);
-                let from = self.middle() + eye.position;
-                let at = from + way * ((depth + eye.position.z) / -way.z);
-                region.extend(axes.place(at).as_vec3());
+                let direction = eye.orientation * corner.extend(-1.0);
+                let distance = (depth + eye.position.z) / -direction.z;
+                region.extend(axes.place(self.middle() + eye.position + direction * distance).as_vec3());
             }
         }
         region

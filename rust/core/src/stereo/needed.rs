@@ -14,7 +14,7 @@ use crate::base::{Progress, Result, memory::room_for};
 use crate::render::tiles::sample_offsets;
 
 /// Maximum tilt of rows, in pixels, that counts as straight.
-const STRAIGHT: f64 = 1e-9;
+const MAX_TILT: f64 = 1e-9;
 /// Margin around a run, in pixels, far more than rounding.
 const MARGIN: f64 = 1e-6;
 /// Pixels of a row tested at once.
@@ -81,7 +81,7 @@ impl EyeMap<'_> {
         let [x, y, z] = [self.to_center.x_axis, self.to_center.y_axis, self.to_center.z_axis];
         let (width, height) = (self.eye.0 as f64, self.eye.1 as f64);
         let tilt = [x.y * width, y.x * height, x.z * width, y.z * height].map(f64::abs);
-        x.x * z.z > 0.0 && y.y * z.z > 0.0 && tilt.into_iter().fold(0.0, f64::max) < STRAIGHT * z.z.abs()
+        x.x * z.z > 0.0 && y.y * z.z > 0.0 && tilt.into_iter().fold(0.0, f64::max) < MAX_TILT * z.z.abs()
     }
 
     fn lines(&self) -> Vec<Line> {

@@ -1,7 +1,7 @@
 //! Slopes of objects, in blocks of objects of one model.
 
 use super::super::select::Objects;
-use super::hull::{Choice, Classes, LANES, Lanes, Worth, gains, is_on_edge, scores, slopes, worths};
+use super::hull::{Choice, Classes, LANES, Lanes, Worth, gains, is_on_edge, scores, slopes, weigh};
 use super::rated::Ladder;
 use super::sizes::{SeenObjects, Weights};
 
@@ -51,6 +51,15 @@ pub(super) struct Scratch {
     classes: Vec<Classes>,
 }
 
+impl Scratch {
+    fn resize(&mut self, steps: usize) {
+        self.scores.resize(steps + 1, [0.0; LANES]);
+        self.gains.resize(steps, [0.0; LANES]);
+        self.slopes.resize(steps, [0.0; LANES]);
+        self.classes.resize(steps, [0; LANES]);
+    }
+}
+
 impl<'a> Rater<'a> {
     pub fn new(
         ladders: &'a [Ladder],
@@ -60,11 +69,11 @@ impl<'a> Rater<'a> {
         hysteresis: f64,
         floor: Option<f64>,
     ) -> Self {
-        let most = match weights {
+        let max_weight = match weights {
             Weights::Each(all) => all.iter().copied().fold(0.0, f64::max),
             _ => 1.0,
         };
-        let exponent = if most > 0.0 { most.log2().ceil().clamp(-MAX_EXPONENT, MAX_EXPONENT) } else { 0.0 };
+        let exponent = if max_weight > 0.0 { max_weight.log2().ceil().clamp(-MAX_EXPONENT, MAX_EXPONENT) } else { 0.0 };
         Self { ladders, objects, seen, weights, choice: Choice::All, scale: (-exponent).exp2(), hysteresis, floor }
     }
 
@@ -100,9 +109,9 @@ impl<'a> Rater<'a> {
     pub fn blocks<'o>(&self, order: &'o Order) -> impl Iterator<Item = (&'a Ladder, &'o [u32])> {
         let mut start = 0;
         self.ladders.iter().zip(&order.ends).flat_map(move |(ladder, &end)| {
-            let own = &order.objects[start..end];
+            let objects = &order.objects[start..end];
             start = end;
-            own.chunks(LANES).map(move |block| (ladder, block))
+            objects.chunks(LANES).map(move |block| (ladder, block))
         })
     }
 
@@ -111,6 +120,7 @@ impl<'a> Rater<'a> {
         let (mut sizes, mut weights) = ([0.0; LANES], [0.0; LANES]);
         sizes.iter_mut().zip(block).for_each(|(to, &object)| *to = self.seen.read[object as usize]);
         weights.iter_mut().zip(block).for_each(|(to, &object)| *to = self.weight(object));
+        scratch.resize(ladder.steps());
         scores(ladder, &sizes, &mut scratch.scores);
         let mut floors = [0.0; LANES];
         if let Some(floor) = self.floor {
@@ -126,7 +136,7 @@ impl<'a> Rater<'a> {
             hold: 1.0 + self.hysteresis,
             first: if self.choice == Choice::FromFloor { floors } else { [f64::INFINITY; LANES] },
         };
-        worths(&mut scratch.slopes, &worth, &mut scratch.classes);
+        weigh(&mut scratch.slopes, &worth, &mut scratch.classes);
         gains(&scratch.scores, &weights, &mut scratch.gains);
         let Scratch { scores, gains, slopes, classes } = scratch;
         RatedBlock { objects: block, ladder, weights, scores, gains, slopes, classes }
@@ -142,7 +152,7 @@ impl<'a> Rater<'a> {
         let Some(previous) = self.objects.previous.filter(|_| self.hysteresis > 0.0) else { return held };
         for (lane, (to, &object)) in held.iter_mut().zip(block).enumerate() {
             let level = previous[object as usize];
-            let place = ladder.level.iter().position(|&own| level >= 0 && own >= level);
+            let place = ladder.level.iter().position(|&ladder_level| level >= 0 && ladder_level >= level);
             // A level below the hull is not held: the edge above it would be split.
             let is_corner = |&place: &usize| {
                 let [coarse, fine] = edge_around(&scratch.slopes, lane, place);

@@ -46,7 +46,7 @@ fn slopes_equal_the_upper_hull() {
         triangles.reverse();
         let ladder = ladder(&triangles);
         let scores: Vec<Lanes> = triangles.iter().map(|_| std::array::from_fn(|_| random())).collect();
-        let mut found = Vec::new();
+        let mut found = vec![[0.0; LANES]; ladder.steps()];
         slopes(&ladder, &scores, &[0.0; LANES], Choice::All, &mut found);
         for lane in 0..LANES {
             let own: Vec<f64> = scores.iter().map(|scores| scores[lane]).collect();
@@ -62,7 +62,7 @@ fn slopes_equal_the_upper_hull() {
 #[test]
 fn steps_of_an_edge_have_the_same_bits() {
     // The middle level lies below the edge between the others.
-    let (ladder, mut found) = (ladder(&[1000, 300, 10]), Vec::new());
+    let (ladder, mut found) = (ladder(&[1000, 300, 10]), [[0.0; LANES]; 2]);
     let scores = [[1.0; LANES], [0.4; LANES], [0.3; LANES]];
     slopes(&ladder, &scores, &[0.0; LANES], Choice::All, &mut found);
     assert_eq!(found[0][0].to_bits(), found[1][0].to_bits());
@@ -71,7 +71,7 @@ fn steps_of_an_edge_have_the_same_bits() {
 
 #[test]
 fn floors_part_the_hull() {
-    let (ladder, mut found) = (ladder(&[1000, 300, 10]), Vec::new());
+    let (ladder, mut found) = (ladder(&[1000, 300, 10]), [[0.0; LANES]; 2]);
     let scores = [[1.0; LANES], [0.4; LANES], [0.3; LANES]];
     slopes(&ladder, &scores, &[1.0; LANES], Choice::FromFloor, &mut found);
     assert_eq!(found[1][0], f64::INFINITY);

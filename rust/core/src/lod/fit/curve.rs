@@ -111,7 +111,7 @@ pub fn fit_4pl(x: &[f64], y: &[f64], count: usize, progress: &Progress) -> Resul
 }
 
 /// Returns the least-squares curve through the samples of a frame.
-fn fit(frame: &SampleFrame, y: &[f64], room: &mut FitScratch, progress: &Progress) -> Result<LogisticCurve> {
+fn fit(frame: &SampleFrame, y: &[f64], scratch: &mut FitScratch, progress: &Progress) -> Result<LogisticCurve> {
     let count = frame.order.len() as f64;
     let values = || frame.order.iter().map(|&n| y[n]);
     let (low, high) = values().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), y| (low.min(y), high.max(y)));
@@ -126,53 +126,53 @@ fn fit(frame: &SampleFrame, y: &[f64], room: &mut FitScratch, progress: &Progres
     if scale <= ROUNDING * low.abs().max(high.abs()) {
         return Ok(flat(scale, Status::Constant));
     }
-    room.values.clear();
-    room.values.extend(values().map(|y| (y - center) / scale - shift / scale));
-    let total: f64 = room.values.iter().map(|y| y * y).sum();
-    room.packed.clear();
-    room.packed.resize(frame.v.len(), [0.0; LANES]);
-    room.packed.as_flattened_mut()[..room.values.len()].copy_from_slice(&room.values);
-    room.evaluated.resize(frame.v.len());
-    find_starts(frame, total, room);
-    let samples = Samples { v: &frame.v, weight: &frame.weight, y: &room.packed, count, progress };
+    scratch.values.clear();
+    scratch.values.extend(values().map(|y| (y - center) / scale - shift / scale));
+    let total: f64 = scratch.values.iter().map(|y| y * y).sum();
+    scratch.packed.clear();
+    scratch.packed.resize(frame.v.len(), [0.0; LANES]);
+    scratch.packed.as_flattened_mut()[..scratch.values.len()].copy_from_slice(&scratch.values);
+    scratch.evaluated.resize(frame.v.len());
+    find_starts(frame, total, scratch);
+    let samples = Samples { v: &frame.v, weight: &frame.weight, y: &scratch.packed, count, progress };
     progress.check()?;
-    let best = descend_all(frame, &samples, total, &room.starts, &mut room.evaluated);
+    let best = descend_all(frame, &samples, total, &scratch.starts, &mut scratch.evaluated);
     // Sums are 0 after a cancellation.
     progress.check()?;
     let rms = scale * (best.sums.residual / count).sqrt();
     if (best.sums.residual / total).powf(0.5 * (count - 2.0)) >= FLAT_LIKELIHOOD {
         return Ok(flat(scale * (total / count).sqrt(), Status::Flat));
     }
-    let curve = unscaled(frame, &best, center + shift, scale);
+    let curve = in_input_units(frame, &best, center + shift, scale);
     let is_finite = [curve.a, curve.c, curve.d - curve.a].iter().all(|number| number.is_finite());
     Ok(if is_finite && curve.c > 0.0 {
-        LogisticCurve { rms, status: judged(frame, &best), ..curve }
+        LogisticCurve { rms, status: classify(frame, &best), ..curve }
     } else {
         LogisticCurve::unfit(Unfit::Overflow)
     })
 }
 
-/// Fills `room.starts`, the most promising start first.
-fn find_starts(frame: &SampleFrame, total: f64, room: &mut FitScratch) {
+/// Fills `scratch.starts`, the most promising start first.
+fn find_starts(frame: &SampleFrame, total: f64, scratch: &mut FitScratch) {
     let root = total.sqrt();
-    room.values.iter_mut().for_each(|y| *y /= root);
-    fill_unit(frame.grid.picked(), &room.values, &mut room.unit);
-    frame.grid.explain(&room.unit, &mut room.explained);
-    room.starts.clear();
-    let starts = &mut room.starts;
-    frame.grid.peaks(&room.explained, |share, line| starts.push(Start { explained: f64::from(share), line }));
-    room.starts.extend(steps::best(frame, &room.values).into_iter().flatten());
-    room.starts.sort_unstable_by(|one, other| other.explained.total_cmp(&one.explained));
+    scratch.values.iter_mut().for_each(|y| *y /= root);
+    fill_unit(frame.grid.picked(), &scratch.values, &mut scratch.unit);
+    frame.grid.explain(&scratch.unit, &mut scratch.explained);
+    scratch.starts.clear();
+    let starts = &mut scratch.starts;
+    frame.grid.peaks(&scratch.explained, |share, line| starts.push(Start { explained: f64::from(share), line }));
+    scratch.starts.extend(steps::best(frame, &scratch.values).into_iter().flatten());
+    scratch.starts.sort_unstable_by(|one, other| other.explained.total_cmp(&one.explained));
 }
 
 /// Fills the values for the grid, with mean 0 and length 1; all 0 if they are equal.
 fn fill_unit(picked: &[usize], values: &[f64], unit: &mut Vec<f32>) {
-    let chosen = || picked.iter().map(|&n| values[n]);
-    let mean = chosen().sum::<f64>() / picked.len() as f64;
-    let length = chosen().map(|y| (y - mean).powi(2)).sum::<f64>().sqrt();
+    let sampled = || picked.iter().map(|&n| values[n]);
+    let mean = sampled().sum::<f64>() / picked.len() as f64;
+    let length = sampled().map(|y| (y - mean).powi(2)).sum::<f64>().sqrt();
     let per_length = if length > 0.0 { 1.0 / length } else { 0.0 };
     unit.clear();
-    unit.extend(chosen().map(|y| ((y - mean) * per_length) as f32));
+    unit.extend(sampled().map(|y| ((y - mean) * per_length) as f32));
 }
 
 fn descend_all(
@@ -180,13 +180,13 @@ fn descend_all(
     samples: &Samples<'_>,
     total: f64,
     starts: &[Start],
-    room: &mut logistic::LogisticScratch,
+    scratch: &mut logistic::LogisticScratch,
 ) -> EvaluatedLine {
-    let descended = |start: &Start, rival: Option<&EvaluatedLine>, room: &mut logistic::LogisticScratch| {
-        let found = EvaluatedLine::evaluate(samples, &frame.limits, start.line, room);
-        descend::descend(samples, &frame.limits, found, rival, room)
+    let descend_from = |start: &Start, rival: Option<&EvaluatedLine>, scratch: &mut logistic::LogisticScratch| {
+        let found = EvaluatedLine::evaluate(samples, &frame.limits, start.line, scratch);
+        descend::descend(samples, &frame.limits, found, rival, scratch)
     };
-    let mut best = descended(&starts[0], None, room);
+    let mut best = descend_from(&starts[0], None, scratch);
     for start in &starts[1..starts.len().min(STARTS)] {
         // Angle between y and its projection on the start's curve. No curve within GRID_ANGLE of the start is closer
         // to y than the difference of both angles.
@@ -194,7 +194,7 @@ fn descend_all(
         if best.is_exact(samples) || angle.sin().powi(2) * total >= best.sums.residual {
             break;
         }
-        let found = descended(start, Some(&best), room);
+        let found = descend_from(start, Some(&best), scratch);
         if found.sums.residual < best.sums.residual {
             best = found;
         }
@@ -203,7 +203,7 @@ fn descend_all(
 }
 
 /// Returns the parameters in the caller's units.
-fn unscaled(frame: &SampleFrame, found: &EvaluatedLine, mean: f64, scale: f64) -> LogisticCurve {
+fn in_input_units(frame: &SampleFrame, found: &EvaluatedLine, mean: f64, scale: f64) -> LogisticCurve {
     let (line, sums) = (found.line, found.sums);
     let (low, high) = (mean - scale * (sums.q * sums.mean), mean + scale * (sums.q * (1.0 - sums.mean)));
     let (a, d) = if line.rise < 0.0 { (high, low) } else { (low, high) };
@@ -211,7 +211,7 @@ fn unscaled(frame: &SampleFrame, found: &EvaluatedLine, mean: f64, scale: f64) -
     LogisticCurve { a, b: frame.over_ln(line.rise.abs()), c, d, rms: 0.0, status: Status::Fitted }
 }
 
-fn judged(frame: &SampleFrame, found: &EvaluatedLine) -> Status {
+fn classify(frame: &SampleFrame, found: &EvaluatedLine) -> Status {
     // Values lie between −1 and 1.
     if found.sums.q.abs() > 2.0 * OPEN_HEIGHT {
         return Status::Open;

@@ -5,7 +5,7 @@
 use std::ops::Range;
 
 use super::super::elementary::exp;
-use super::descend::{MIN_RISE, TAIL};
+use super::descend::{MAX_TAU, MIN_RISE};
 use super::logistic::{LANES, Line};
 use crate::base::simd::vectorized;
 
@@ -140,7 +140,7 @@ fn levels(places: &[f64]) -> (Vec<Level>, Vec<f64>) {
         let start = middles.len();
         let reach = 1.0 + MARGIN / rise;
         let even = (2.0 * reach * rise / SPACING).ceil();
-        middles.push(-1.0 - TAIL / rise);
+        middles.push(-1.0 - MAX_TAU / rise);
         if even > (2 * finite.len() - 1) as f64 {
             for pair in finite.windows(2) {
                 middles.extend([pair[0], 0.5 * (pair[0] + pair[1])]);
@@ -149,7 +149,7 @@ fn levels(places: &[f64]) -> (Vec<Level>, Vec<f64>) {
         } else {
             middles.extend((0..=even as usize).map(|n| reach * (2.0 * n as f64 / even - 1.0)));
         }
-        middles.push(1.0 + TAIL / rise);
+        middles.push(1.0 + MAX_TAU / rise);
         levels.push(Level { rise, columns: start..middles.len() });
         rise *= RISE_FACTOR;
     }

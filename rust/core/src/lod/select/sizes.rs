@@ -2,6 +2,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 
+use bytemuck::Zeroable;
 use glam::DVec3;
 
 use super::curves::Model;
@@ -25,6 +26,7 @@ enum PixelAreas {
 }
 
 /// Packed data of some objects of a tile.
+#[derive(Zeroable)]
 pub(crate) struct OpenSizes {
     /// Indices in the tile.
     pub place: [u16; TILE],
@@ -38,13 +40,6 @@ pub(crate) struct OpenSizes {
     factor: [f64; TILE],
 }
 
-impl Default for OpenSizes {
-    fn default() -> Self {
-        let [sigma, seen, read, factor] = [[0.0; TILE]; 4];
-        Self { place: [0; TILE], sigma, seen, read, angles: [[0.0; TILE]; 4], factor }
-    }
-}
-
 /// Copies the values at some indices into consecutive entries.
 fn gather(from: &[f64; TILE], places: &[u16], to: &mut [f64; TILE]) {
     for (to, &place) in to.iter_mut().zip(places) {
@@ -55,10 +50,10 @@ fn gather(from: &[f64; TILE], places: &[u16], to: &mut [f64; TILE]) {
 impl<'a> EyeSizes<'a> {
     pub fn new(models: &[Model<'_>], eyes: &'a [Eye], apparent: Apparent<'a>) -> Self {
         let areas = |eye: &Eye| {
-            let each: Vec<f64> = models.iter().map(|model| model.pixel_area(eye.pixel)).collect();
-            match each.first() {
-                Some(&first) if each.iter().all(|&area| area == first) => PixelAreas::Same(first),
-                _ => PixelAreas::OfModels(each),
+            let areas: Vec<f64> = models.iter().map(|model| model.pixel_area(eye.pixel)).collect();
+            match areas.first() {
+                Some(&first) if areas.iter().all(|&area| area == first) => PixelAreas::Same(first),
+                _ => PixelAreas::OfModels(areas),
             }
         };
         Self { eyes, apparent, pixel_areas: eyes.iter().map(areas).collect() }
@@ -176,12 +171,12 @@ fn spread(lens: Option<&EyeLens<'_>>, corner: f64, sight: &Sight, open: &mut Ope
     }
 }
 
-/// Writes tan α of the centres, at most `most`, and `most` for those beside and behind the eye; 0 pads the last block.
-fn tangents(sight: &Sight, places: &[u16], most: f64, to: &mut [f64; TILE]) {
+/// Writes tan α of the centres, at most `limit`, and `limit` for those beside and behind the eye; 0 pads the last block.
+fn tangents(sight: &Sight, places: &[u16], limit: f64, to: &mut [f64; TILE]) {
     for (to, &place) in to.iter_mut().zip(places) {
         let n = usize::from(place) % TILE;
         let tangent = sight.sin_alpha[n] / sight.cos_alpha[n];
-        *to = if sight.cos_alpha[n] > 0.0 && tangent < most { tangent } else { most };
+        *to = if sight.cos_alpha[n] > 0.0 && tangent < limit { tangent } else { limit };
     }
     to[places.len()..places.len().next_multiple_of(STRETCHED)].fill(0.0);
 }
@@ -190,7 +185,7 @@ impl Acuity {
     /// Returns the factor by which acuity shrinks lengths at the nearest edge of a sphere with half angle μ.
     pub fn scale(&self, offset: DVec3, mu: f64) -> f64 {
         let offset = offset / offset.abs().max_element();
-        let away = offset.cross(self.gaze).length().atan2(offset.dot(self.gaze)) - mu;
-        (self.best / (self.slope * away.max(0.0).to_degrees() + self.limit)).min(1.0)
+        let eccentricity = offset.cross(self.gaze).length().atan2(offset.dot(self.gaze)) - mu;
+        (self.best / (self.slope * eccentricity.max(0.0).to_degrees() + self.limit)).min(1.0)
     }
 }

@@ -1,5 +1,6 @@
 //! Selection of levels tile by tile, eye by eye: each stage passes on only the objects that it could not decide.
 
+use bytemuck::Zeroable;
 use rayon::prelude::*;
 
 use super::curves::{Model, SizeQuery};
@@ -38,10 +39,10 @@ struct Selection<'a> {
 }
 
 /// Buffers of one thread for a tile.
-#[derive(Default)]
+#[derive(Zeroable)]
 struct TileScratch {
-    sight: Box<Sight>,
-    open: Box<OpenObjects>,
+    sight: Sight,
+    open: OpenObjects,
 }
 
 /// Classes of objects for an eye, in the order in which they are counted.
@@ -52,6 +53,7 @@ const LARGE: u8 = 3;
 const OPEN: u8 = 4;
 
 /// Data of a tile's objects, and packed data of the objects whose level is still open.
+#[derive(Zeroable)]
 struct OpenObjects {
     /// Per object: the size above which it has level 0, and its class.
     limit: [f64; TILE],
@@ -59,12 +61,6 @@ struct OpenObjects {
     /// Per open object: its index in the tile, its sizes, and the level from the table.
     sizes: OpenSizes,
     found: [u8; TILE],
-}
-
-impl Default for OpenObjects {
-    fn default() -> Self {
-        Self { limit: [0.0; TILE], class: [0; TILE], sizes: OpenSizes::default(), found: [0; TILE] }
-    }
 }
 
 /// Writes the level of each object: the finest level that any eye needs, −1 for none. If requested it also writes the
@@ -87,9 +83,10 @@ pub fn select(
     let tables = if are_many { Tables::new(models, rules) } else { None };
     let selection = Selection { models, limits, tables, sight, rules: *rules };
     let tiles = tiles(objects, to, columns);
-    let select =
-        |scratch: &mut TileScratch, tile: ObjectTile<'_>| progress.check().and_then(|()| selection.tile(scratch, tile));
-    let counts = tiles.into_par_iter().map_init(TileScratch::default, select);
+    let select = |scratch: &mut Box<TileScratch>, tile: ObjectTile<'_>| {
+        progress.check().and_then(|()| selection.tile(scratch, tile))
+    };
+    let counts = tiles.into_par_iter().map_init(|| Box::new(TileScratch::zeroed()), select);
     counts.try_reduce(SelectionCounts::default, |one, other| Ok(one.plus(other)))
 }
 

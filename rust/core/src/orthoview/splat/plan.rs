@@ -11,7 +11,7 @@ use super::lanes::Constants;
 use super::picture::{Counts, Picture, PreparedPicture, PreparedView};
 use super::projector::{Rect, Seen, ordered};
 use super::resolve::Resolver;
-use super::screen::{Key, OTHER};
+use super::screen::{BEFORE, Key};
 use super::splats::{BORDER, MIN_COSINE, SQUARED_RADIUS, Splats};
 use crate::base::{Error, Result};
 use crate::camera::Camera;
@@ -279,7 +279,7 @@ impl<'a> Plan<'a> {
     /// Converts a shader's key to one with the number of a splat instead of block and position.
     fn key(&self, [number, order]: [u32; 2]) -> Key {
         let place = !number;
-        if place == OTHER {
+        if place == BEFORE {
             return Key::from_halves([number, order]);
         }
         let (block, lane) = (place >> LANE_BITS, place & ((1 << LANE_BITS) - 1));

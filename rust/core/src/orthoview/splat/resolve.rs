@@ -4,7 +4,7 @@ use glam::{DVec3, Vec3};
 
 use super::picture::PreparedPicture;
 use super::projector::{Rect, unordered};
-use super::screen::{Key, OTHER, Screen};
+use super::screen::{BEFORE, Key, Screen};
 use super::splats::{Packed, Splats};
 use crate::render::shade::{background, irradiance};
 use crate::render::{Frame, Sample};
@@ -50,7 +50,7 @@ impl<'a> Resolver<'a> {
             return Key::default();
         }
         let distance = f64::from(range) / self.direction(x, y).length();
-        Key::new(self.prepared.projector.nearness(distance) as f32, OTHER)
+        Key::new(self.prepared.projector.nearness(distance) as f32, BEFORE)
     }
 
     fn index(&self, x: i32, y: i32) -> usize {
@@ -71,33 +71,33 @@ impl<'a> Resolver<'a> {
 
     /// Computes the images of a tile of pixels.
     pub fn resolve(&self, screen: &Screen, tile: &Rect) -> Frame {
-        let (mut frame, wanted) = (Frame::default(), self.prepared.picture.channels);
+        let (mut frame, channels) = (Frame::default(), self.prepared.picture.channels);
         let (grid, mask) = (self.prepared.picture.grid as i32, self.prepared.picture.pixels.mask);
-        let mut last = Last { number: OTHER, normal: Vec3::ZERO, colors: [[0.0; 3]; 2], view: 0 };
+        let mut last = Last { number: BEFORE, normal: Vec3::ZERO, colors: [[0.0; 3]; 2], view: 0 };
         for (y, x) in (tile.low[1]..tile.high[1]).flat_map(|y| (tile.low[0]..tile.high[0]).map(move |x| (y, x))) {
             if mask.is_some_and(|mask| !mask[(y * self.prepared.picture.camera.width as i32 + x) as usize]) {
-                frame.push(wanted, [0.0; 3], 0.0, &Sample::default());
+                frame.push(channels, [0.0; 3], 0.0, &Sample::default());
                 continue;
             }
             let (mut color, mut coverage) = ([0.0; 3], 0.0);
-            if wanted.any_sampled() {
+            if channels.any_sampled() {
                 for (row, column) in (0..grid).flat_map(|row| (0..grid).map(move |column| (row, column))) {
-                    let at = (x * grid + column, y * grid + row);
-                    let (own, share) = self.sampled(screen.key(at.0, at.1), at, &mut last);
-                    (0..3).for_each(|i| color[i] += own[i]);
-                    coverage += share;
+                    let sample = (x * grid + column, y * grid + row);
+                    let (sample_color, covered) = self.sampled(screen.key(sample.0, sample.1), sample, &mut last);
+                    (0..3).for_each(|i| color[i] += sample_color[i]);
+                    coverage += covered;
                 }
-                let share = 1.0 / (grid * grid) as f32;
-                color = color.map(|sum| sum * share);
-                coverage *= share;
+                let per_sample = 1.0 / (grid * grid) as f32;
+                color = color.map(|sum| sum * per_sample);
+                coverage *= per_sample;
             }
             let middle = (x * grid + grid / 2, y * grid + grid / 2);
-            let sample = if wanted.any_surface() {
+            let sample = if channels.any_surface() {
                 self.sample(screen.key(middle.0, middle.1), middle)
             } else {
                 Sample::default()
             };
-            frame.push(wanted, color, coverage, &sample);
+            frame.push(channels, color, coverage, &sample);
         }
         frame
     }
@@ -105,7 +105,7 @@ impl<'a> Resolver<'a> {
     /// Returns colour and coverage of a sample.
     fn sampled(&self, key: Key, (x, y): (i32, i32), last: &mut Last) -> ([f32; 3], f32) {
         let number = key.number();
-        if number == OTHER {
+        if number == BEFORE {
             return match self.prepared.picture.before {
                 Some(before) if key != Key::default() => {
                     (before.color.get(self.index(x, y)).copied().unwrap_or_default(), 1.0)
@@ -128,18 +128,18 @@ impl<'a> Resolver<'a> {
     pub fn add_before(&self, color: &mut [f32; 3], [x, y]: [usize; 2], samples: u64) {
         let Some(before) = self.prepared.picture.before else { return };
         let grid = self.prepared.picture.grid as usize;
-        let share = 1.0 / (grid * grid) as f32;
+        let per_sample = 1.0 / (grid * grid) as f32;
         for sample in (0..grid * grid).filter(|sample| samples >> sample & 1 == 1) {
-            let at = self.index((x * grid + sample % grid) as i32, (y * grid + sample / grid) as i32);
-            let own = before.color.get(at).copied().unwrap_or_default();
-            (0..3).for_each(|i| color[i] += own[i] * share);
+            let index = self.index((x * grid + sample % grid) as i32, (y * grid + sample / grid) as i32);
+            let sample_color = before.color.get(index).copied().unwrap_or_default();
+            (0..3).for_each(|i| color[i] += sample_color[i] * per_sample);
         }
     }
 
     /// Returns the channels of the centre of a pixel.
     pub fn sample(&self, key: Key, (x, y): (i32, i32)) -> Sample {
         let number = key.number();
-        if number == OTHER {
+        if number == BEFORE {
             return match self.prepared.picture.before {
                 Some(before) if key != Key::default() => before.sample(self.index(x, y)),
                 _ => Sample::default(),
