@@ -103,10 +103,10 @@ impl InverseNode {
 }
 
 /// Returns the Hermite cubic between two nodes.
-fn cubic(from: &InverseNode, to: &InverseNode) -> [f64; 4] {
-    let width = to.x - from.x;
-    let (rise, start, end) = (to.r - from.r, width * from.slope, width * to.slope);
-    [from.r, start, 3.0 * rise - 2.0 * start - end, start + end - 2.0 * rise]
+fn cubic(start: &InverseNode, end: &InverseNode) -> [f64; 4] {
+    let (width, rise) = (end.x - start.x, end.r - start.r);
+    let (start_slope, end_slope) = (width * start.slope, width * end.slope);
+    [start.r, start_slope, 3.0 * rise - 2.0 * start_slope - end_slope, start_slope + end_slope - 2.0 * rise]
 }
 
 /// Derivatives f′ to f⁗ as polynomials in r.

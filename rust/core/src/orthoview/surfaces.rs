@@ -15,17 +15,10 @@ use crate::render::{self, Channels, Facet, Frame, Picture, Pixels, RenderView, S
 use crate::scene::Scene;
 use crate::trace::{AlphaFilter, FaceHits, Hit, HitFilter, Ray};
 
-const CHANNELS: Channels = Channels {
-    color: false,
-    coverage: false,
-    range: true,
-    object_id: false,
-    face_id: false,
-    position: false,
-    normal: true,
-    albedo: true,
-    shading_normal: false,
-};
+#[inline(always)]
+fn channels() -> Channels {
+    Channels { range: true, normal: true, albedo: true, ..Channels::default() }
+}
 
 /// Scene, cell and picture to draw.
 pub struct Drawing<'a> {
@@ -67,11 +60,12 @@ impl<'a> Drawing<'a> {
         let Self { scene, cell, sight, step, progress } = *self;
         let (camera, limits) = (sight.camera()?, cell.limits(scene.origin)?);
         let Some(start) = start else {
-            let picture = truth::render(scene, &camera, CHANNELS, 1, limits, Pixels::default(), progress)?;
+            let picture = truth::render(scene, &camera, channels(), 1, limits, Pixels::default(), progress)?;
             return Ok(ByRays { picture, step });
         };
         let pixels = Pixels { mask: Some(&start.mask), ..Pixels::default() };
-        let view = RenderView { camera: &camera, origin: scene.origin, channels: CHANNELS, samples: 1, limits, pixels };
+        let view =
+            RenderView { camera: &camera, origin: scene.origin, channels: channels(), samples: 1, limits, pixels };
         let filter = AlphaFilter::new(scene, FrontFaces::new(scene, sight));
         let picture = draw(&view, &LateRays::new(scene, &filter, start), progress)?;
         Ok(ByRays { picture, step })
@@ -129,7 +123,7 @@ impl Surfaces for ByTriangles<'_> {
                 Some(facet) if facet.holds(&hit) => facet,
                 _ => *last.insert(Facet::new(scene, hit.instance, hit.face)),
             };
-            let shown = facet.surface((hit.u, hit.v), direction).sample(scene, hit.t, || width, CHANNELS);
+            let shown = facet.surface((hit.u, hit.v), direction).sample(scene, hit.t, || width, channels());
             Some(Sample { depth: hit.t / step, color: shown.albedo.into(), normal: shown.normal.into() })
         }
     }

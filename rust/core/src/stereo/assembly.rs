@@ -29,7 +29,7 @@ pub(super) struct EyeMap<'a> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Taps {
     pub pixels: [usize; 4],
-    pub share: [f32; 2],
+    pub fractions: [f32; 2],
 }
 
 /// Distance in eye pixels, horizontally and vertically, within which the four pixels around a position lie.
@@ -39,17 +39,17 @@ impl EyeMap<'_> {
     /// Returns the third camera's position for position (x, y) of the eye's picture, pixels.
     #[inline]
     pub fn place(&self, x: f64, y: f64) -> DVec2 {
-        let at = self.to_center.x_axis * x + self.to_center.y_axis * y + self.to_center.z_axis;
-        at.truncate() / at.z
+        let mapped = self.to_center.x_axis * x + self.to_center.y_axis * y + self.to_center.z_axis;
+        mapped.truncate() / mapped.z
     }
 
     /// Returns the pixels around a position; at the picture's edge the outermost ones.
     #[inline]
-    pub fn taps(&self, at: DVec2) -> Taps {
-        let (x, right, across) = neighbours(at.x, self.size.0);
-        let (y, below, down) = neighbours(at.y, self.size.1);
-        let [upper, lower] = [y, below].map(|row| row * self.size.0 as usize);
-        Taps { pixels: [upper + x, upper + right, lower + x, lower + right], share: [across, down] }
+    pub fn taps(&self, position: DVec2) -> Taps {
+        let (left, right, x) = neighbours(position.x, self.size.0);
+        let (upper, lower, y) = neighbours(position.y, self.size.1);
+        let [upper, lower] = [upper, lower].map(|row| row * self.size.0 as usize);
+        Taps { pixels: [upper + left, upper + right, lower + left, lower + right], fractions: [x, y] }
     }
 
     /// Returns the weights of the taps for a pixel of the eye: bilinear, without taps covered by the eye's own
@@ -109,7 +109,7 @@ pub(super) fn neighbours(at: f64, count: u32) -> (usize, usize, f32) {
 impl Taps {
     /// Returns the bilinear weights.
     fn weights(&self) -> [f32; 4] {
-        let [across, down] = self.share;
+        let [across, down] = self.fractions;
         let (left, upper) = (1.0 - across, 1.0 - down);
         [left * upper, across * upper, left * down, across * down]
     }
@@ -118,7 +118,7 @@ impl Taps {
     #[inline]
     pub fn mix(&self, picture: &[[f32; 3]]) -> [f32; 3] {
         let [a, b, c, d] = self.pixels.map(|pixel| picture[pixel]);
-        let [across, down] = self.share;
+        let [across, down] = self.fractions;
         std::array::from_fn(|i| {
             let (upper, lower) = (a[i] + (b[i] - a[i]) * across, c[i] + (d[i] - c[i]) * across);
             upper + (lower - upper) * down

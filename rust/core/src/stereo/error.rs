@@ -134,8 +134,5 @@ pub(super) fn tangents(direction: DVec3) -> DVec2 {
 }
 
 fn check_depth(depth: f64) -> Result<()> {
-    if depth.is_nan() || depth <= 0.0 {
-        return Err(Error::value("depth", "a distance above 0 metres, or infinity", depth));
-    }
-    Ok(())
+    if depth > 0.0 { Ok(()) } else { Err(Error::value("depth", "a distance above 0 metres, or infinity", depth)) }
 }

@@ -31,10 +31,7 @@ impl Side {
 
     /// Returns the public name.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::Left => "left",
-            Self::Right => "right",
-        }
+        ["left", "right"][self as usize]
     }
 }
 
@@ -248,10 +245,9 @@ fn center_size(footprints: &[[DVec2; 4]; 2], hull: DVec2, (width, height): (u32,
 }
 
 fn check_size((width, height): (u32, u32)) -> Result<()> {
-    if (1..=MAX_SIZE).contains(&width) && (1..=MAX_SIZE).contains(&height) {
-        return Ok(());
-    }
-    Err(Error::value("size", format!("1 to {MAX_SIZE} pixels each way"), format!("({width}, {height})")))
+    let is_valid = [width, height].iter().all(|length| (1..=MAX_SIZE).contains(length));
+    let error = || Error::value("size", format!("1 to {MAX_SIZE} pixels each way"), format!("({width}, {height})"));
+    if is_valid { Ok(()) } else { Err(error()) }
 }
 
 fn check_planes(Planes { begin, end }: Planes) -> Result<()> {

@@ -118,21 +118,9 @@ fn slope(ladder: &Ladder, scores: &[Lanes], floors: &Lanes, choice: Choice, to: 
                 let is_useless = (inverse == f64::INFINITY) & (gain <= 0.0);
                 let slope = if is_useless { f64::NEG_INFINITY } else { gain * inverse };
                 let slope = match choice {
-                    Choice::All => slope,
-                    Choice::FromFloor => {
-                        if coarser as f64 > floors[n] {
-                            f64::INFINITY
-                        } else {
-                            slope
-                        }
-                    }
-                    Choice::ToFloor => {
-                        if (finer as f64) < floors[n] {
-                            f64::NEG_INFINITY
-                        } else {
-                            slope
-                        }
-                    }
+                    Choice::FromFloor if coarser as f64 > floors[n] => f64::INFINITY,
+                    Choice::ToFloor if (finer as f64) < floors[n] => f64::NEG_INFINITY,
+                    _ => slope,
                 };
                 least[n] = if slope < least[n] { slope } else { least[n] };
                 to[step][n] = if least[n] > to[step][n] { least[n] } else { to[step][n] };

@@ -67,38 +67,29 @@ pub(super) struct SeenObjects {
 struct SeenTile<'a> {
     first: usize,
     read: &'a mut [f64],
-    sigma: &'a mut [f64],
-    seen: &'a mut [f64],
-    pixels: &'a mut [f64],
-    threshold: &'a mut [f64],
+    /// σ, σ_eff, σ_eff/pixel² and f(σ).
+    optional: [&'a mut [f64]; 4],
 }
 
 impl SeenObjects {
     pub fn new(of: &SizesOf<'_>, wanted: OptionalColumns, progress: &Progress) -> Result<Self> {
         let count = of.objects.radii.len();
         let column = |is_wanted: bool| vec![HIDDEN; if is_wanted { count } else { 0 }];
-        let (sigma, seen) = (column(wanted.sizes), column(wanted.sizes));
-        let (pixels, threshold) = (column(wanted.pixels), column(wanted.thresholds));
-        let mut all = Self { read: column(true), sigma, seen, pixels, threshold };
-        let mut sigma = all.sigma.chunks_mut(TILE);
-        let mut seen = all.seen.chunks_mut(TILE);
-        let mut pixels = all.pixels.chunks_mut(TILE);
-        let mut threshold = all.threshold.chunks_mut(TILE);
-        let tile = |(number, read)| SeenTile {
-            first: number * TILE,
-            read,
-            sigma: sigma.next().unwrap_or_default(),
-            seen: seen.next().unwrap_or_default(),
-            pixels: pixels.next().unwrap_or_default(),
-            threshold: threshold.next().unwrap_or_default(),
+        let mut read = column(true);
+        let mut optional = [wanted.sizes, wanted.sizes, wanted.pixels, wanted.thresholds].map(column);
+        let mut chunks = optional.each_mut().map(|column| column.chunks_mut(TILE));
+        let tile = |(number, read)| {
+            let optional = chunks.each_mut().map(|chunks| chunks.next().unwrap_or_default());
+            SeenTile { first: number * TILE, read, optional }
         };
-        let tiles: Vec<_> = all.read.chunks_mut(TILE).enumerate().map(tile).collect();
+        let tiles: Vec<_> = read.chunks_mut(TILE).enumerate().map(tile).collect();
         let scratch = || (Box::new(Sight::zeroed()), Box::new(OpenSizes::zeroed()));
         let see = |(sight, open): &mut (Box<Sight>, Box<OpenSizes>), tile: SeenTile<'_>| {
             progress.check().and_then(|()| of.see(sight, open, tile))
         };
         tiles.into_par_iter().try_for_each_init(scratch, see)?;
-        Ok(all)
+        let [sigma, seen, pixels, threshold] = optional;
+        Ok(Self { read, sigma, seen, pixels, threshold })
     }
 
     /// Writes σ, σ_eff, f(σ), the score and the level of each object.
@@ -117,7 +108,7 @@ impl SeenObjects {
 
 impl SizesOf<'_> {
     fn see(&self, sight: &mut Sight, open: &mut OpenSizes, tile: SeenTile<'_>) -> Result<()> {
-        let SeenTile { first, read, sigma, seen, pixels, threshold } = tile;
+        let SeenTile { first, read, optional: [sigma, seen, pixels, threshold] } = tile;
         let objects = self.objects.part(first..first + read.len());
         objects.check(self.models, first)?;
         for (number, eye) in self.eyes.eyes.iter().enumerate() {

@@ -62,13 +62,6 @@ impl EvaluatedLine {
         Self { line, sums: logistic::evaluate(samples, &line, scratch) }
     }
 
-    /// Returns the gradient and second derivatives of half the residual, and the line whose parameters they refer to.
-    #[cfg(test)]
-    pub(super) fn derivatives(&self, count: f64) -> ([f64; 2], [f64; 3], Line) {
-        let LocalModel { line, gradient, hessian } = LocalModel::new(self, count);
-        (gradient, hessian, line)
-    }
-
     /// Returns whether only rounding is left, so that no other line is better.
     pub(super) fn is_exact(&self, samples: &Samples<'_>) -> bool {
         self.sums.residual <= samples.count * ROUNDING
@@ -90,15 +83,16 @@ impl EvaluatedLine {
 }
 
 /// Gradient and second derivatives of half the residual by (level, ln |rise|), with the best a and d for each line.
-struct LocalModel {
-    line: Line,
-    gradient: [f64; 2],
+pub(super) struct LocalModel {
+    /// Line whose parameters the derivatives refer to.
+    pub(super) line: Line,
+    pub(super) gradient: [f64; 2],
     /// Second derivatives: by level twice, mixed, by ln |rise| twice.
-    hessian: [f64; 3],
+    pub(super) hessian: [f64; 3],
 }
 
 impl LocalModel {
-    fn new(found: &EvaluatedLine, count: f64) -> Self {
+    pub(super) fn new(found: &EvaluatedLine, count: f64) -> Self {
         let EvaluatedLine { mut line, sums } = *found;
         let LogisticSums { q, square, mut plain, mut along, mut slope, mut squared, mut bend, .. } = sums;
         let shift = sums.center();

@@ -88,13 +88,6 @@ pub(super) struct LogisticScratch {
 }
 
 impl LogisticScratch {
-    #[cfg(test)]
-    pub(super) fn sized(packs: usize) -> Self {
-        let mut scratch = Self::default();
-        scratch.resize(packs);
-        scratch
-    }
-
     pub(super) fn resize(&mut self, packs: usize) {
         let Self { p, r, first, first_u, second, second_u, u } = self;
         for array in [p, r, first, first_u, second, second_u, u] {

@@ -1,4 +1,4 @@
-use super::descend::EvaluatedLine;
+use super::descend::{EvaluatedLine, LocalModel};
 use super::frame::SampleFrame;
 use super::logistic::{self, Line, LogisticScratch, Samples};
 use super::*;
@@ -56,10 +56,10 @@ proptest! {
             // Values have size 1: the rounding error is a multiple of 2⁻⁵³ of their squares.
             let total: f64 = values.iter().map(|y| y * y).sum();
             prop_assert!((found.sums.residual - residual(&x, &values, b, c)).abs() < 1e-11 * total);
-            let (gradient, hessian, at) = found.derivatives(samples.count);
-            let half = |level: f64, stretch: f64| {
+            let LocalModel { line: at, gradient, hessian } = LocalModel::new(&found, samples.count);
+            let mut half = |level: f64, stretch: f64| {
                 let line = Line { level: at.level + level, rise: at.rise * stretch.exp(), origin: at.origin };
-                0.5 * logistic::evaluate(samples, &line, &mut LogisticScratch::sized(samples.v.len())).residual
+                0.5 * logistic::evaluate(samples, &line, scratch).residual
             };
             // Central differences: the error is h² times the third and fourth derivatives, plus 2⁻⁵³/h or 2⁻⁵³/h² from
             // rounding.

@@ -140,12 +140,9 @@ fn table(model: &Model<'_>, rules: &Rules) -> Option<(Head, Vec<u8>)> {
     }
     if limit < model.limit(rules) {
         // Larger objects share the last cells.
-        let is_last = |cell: usize| {
-            if cell < SMALLS as usize { cell + 1 == SMALLS as usize } else { cell + width >= cells.len() }
-        };
-        for cell in (0..cells.len()).filter(|&cell| is_last(cell)).collect::<Vec<_>>() {
-            cells[cell] = count as u8 | UNSURE;
-        }
+        let last_row = cells.len() - width;
+        cells[SMALLS as usize - 1] = count as u8 | UNSURE;
+        cells[last_row..].fill(count as u8 | UNSURE);
     }
     let fineness = (1.0 - WIDENING) / limit;
     // If the limit is 0 or a few of the smallest floats, there is one cell.

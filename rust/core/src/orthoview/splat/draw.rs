@@ -8,7 +8,7 @@ use super::lanes::Lanes;
 use super::picture::{Counts, Picture, PreparedPicture, PreparedView, splat_count};
 use super::projector::{Projector, Rect, Seen, Sight};
 use super::resolve::Resolver;
-use super::screen::Screen;
+use super::screen::{Screen, draw_splats};
 use super::splats::{BoxOfBlocks, Extent, Splats};
 use crate::base::{Progress, Result};
 use crate::render::{Frame, Limits};
@@ -100,7 +100,7 @@ fn draw_tile(screen: &mut Screen, parts: &[Part<'_>], projector: &Projector, lim
             if !limits.is_none() {
                 lanes.limit(count, splats, block, projector, limits);
             }
-            screen.draw(&lanes, count, view.first + block.first);
+            draw_splats(screen, &lanes, count, view.first + block.first);
             projected += count as u64;
         }
     }

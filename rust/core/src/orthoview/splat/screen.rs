@@ -89,15 +89,11 @@ impl Screen {
     pub fn pitch(&self) -> i32 {
         self.pitch as i32
     }
-
-    /// Draws some splats with consecutive numbers.
-    pub fn draw(&mut self, lanes: &Lanes, count: usize, first: u32) {
-        draw(self, lanes, count, first);
-    }
 }
 
 vectorized! {
-    fn draw(screen: &mut Screen, lanes: &Lanes, count: usize, first: u32) = draw_all;
+    /// Draws some splats with consecutive numbers.
+    pub(super) fn draw_splats(screen: &mut Screen, lanes: &Lanes, count: usize, first: u32) = draw_all;
 }
 
 #[inline(always)]

@@ -111,11 +111,11 @@ impl<'a> Past<'a> {
                 let (start, direction) = rays.ray(at.x, at.y);
                 let point =
                     (now.camera.position + start - self.projector.eye, direction, 1.0 / f64::from(now.range[pixel]));
-                let found = match motion {
+                let reprojection = match motion {
                     None => self.reproject(&projector, &fade, at, point),
                     Some(motion) => self.reproject_moved(at - DVec2::from_array(motion[pixel].map(f64::from)), point),
                 };
-                let before = found.and_then(|(place, test)| Some((place, self.color(place, &test)?)));
+                let before = reprojection.and_then(|(place, test)| Some((place, self.color(place, &test)?)));
                 let color = now.color[pixel];
                 agrees[column] = before.is_some();
                 mixed[column] = before.map_or(color, |(place, before)| {
