@@ -72,16 +72,16 @@ impl RadialLens {
     /// multiple of `LANES`. Radii up to a relative `slack` beyond f(r_max) count as f(r_max), because rounding may
     /// have moved them there.
     pub(super) fn undistort_blocks(&self, tile: &mut [f64], exact: bool, slack: f64) {
-        let mut unsolved = Vec::new();
+        let mut failed = Vec::new();
         match self.table() {
             None => {
-                unsolved.extend((0..tile.len() as u32).filter(|&n| !(-FARTHEST..=FARTHEST).contains(&tile[n as usize])))
+                failed.extend((0..tile.len() as u32).filter(|&n| !(-FARTHEST..=FARTHEST).contains(&tile[n as usize])))
             }
-            Some(table) if exact => newton_tile(&self.radial.k, &self.radial.slope, table, tile, &mut unsolved),
-            Some(table) => table_tile(table, tile, &mut unsolved),
+            Some(table) if exact => newton_tile(&self.radial.k, &self.radial.slope, table, tile, &mut failed),
+            Some(table) => table_tile(table, tile, &mut failed),
         }
         let end = self.radial.x_max;
-        for index in unsolved {
+        for index in failed {
             let x = tile[index as usize];
             let magnitude = if x.abs() <= end * (1.0 + slack) { x.abs().min(end) } else { x.abs() };
             tile[index as usize] = self.undistort(magnitude).copysign(x);
@@ -129,8 +129,8 @@ vectorized! {
     fn distort_tile(k: &[f64], r_max: f64, tile: &mut [f64]) = fused distort_blocks;
     fn slope_tile(slope: &[f64], r_max: f64, tile: &mut [f64]) = fused slope_blocks;
     fn fixed_point_tile(k: &[f64], steps: u32, tile: &mut [f64]) = fused fixed_point_blocks;
-    fn table_tile(table: &Table, tile: &mut [f64], unsolved: &mut Vec<u32>) = fused table_blocks;
-    fn newton_tile(k: &[f64], slope: &[f64], table: &Table, tile: &mut [f64], unsolved: &mut Vec<u32>) =
+    fn table_tile(table: &Table, tile: &mut [f64], failed: &mut Vec<u32>) = fused table_blocks;
+    fn newton_tile(k: &[f64], slope: &[f64], table: &Table, tile: &mut [f64], failed: &mut Vec<u32>) =
         fused newton_blocks;
 }
 
@@ -232,33 +232,27 @@ pub(super) fn cubic_block(table: &Table, x: &[f64; LANES], to: &mut [f64; LANES]
 }
 
 #[inline(always)]
-fn table_blocks<const FUSED: bool>(table: &Table, tile: &mut [f64], unsolved: &mut Vec<u32>) {
+fn table_blocks<const FUSED: bool>(table: &Table, tile: &mut [f64], failed: &mut Vec<u32>) {
     for (number, block) in tile.as_chunks_mut::<LANES>().0.iter_mut().enumerate() {
         let x = *block;
         let mut r = [0.0; LANES];
         cubic_block(table, &x, &mut r);
-        let mut has_unsolved = false;
+        let mut has_failed = false;
         for n in 0..LANES {
             let is_inside = x[n].abs() < table.end;
-            has_unsolved |= !is_inside;
+            has_failed |= !is_inside;
             block[n] = if is_inside { r[n].copysign(x[n]) } else { x[n] };
         }
-        if has_unsolved {
+        if has_failed {
             let lanes = (0..LANES).filter(|&n| x[n].abs().partial_cmp(&table.end) != Some(Ordering::Less));
-            unsolved.extend(lanes.map(|n| (number * LANES + n) as u32));
+            failed.extend(lanes.map(|n| (number * LANES + n) as u32));
         }
     }
 }
 
 /// Refines the table's value: one plain Newton step, then one with a residual of twice the precision.
 #[inline(always)]
-fn newton_blocks<const FUSED: bool>(
-    k: &[f64],
-    slope: &[f64],
-    table: &Table,
-    tile: &mut [f64],
-    unsolved: &mut Vec<u32>,
-) {
+fn newton_blocks<const FUSED: bool>(k: &[f64], slope: &[f64], table: &Table, tile: &mut [f64], failed: &mut Vec<u32>) {
     for (number, block) in tile.as_chunks_mut::<LANES>().0.iter_mut().enumerate() {
         let mut x = *block;
         for x in &mut x {
@@ -297,7 +291,7 @@ fn newton_blocks<const FUSED: bool>(
             block[n] = if is_solved[n] { root.copysign(block[n]) } else { block[n] };
         }
         if !all_solved {
-            unsolved.extend((0..LANES).filter(|&n| !is_solved[n]).map(|n| (number * LANES + n) as u32));
+            failed.extend((0..LANES).filter(|&n| !is_solved[n]).map(|n| (number * LANES + n) as u32));
         }
     }
 }

@@ -32,9 +32,8 @@ impl Radial {
         let mut slope = vec![1.0];
         slope.extend(k.iter().enumerate().map(|(n, c)| (2 * n + 3) as f64 * c));
         let r_max = polynomial::first_zero(&slope).map_or(f64::INFINITY, f64::sqrt);
-        let radius =
-            |(n, c): (usize, &f64)| if *c == 0.0 { f64::INFINITY } else { c.abs().powf(-0.5 / (n + 1) as f64) };
-        let unit = k.iter().enumerate().map(radius).fold(f64::INFINITY, f64::min);
+        let r = |(n, c): (usize, &f64)| if *c == 0.0 { f64::INFINITY } else { c.abs().powf(-0.5 / (n + 1) as f64) };
+        let unit = k.iter().enumerate().map(r).fold(f64::INFINITY, f64::min);
         // If f(r_max) overflows, the search ends at FARTHEST.
         let end = if r_max.is_finite() { residual(&k, r_max, 0.0) } else { FARTHEST };
         let x_max = if end <= FARTHEST { end } else { FARTHEST };

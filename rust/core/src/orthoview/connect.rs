@@ -87,8 +87,7 @@ fn pairs(view: &View, frame: Frame, format: &Format, bounds: &Bounds) -> Vec<u8>
     let size = format.size;
     let pixels = Pixels::new(view, frame, format, bounds);
     let of_pixel = |pixel: usize| {
-        let connects =
-            |step| neighbour(pixel, step, size).is_some_and(|other| pixels.are_connected(pixel, other, step));
+        let connects = |step| neighbour(pixel, step, size).is_some_and(|other| pixels.connect(pixel, other, step));
         (0..).zip(NEIGHBOURS).fold(0, |bits, (bit, step)| bits | u8::from(connects(step)) << bit)
     };
     (0..format.pixels()).map(of_pixel).collect()
@@ -116,7 +115,7 @@ impl<'a> Pixels<'a> {
     }
 
     #[inline]
-    fn are_connected(&self, one: usize, other: usize, (columns, rows): (i64, i64)) -> bool {
+    fn connect(&self, one: usize, other: usize, (columns, rows): (i64, i64)) -> bool {
         let [depth, other_depth] = [one, other].map(|pixel| i32::from(self.view.texels[pixel].depth));
         if depth == 0 || other_depth == 0 {
             return false;

@@ -55,7 +55,7 @@ impl Views {
         };
         let layers: Vec<(View, Option<View>)> = directions.par_iter().map(layers).collect::<Result<_>>()?;
         let (views, second): (_, Vec<_>) = layers.into_iter().unzip();
-        Ok(Self::from_layers(directions, format, (views, second.into_iter().collect())))
+        Ok(Self::from_layers(directions, *format, (views, second.into_iter().collect())))
     }
 }
 

@@ -65,7 +65,7 @@ impl Parent {
             let indices = (0..self.directions.len()).into_par_iter();
             indices.map(|index| self.second_layer_view(children, index)).collect()
         });
-        Views::from_layers(&self.directions, &self.format, (views, second_views))
+        Views::from_layers(&self.directions, self.format, (views, second_views))
     }
 
     /// Returns the second-layer view of one direction.

@@ -58,14 +58,13 @@ impl<'a> Drawing<'a> {
     /// must have been built for the latter.
     pub fn by_rays(&self, start: Option<&Start>) -> Result<ByRays> {
         let Self { scene, cell, sight, step, progress } = *self;
-        let (camera, limits) = (sight.camera()?, cell.limits(scene.origin)?);
+        let (camera, limits) = (&sight.camera()?, cell.limits(scene.origin)?);
         let Some(start) = start else {
-            let picture = truth::render(scene, &camera, channels(), 1, limits, Pixels::default(), progress)?;
+            let picture = truth::render(scene, camera, channels(), 1, limits, Pixels::default(), progress)?;
             return Ok(ByRays { picture, step });
         };
         let pixels = Pixels { mask: Some(&start.mask), ..Pixels::default() };
-        let view =
-            RenderView { camera: &camera, origin: scene.origin, channels: channels(), samples: 1, limits, pixels };
+        let view = RenderView { camera, origin: scene.origin, channels: channels(), samples: 1, limits, pixels };
         let filter = AlphaFilter::new(scene, FrontFaces::new(scene, sight));
         let picture = draw(&view, &LateRays::new(scene, &filter, start), progress)?;
         Ok(ByRays { picture, step })
@@ -201,14 +200,8 @@ impl Picture for LateRays<'_> {
         self.truth.add_colors(rays, hits, footprint, sums);
     }
 
-    fn sample(
-        &self,
-        ray: &Ray,
-        hit: &Hit,
-        footprint: impl FnOnce() -> Footprint,
-        channels: Channels,
-    ) -> render::Sample {
-        self.truth.sample(ray, hit, footprint, channels)
+    fn sample(&self, ray: &Ray, hit: &Hit, footprint: impl FnOnce() -> Footprint, images: Channels) -> render::Sample {
+        self.truth.sample(ray, hit, footprint, images)
     }
 }
 

@@ -87,13 +87,9 @@ pub struct Views {
 
 impl Views {
     /// Creates views from drawn layers.
-    pub(super) fn from_layers(
-        directions: &[Direction],
-        format: &Format,
-        layers: (Vec<View>, Option<Vec<View>>),
-    ) -> Self {
-        let behind = layers.1.and_then(|views| unless_empty(views.into()));
-        Self { directions: directions.to_vec(), format: *format, views: layers.0.into(), behind }
+    pub(super) fn from_layers(directions: &[Direction], format: Format, views: (Vec<View>, Option<Vec<View>>)) -> Self {
+        let behind = views.1.and_then(|views| unless_empty(views.into()));
+        Self { directions: directions.to_vec(), format, views: views.0.into(), behind }
     }
 
     /// Creates views from the pixels of all views in order; fails for a wrong number of pixels or codes outside the

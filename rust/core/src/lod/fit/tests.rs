@@ -20,11 +20,7 @@ fn residual(x: &[f64], y: &[f64], b: f64, c: f64) -> f64 {
 }
 
 /// Runs a test with the samples of a frame, for values minus their mean.
-fn with_samples<R>(
-    x: &[f64],
-    y: &[f64],
-    work: impl FnOnce(&SampleFrame, &Samples<'_>, &mut LogisticScratch) -> R,
-) -> R {
+fn with_samples<R>(x: &[f64], y: &[f64], run: impl FnOnce(&SampleFrame, &Samples<'_>, &mut LogisticScratch) -> R) -> R {
     let frame = SampleFrame::new(x, |_| true, &Progress::new()).unwrap().unwrap();
     let mean = y.iter().sum::<f64>() / y.len() as f64;
     let mut packed = vec![[0.0; logistic::LANES]; frame.v.len()];
@@ -35,7 +31,7 @@ fn with_samples<R>(
     scratch.resize(frame.v.len());
     let samples =
         Samples { v: &frame.v, weight: &frame.weight, y: &packed, count: x.len() as f64, progress: &Progress::new() };
-    work(&frame, &samples, &mut scratch)
+    run(&frame, &samples, &mut scratch)
 }
 
 fn places(count: usize) -> Vec<f64> {

@@ -64,31 +64,23 @@ impl<'a> EyeSizes<'a> {
         !matches!(self.apparent, Apparent::Own)
     }
 
-    /// Computes the sizes of the first `count` open objects of a tile, as an eye sees them. Curves are not read if σ′
+    /// Computes the sizes of the first `len` open objects of a tile, as an eye sees them. Curves are not read if σ′
     /// exceeds the limit.
-    pub fn see(
-        &self,
-        eye: usize,
-        objects: &Objects<'_>,
-        sight: &Sight,
-        open: &mut OpenSizes,
-        count: usize,
-        limit: f64,
-    ) {
-        gather(&sight.sigma, &open.place[..count], &mut open.sigma);
-        open.seen[..count].copy_from_slice(&open.sigma[..count]);
+    pub fn see(&self, eye: usize, objects: &Objects<'_>, sight: &Sight, open: &mut OpenSizes, len: usize, limit: f64) {
+        gather(&sight.sigma, &open.place[..len], &mut open.sigma);
+        open.seen[..len].copy_from_slice(&open.sigma[..len]);
         let view = &self.eyes[eye];
         match &self.apparent {
             Apparent::Own => {}
-            Apparent::Axis(lens) => lens.look(view, objects, sight, open, count),
+            Apparent::Axis(lens) => lens.look(view, objects, sight, open, len),
             Apparent::Area(lens) => {
-                lens.look(view, objects, sight, open, count);
-                lens.widen(sight, open, count);
+                lens.look(view, objects, sight, open, len);
+                lens.widen(sight, open, len);
             }
-            Apparent::Panel(lens) => spread(lens.as_ref(), view.view.corner(), sight, open, count),
+            Apparent::Panel(lens) => spread(lens.as_ref(), view.view.corner(), sight, open, len),
         }
         if let Some(acuity) = &view.acuity {
-            for k in 0..count {
+            for k in 0..len {
                 let n = usize::from(open.place[k]);
                 let center = DVec3::from_array(objects.centers[n]) - view.view.position();
                 let scale = acuity.scale(center, sight.sin_mu[n].atan2(sight.cos_mu[n]));
@@ -99,10 +91,10 @@ impl<'a> EyeSizes<'a> {
         let read_at = |seen: f64, area: f64| if seen > limit { f64::INFINITY } else { seen * area };
         match &self.pixel_areas[eye] {
             PixelAreas::Same(area) => {
-                seen[..count].iter().zip(read).for_each(|(&seen, read)| *read = read_at(seen, *area));
+                seen[..len].iter().zip(read).for_each(|(&seen, read)| *read = read_at(seen, *area));
             }
             PixelAreas::OfModels(areas) => {
-                for ((&place, &seen), read) in place[..count].iter().zip(&*seen).zip(read) {
+                for ((&place, &seen), read) in place[..len].iter().zip(&*seen).zip(read) {
                     *read = read_at(seen, areas[objects.model[usize::from(place)] as usize]);
                 }
             }

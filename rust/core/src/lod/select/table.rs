@@ -70,17 +70,10 @@ impl Tables {
 
     /// Looks up the level for the size of each open object, with the bit UNSURE if a finer level may be correct.
     #[inline(never)]
-    pub fn look_up(
-        &self,
-        models: &[i64],
-        places: &[u16],
-        sigma: &[f64; TILE],
-        read: &[f64; TILE],
-        to: &mut [u8; TILE],
-    ) {
+    pub fn look_up(&self, model: &[i64], places: &[u16], sigma: &[f64; TILE], read: &[f64; TILE], to: &mut [u8; TILE]) {
         let (heads, cells) = (&self.heads[..], &self.cells[..]);
         for (((&place, &sigma), &read), to) in places.iter().zip(sigma).zip(read).zip(to) {
-            let Head { fineness, least, greatest, first, base, last } = heads[models[usize::from(place)] as usize];
+            let Head { fineness, least, greatest, first, base, last } = heads[model[usize::from(place)] as usize];
             // Leading mantissa bits of a number from 1 to below 2.
             let fraction = sigma * fineness;
             let fraction = if fraction < BELOW_1 { fraction } else { BELOW_1 };

@@ -82,28 +82,18 @@ pub fn select(
     let sight = EyeSizes::new(models, eyes, apparent);
     let tables = if are_many { Tables::new(models, rules) } else { None };
     let selection = Selection { models, limits, tables, sight, rules: *rules };
-    let tiles = tiles(objects, to, columns);
+    let mut columns = columns.map(|columns| columns.map(|column| column.chunks_mut(TILE)));
+    let tile = |(number, level): (usize, _)| {
+        let (first, level): (usize, &mut [i32]) = (number * TILE, level);
+        let columns = columns.as_mut().map(|all| all.each_mut().map(|column| column.next().unwrap_or_default()));
+        ObjectTile { first, objects: objects.part(first..first + level.len()), level, columns }
+    };
+    let tiles: Vec<_> = to.chunks_mut(TILE).enumerate().map(tile).collect();
     let select = |scratch: &mut Box<TileScratch>, tile: ObjectTile<'_>| {
         progress.check().and_then(|()| selection.tile(scratch, tile))
     };
     let counts = tiles.into_par_iter().map_init(|| Box::new(TileScratch::zeroed()), select);
     counts.try_reduce(SelectionCounts::default, |one, other| Ok(one.plus(other)))
-}
-
-/// Splits objects and their results into tiles.
-fn tiles<'a>(
-    objects: &Objects<'a>,
-    to: &'a mut [i32],
-    columns: Option<[&'a mut [f64]; COLUMNS]>,
-) -> Vec<ObjectTile<'a>> {
-    let mut columns = columns.map(|columns| columns.map(|column| column.chunks_mut(TILE)));
-    let tile = |(number, level): (usize, &'a mut [i32])| {
-        let (first, count) = (number * TILE, level.len());
-        let columns =
-            columns.as_mut().map(|columns| columns.each_mut().map(|column| column.next().unwrap_or_default()));
-        ObjectTile { first, objects: objects.part(first..first + count), level, columns }
-    };
-    to.chunks_mut(TILE).enumerate().map(tile).collect()
 }
 
 impl Selection<'_> {

@@ -69,8 +69,7 @@ impl<'a> Charts<'a> {
     fn outline(&self, face: u32, outline: &mut Vec<u32>) {
         outline.clear();
         let own = self.faces[face as usize];
-        let others =
-            self.ring(face).flat_map(|other| self.faces[other as usize]).filter(|vertex| !own.contains(vertex));
+        let others = self.ring(face).flat_map(|other| self.faces[other as usize]).filter(|v| !own.contains(v));
         outline.extend(others.take(MAX_SECOND_RING));
         outline.sort_unstable();
         outline.dedup();

@@ -28,7 +28,7 @@ pub struct View<'a> {
 }
 
 /// A cell to draw.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Drawn {
     /// Level of the cell.
     pub level: u32,
@@ -121,8 +121,7 @@ impl Traversal<'_> {
             return;
         }
         let (distance, in_picture) = (self.view.rule.distance(corner, side), position != Side::Outside);
-        let drawn =
-            Drawn { level, place, distance, in_picture, is_partial: false, directions: [0; Drawn::MAX], count: 0 };
+        let drawn = Drawn { level, place, distance, in_picture, ..Drawn::default() };
         match self.fineness(level, corner, side) {
             Fineness::Fine => self.draw(drawn, center, mask),
             Fineness::Mixed => self.refine(Drawn { is_partial: true, ..drawn }, center, mask, position),

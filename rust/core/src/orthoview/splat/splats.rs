@@ -236,8 +236,7 @@ impl Splats {
 
     /// Returns the splats whose centres are accepted.
     fn select_centers(&self, accepts: impl Fn(DVec3) -> bool) -> Self {
-        let center =
-            |[x, y]: [u16; 2], depth| self.place(f64::from(x) + 0.5, f64::from(y) + 0.5, f64::from(depth) - 0.5);
+        let center = |[x, y]: [u16; 2], step| self.place(f64::from(x) + 0.5, f64::from(y) + 0.5, f64::from(step) - 0.5);
         self.select(|block| {
             let accepted = self.pixels(block).filter(|&(_, pixel, texel)| accepts(center(pixel, texel.depth())));
             accepted.fold(0, |bits, (bit, ..)| bits | 1 << bit)
