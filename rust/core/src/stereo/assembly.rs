@@ -59,7 +59,7 @@ impl EyeMap<'_> {
         let mut rows = row.saturating_sub(TAP_DISTANCE)..(row + TAP_DISTANCE + 1).min(self.eye.1);
         let covered = |row: usize| {
             let start = row * self.eye.0;
-            self.coverage[start + columns.start..start + columns.end].iter().any(|share| *share > 0.0)
+            self.coverage[start + columns.start..start + columns.end].iter().any(|covered| *covered > 0.0)
         };
         if !rows.any(covered) {
             return None;
@@ -158,15 +158,16 @@ impl Rig {
         coverage: &[f32],
         color: &mut [[f32; 3]],
         progress: &Progress,
-        far: impl Fn(usize, usize) -> [f32; 3] + Sync,
+        background: impl Fn(usize, usize) -> [f32; 3] + Sync,
     ) -> Result<()> {
         self.check("color", color.len())?;
         let width = self.size().0 as usize;
         let rows = color.par_chunks_mut(width).zip(coverage.par_chunks(width)).enumerate();
-        rows.try_for_each(|(row, (colors, shares))| {
-            for (column, (color, share)) in colors.iter_mut().zip(shares).enumerate().filter(|(_, (_, s))| **s < 1.0) {
-                let far = far(column, row);
-                (0..3).for_each(|i| color[i] += (1.0 - share) * far[i]);
+        rows.try_for_each(|(row, (colors, coverage))| {
+            let pixels = colors.iter_mut().zip(coverage).enumerate();
+            for (column, (color, covered)) in pixels.filter(|(_, (_, covered))| **covered < 1.0) {
+                let background = background(column, row);
+                (0..3).for_each(|i| color[i] += (1.0 - covered) * background[i]);
             }
             progress.check()
         })

@@ -51,11 +51,11 @@ pub(super) struct Worth {
 }
 
 /// Returns whether a level lies on the edge of the hull between two others, and not below it.
-pub(super) fn is_on_edge(ladder: &Ladder, scores: &[Lanes], lane: usize, edge: [usize; 2], place: usize) -> bool {
+pub(super) fn is_on_edge(ladder: &Ladder, scores: &[Lanes], lane: usize, edge: [usize; 2], position: usize) -> bool {
     let [coarse, fine] = edge;
-    let gain = |place: usize| scores[place][lane] - scores[coarse][lane];
-    let triangles = |place: usize| (ladder.triangles[place] - ladder.triangles[coarse]) as f64;
-    gain(place) * triangles(fine) >= gain(fine) * triangles(place) * (1.0 - ROUNDING)
+    let gain = |position: usize| scores[position][lane] - scores[coarse][lane];
+    let triangles = |position: usize| (ladder.triangles[position] - ladder.triangles[coarse]) as f64;
+    gain(position) * triangles(fine) >= gain(fine) * triangles(position) * (1.0 - ROUNDING)
 }
 
 #[inline(always)]

@@ -100,20 +100,20 @@ fn edges(block: &RatedBlock<'_>, lane: usize, classes: RangeInclusive<u16>, to: 
     let mut coarse = slopes.len();
     while coarse > 0 {
         let slope = slopes[coarse - 1][lane];
-        let is_same = |&place: &usize| place == coarse - 1 || slopes[place][lane] == slope;
+        let is_same = |&position: &usize| position == coarse - 1 || slopes[position][lane] == slope;
         let fine = (0..coarse).rev().take_while(is_same).last().unwrap_or(0);
         if classes.contains(&block.classes[coarse - 1][lane]) {
             let mut from = coarse;
-            for place in (fine..coarse).rev() {
-                if place == fine || is_on_edge(ladder, scores, lane, [coarse, fine], place) {
+            for position in (fine..coarse).rev() {
+                if position == fine || is_on_edge(ladder, scores, lane, [coarse, fine], position) {
                     to.push(Step {
                         slope,
                         object: block.objects[lane],
-                        to: place as u16,
-                        triangles: ladder.triangles[place] - ladder.triangles[from],
-                        gain: block.weights[lane] * (scores[place][lane] - scores[from][lane]),
+                        to: position as u16,
+                        triangles: ladder.triangles[position] - ladder.triangles[from],
+                        gain: block.weights[lane] * (scores[position][lane] - scores[from][lane]),
                     });
-                    from = place;
+                    from = position;
                 }
             }
         }
@@ -261,8 +261,8 @@ impl Plan<'_> {
     /// Writes the levels, and counts the objects by the stage that decided.
     pub fn write(&self, above: u16, levels: &[(u32, u16)], to: &mut [i32]) -> SelectionCounts {
         let counts = self.ratings.write(self.rater, above, to);
-        for &(object, place) in levels {
-            to[object as usize] = self.rater.ladder(object).level[usize::from(place)];
+        for &(object, position) in levels {
+            to[object as usize] = self.rater.ladder(object).level[usize::from(position)];
         }
         counts
     }

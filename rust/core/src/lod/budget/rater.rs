@@ -97,9 +97,9 @@ impl<'a> Rater<'a> {
         }
         let mut sorted = vec![0; ends[ends.len() - 1]];
         for object in visible {
-            let place = &mut ends[model(object)];
-            sorted[*place] = object;
-            *place += 1;
+            let next = &mut ends[model(object)];
+            sorted[*next] = object;
+            *next += 1;
         }
         ends.pop();
         Order { objects: sorted, ends }
@@ -152,23 +152,25 @@ impl<'a> Rater<'a> {
         let Some(previous) = self.objects.previous.filter(|_| self.hysteresis > 0.0) else { return held };
         for (lane, (to, &object)) in held.iter_mut().zip(block).enumerate() {
             let level = previous[object as usize];
-            let place = ladder.level.iter().position(|&ladder_level| level >= 0 && ladder_level >= level);
+            let position = ladder.level.iter().position(|&ladder_level| level >= 0 && ladder_level >= level);
             // A level below the hull is not held: the edge above it would be split.
-            let is_corner = |&place: &usize| {
-                let [coarse, fine] = edge_around(&scratch.slopes, lane, place);
-                place == coarse || place == fine || is_on_edge(ladder, &scratch.scores, lane, [coarse, fine], place)
+            let is_corner = |&position: &usize| {
+                let [coarse, fine] = edge_around(&scratch.slopes, lane, position);
+                position == coarse
+                    || position == fine
+                    || is_on_edge(ladder, &scratch.scores, lane, [coarse, fine], position)
             };
-            *to = place.filter(is_corner).map_or(f64::INFINITY, |place| place as f64);
+            *to = position.filter(is_corner).map_or(f64::INFINITY, |position| position as f64);
         }
         held
     }
 }
 
 /// Returns the ends of the hull's edge on or above a position: the range of steps with equal slope.
-fn edge_around(slopes: &[Lanes], lane: usize, place: usize) -> [usize; 2] {
-    let (mut coarse, mut fine) = (place, place);
-    if (1..slopes.len()).contains(&place) && slopes[place - 1][lane] == slopes[place][lane] {
-        let slope = slopes[place][lane];
+fn edge_around(slopes: &[Lanes], lane: usize, position: usize) -> [usize; 2] {
+    let (mut coarse, mut fine) = (position, position);
+    if (1..slopes.len()).contains(&position) && slopes[position - 1][lane] == slopes[position][lane] {
+        let slope = slopes[position][lane];
         while coarse < slopes.len() && slopes[coarse][lane] == slope {
             coarse += 1;
         }

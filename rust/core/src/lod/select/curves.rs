@@ -66,8 +66,8 @@ impl Model<'_> {
         let best = self.curves.iter().map(|&[a, _, _, d]| a.max(d)).fold(f64::NEG_INFINITY, f64::max);
         let end = (best - rules.line.level) / rules.line.rise * (1.0 + WIDENING);
         let end = if rules.line.rise > 0.0 { end.max(0.0) } else { BELOW_ALL_AROUND };
-        let own = if rules.limit == SizeLimit::Own { rules.reference } else { BELOW_ALL_AROUND };
-        end.min(own).min(BELOW_ALL_AROUND)
+        let reference = if rules.limit == SizeLimit::Own { rules.reference } else { BELOW_ALL_AROUND };
+        end.min(reference).min(BELOW_ALL_AROUND)
     }
 
     /// Returns the maximum size at which curves are read; no sphere is larger than all directions.

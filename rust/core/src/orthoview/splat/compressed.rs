@@ -59,21 +59,21 @@ impl Compressed {
 /// Adds the bits of a block's splats; returns its header.
 fn put_block(block: &Block, texels: &[Packed], bits: &mut Bits) -> [u32; HEAD] {
     let mut fields = fields_of(block, texels);
-    let depths: Vec<_> = set_bits(block.shown).zip(&fields).map(|(pixel, own)| (pixel, own[0] as i32)).collect();
+    let depths: Vec<_> = set_bits(block.shown).zip(&fields).map(|(pixel, splat)| (pixel, splat[0] as i32)).collect();
     let [flat, sloped] = [[0, 0], slopes(&depths)].map(|slopes| (spread(&depths, slopes), slopes));
     let ((least, _), slopes) = if sloped.0.1 < flat.0.1 { sloped } else { flat };
-    for ((pixel, depth), own) in depths.iter().zip(&mut fields) {
-        own[0] = (depth - rise(*pixel, slopes) - least) as u32;
+    for ((pixel, depth), splat) in depths.iter().zip(&mut fields) {
+        splat[0] = (depth - rise(*pixel, slopes) - least) as u32;
     }
     // The minimum of depths, relative to the plane, is already 0.
-    let base: Fields = std::array::from_fn(|n| fields.iter().map(|own| own[n]).min().unwrap_or(0));
+    let base: Fields = std::array::from_fn(|n| fields.iter().map(|splat| splat[n]).min().unwrap_or(0));
     let widths: Fields = std::array::from_fn(|n| {
-        let most = fields.iter().map(|own| own[n] - base[n]).max().unwrap_or(0);
-        u32::BITS - most.leading_zeros()
+        let max = fields.iter().map(|splat| splat[n] - base[n]).max().unwrap_or(0);
+        u32::BITS - max.leading_zeros()
     });
     let first = bits.align();
-    for own in &fields {
-        (0..FIELDS).for_each(|n| bits.put(own[n] - base[n], widths[n]));
+    for splat in &fields {
+        (0..FIELDS).for_each(|n| bits.put(splat[n] - base[n], widths[n]));
     }
     let [_, u, v, red, green, blue, kind] = base;
     let (mut packed, mut shift) = (0, 0);
@@ -207,18 +207,18 @@ mod tests {
         let rank = (shown & ((1 << lane) - 1)).count_ones();
         let mut at = 32 * (HEAD * found.blocks + head[3] as usize) as u64;
         at += u64::from(rank * widths.iter().sum::<u32>());
-        let own: Fields = widths.map(|width| {
+        let differences: Fields = widths.map(|width| {
             let bit = |n: u64| (found.words[((at + n) / 32) as usize] >> ((at + n) % 32) & 1) << n;
             let value = (0..u64::from(width)).map(bit).sum();
             at += u64::from(width);
             value
         });
         let slopes = [head[6] as i16, (head[6] >> 16) as i16];
-        let depth = head[5] as i32 + rise(lane, slopes) + own[0] as i32;
+        let depth = head[5] as i32 + rise(lane, slopes) + differences[0] as i32;
         let base = [head[7] & 0xFFF, head[7] >> 12, head[8] & 255, head[8] >> 8 & 255, head[8] >> 16];
-        let values: [u32; 5] = std::array::from_fn(|n| base[n] + own[1 + n]);
+        let values: [u32; 5] = std::array::from_fn(|n| base[n] + differences[1 + n]);
         let texel = Packed::new(depth as u16, [values[0] as u16, values[1] as u16], [2, 3, 4].map(|n| values[n] as u8));
-        Some((texel, kind + own[6]))
+        Some((texel, kind + differences[6]))
     }
 
     fn check(masks_and_texels: &[(u64, u64, u64, Vec<Packed>)]) -> usize {

@@ -165,10 +165,10 @@ fn nearer<const PARALLEL: bool>(of_distance: f32, per_w: f32) -> f32 {
 /// Returns the squared half extent of a ball along an axis: that of the length of the gradient of X/W.
 #[inline(always)]
 fn disc<const PARALLEL: bool>(gradients: &[[f32; 3]; 3], of: usize, place: f32, per_w: f32) -> f32 {
-    let (own, distance) = (&gradients[of], &gradients[2]);
-    let x = position_derivative::<PARALLEL>(own[0], distance[0], place, per_w);
-    let y = position_derivative::<PARALLEL>(own[1], distance[1], place, per_w);
-    let z = position_derivative::<PARALLEL>(own[2], distance[2], place, per_w);
+    let (gradient, distance) = (&gradients[of], &gradients[2]);
+    let x = position_derivative::<PARALLEL>(gradient[0], distance[0], place, per_w);
+    let y = position_derivative::<PARALLEL>(gradient[1], distance[1], place, per_w);
+    let z = position_derivative::<PARALLEL>(gradient[2], distance[2], place, per_w);
     x * x + y * y + z * z
 }
 

@@ -168,8 +168,8 @@ impl<'a> Plan<'a> {
     /// Creates a piece of some blocks of a view.
     fn piece(&self, number: u32, blocks: Range<u32>, seen: &Seen) -> Piece {
         let view = &self.prepared.views[number as usize];
-        let own = &view.splats.blocks[blocks.start as usize..blocks.end as usize];
-        let corner = own.first().map(|block| block.corner).unwrap_or_default();
+        let contents = &view.splats.blocks[blocks.start as usize..blocks.end as usize];
+        let corner = contents.first().map(|block| block.corner).unwrap_or_default();
         let [column, row] = corner.map(f64::from);
         Piece {
             start: view.sight.evaluate([column + 0.5, row + 0.5, -0.5]).map(|value| value as f32),
@@ -178,8 +178,8 @@ impl<'a> Plan<'a> {
             high: seen.rect.high,
             corner: corner.map(u32::from),
             view: number,
-            blocks: blocks.start | (own.len() as u32) << 24,
-            count: own.iter().map(|block| block.shown.count_ones()).sum(),
+            blocks: blocks.start | (contents.len() as u32) << 24,
+            count: contents.iter().map(|block| block.shown.count_ones()).sum(),
             unused: [0; 3],
         }
     }
@@ -196,10 +196,10 @@ impl<'a> Plan<'a> {
         let radius = f64::from(BORDER * SQUARED_RADIUS.sqrt() / MIN_COSINE);
         let reach = radius * self.prepared.views[part.number as usize].splats.pitch().truncate().length();
         let [x, y, w] = self.prepared.projector.rows.map(DVec3::length);
-        let extent = |axis: usize, own: f64| {
+        let extent = |axis: usize, gradient: f64| {
             // The gradient of X/W is (∇X − X/W ∇W)/W.
             let farthest = f64::from(rect.high[axis].abs().max(rect.low[axis].abs()));
-            let slope = if self.is_parallel() { own } else { (own + farthest * w) * f64::from(nearness) };
+            let slope = if self.is_parallel() { gradient } else { (gradient + farthest * w) * f64::from(nearness) };
             (2.0 * reach * slope + 2.0).min(whole[axis])
         };
         extent(0, x) * extent(1, y)
@@ -256,9 +256,8 @@ impl<'a> Plan<'a> {
                     resolver.add_before(&mut color, [x, y], u64::from(high) << 32 | u64::from(low));
                 }
                 let sample = found.middles.get(pixel).map(|&halves| {
-                    let half = picture.grid as usize / 2;
-                    let at = [x, y].map(|at| (at * picture.grid as usize + half) as i32);
-                    resolver.sample(self.key(halves), (at[0], at[1]))
+                    let middle = |pixel: usize| (pixel * picture.grid as usize + picture.grid as usize / 2) as i32;
+                    resolver.sample(self.key(halves), (middle(x), middle(y)))
                 });
                 part.push(channels, color, coverage, &sample.unwrap_or_default());
             }
