@@ -170,7 +170,7 @@ impl RadialLens {
         let max_radius = 0.999 * self.reach.min(f64::MAX);
         let root = if root.is_nan() { max_radius } else { root };
         let start = if r == 0.0 { target } else { target * (root / r) }.clamp_length_max(max_radius);
-        // If this fails: the root at the disc's centre is known, and the target moves from there in steps.
+        // If Newton's method fails from the start, the target moves in steps from the disc's centre, whose root is known.
         let target_at = |part: u32| target * (f64::from(part) / f64::from(PATH_PARTS));
         let continued = || (1..=PATH_PARTS).try_fold(DVec2::ZERO, |p, part| self.descend(p, target_at(part)));
         self.descend(start, target).or_else(continued).unwrap_or(DVec2::NAN)

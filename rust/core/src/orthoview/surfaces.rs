@@ -15,6 +15,7 @@ use crate::render::{self, Channels, Facet, Frame, Picture, Pixels, RenderView, S
 use crate::scene::Scene;
 use crate::trace::{AlphaFilter, FaceHits, Hit, HitFilter, Ray};
 
+/// Returns the channels that a view needs.
 #[inline(always)]
 fn channels() -> Channels {
     Channels { range: true, normal: true, albedo: true, ..Channels::default() }

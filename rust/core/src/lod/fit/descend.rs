@@ -149,7 +149,7 @@ impl LocalModel {
     }
 }
 
-/// Descends from `found` until no step gains, or until it cannot improve on `rival`.
+/// Descends from the line `found` until no step gains, or until it cannot improve on `rival`.
 pub(super) fn descend(
     samples: &Samples<'_>,
     limits: &Limits,

@@ -83,16 +83,16 @@ pub fn select(
     let tables = if are_many { Tables::new(models, rules) } else { None };
     let selection = Selection { models, limits, tables, sight, rules: *rules };
     let mut columns = columns.map(|columns| columns.map(|column| column.chunks_mut(TILE)));
-    let tile = |(number, level): (usize, _)| {
-        let (first, level): (usize, &mut [i32]) = (number * TILE, level);
+    let tiles = to.chunks_mut(TILE).enumerate().map(|(number, level)| {
+        let first = number * TILE;
         let columns = columns.as_mut().map(|all| all.each_mut().map(|column| column.next().unwrap_or_default()));
         ObjectTile { first, objects: objects.part(first..first + level.len()), level, columns }
-    };
-    let tiles: Vec<_> = to.chunks_mut(TILE).enumerate().map(tile).collect();
-    let select = |scratch: &mut Box<TileScratch>, tile: ObjectTile<'_>| {
+    });
+    let tiles: Vec<_> = tiles.collect();
+    let select_tile = |scratch: &mut Box<TileScratch>, tile: ObjectTile<'_>| {
         progress.check().and_then(|()| selection.tile(scratch, tile))
     };
-    let counts = tiles.into_par_iter().map_init(|| Box::new(TileScratch::zeroed()), select);
+    let counts = tiles.into_par_iter().map_init(|| Box::new(TileScratch::zeroed()), select_tile);
     counts.try_reduce(SelectionCounts::default, |one, other| Ok(one.plus(other)))
 }
 

@@ -40,7 +40,7 @@ pub fn blended(views: &[Placed<'_>], rule: &Rule) -> Vec<Vec<Option<Splats>>> {
     let mut coarse_pixels: HashMap<(u32, UVec3, u8), Bits> = HashMap::new();
     let top = views.iter().map(|view| view.cell.0).max().unwrap_or(0);
     for level in (0..=top).rev() {
-        let select = |(number, view): (usize, &Placed<'_>)| {
+        let select_view = |(number, view): (usize, &Placed<'_>)| {
             let parent = parent_of(view.cell);
             let has_parent = partial.contains(&parent);
             if view.cell.0 != level || !(view.is_partial || has_parent) {
@@ -49,10 +49,10 @@ pub fn blended(views: &[Placed<'_>], rule: &Rule) -> Vec<Vec<Option<Splats>>> {
             let selector = PixelSelector::new(view, rule, band, has_parent);
             let pixels = selector.select(coarse_pixels.get(&(parent.0, parent.1, view.direction)));
             let pitch = selector.blocks_per_row;
-            let select = |layer: &&Splats| Some(layer.select(|block| pixels.drawn[number_of(block, pitch)]));
-            Some((number, view.layers.iter().map(select).collect(), pixels.coarse))
+            let select_splats = |layer: &&Splats| Some(layer.select(|block| pixels.drawn[number_of(block, pitch)]));
+            Some((number, view.layers.iter().map(select_splats).collect(), pixels.coarse))
         };
-        let of_level: Vec<(usize, Vec<_>, Bits)> = views.par_iter().enumerate().filter_map(select).collect();
+        let of_level: Vec<(usize, Vec<_>, Bits)> = views.par_iter().enumerate().filter_map(select_view).collect();
         for (number, layers, coarse) in of_level {
             let view = &views[number];
             selections[number] = layers;

@@ -48,7 +48,7 @@ pub struct Past<'a> {
     inverse: Vec<f64>,
 }
 
-/// A point at 1/`inverse` along `direction` from `origin`, which is relative to the earlier eye.
+/// (origin, direction, inverse): the point at 1/inverse along a direction, from an origin relative to the earlier eye.
 type PointOnRay = (DVec3, DVec3, f64);
 
 /// Test whether a distance in the earlier picture agrees with a pixel of the later one.
