@@ -15,7 +15,7 @@ use crate::flow::{Answer, Flow};
 use crate::router::Router;
 
 /// Greatest number of a path's characters in the log.
-const PATH: usize = 400;
+const MAX_PATH_CHARS: usize = 400;
 
 /// Responds to a request; the response is recorded when its last byte is read, or when it is aborted. The body is
 /// sent in pieces of at most `piece` bytes.
@@ -29,7 +29,7 @@ pub async fn answer<B>(
     let waits = flow.begin();
     let started = Instant::now();
     let (method, version) = (request.method().to_string(), request.version());
-    let path: String = request.uri().path().chars().take(PATH).collect();
+    let path: String = request.uri().path().chars().take(MAX_PATH_CHARS).collect();
     let answer = Arc::clone(&router).answer(client, request).await;
     let code = answer.status().as_u16();
     answer.map(|body| {
@@ -61,17 +61,14 @@ impl HttpBody for Recorded {
         let this = &mut *self;
         this.waits.mark_read();
         if this.rest.is_empty() {
-            match ready!(Pin::new(&mut this.body).poll_frame(context)) {
-                Some(Ok(frame)) => match frame.into_data() {
-                    Ok(data) => this.rest = data,
-                    // Responses have no trailers.
-                    Err(other) => return Poll::Ready(Some(Ok(other))),
-                },
-                Some(Err(error)) => return Poll::Ready(Some(Err(error))),
-                None => {
-                    this.exchange.is_whole = true;
-                    return Poll::Ready(None);
-                }
+            let Some(frame) = ready!(Pin::new(&mut this.body).poll_frame(context)?) else {
+                this.exchange.is_whole = true;
+                return Poll::Ready(None);
+            };
+            match frame.into_data() {
+                Ok(data) => this.rest = data,
+                // Responses have no trailers.
+                Err(frame) => return Poll::Ready(Some(Ok(frame))),
             }
         }
         let piece = this.rest.split_to(this.piece.min(this.rest.len()));

@@ -43,7 +43,7 @@ impl Opened {
         let mut ready = 0;
         while ready < count {
             match open::read_now(&self.0, &mut data[ready..], part.start + ready as u64) {
-                Some(read) if read > 0 => ready += read,
+                Some(length) if length > 0 => ready += length,
                 _ => break,
             }
         }
@@ -51,8 +51,8 @@ impl Opened {
             return Ok(data.into());
         }
         let file = Arc::clone(&self.0);
-        let rest = move || read_exact_at(&file, &mut data[ready..], part.start + ready as u64).map(|()| data.into());
-        in_thread(rest).await
+        in_thread(move || read_exact_at(&file, &mut data[ready..], part.start + ready as u64).map(|()| data.into()))
+            .await
     }
 
     /// Creates a body from a range. The first piece is read at once, so that an error can still set the status code.
@@ -76,12 +76,12 @@ async fn next((file, first, rest): State) -> Option<(io::Result<Bytes>, State)> 
     if rest.is_empty() {
         return None;
     }
-    let read = piece(&rest);
-    let after = if read.end < rest.end { read.end..rest.end } else { rest.end..rest.end };
-    match file.bytes(read).await {
-        Ok(data) => Some((Ok(data), (file, None, after))),
-        Err(error) => Some((Err(error), (file, None, rest.end..rest.end))),
-    }
+    let piece = piece(&rest);
+    let piece_end = piece.end;
+    let data = file.bytes(piece).await;
+    // Nothing follows an error.
+    let next_start = if data.is_ok() { piece_end } else { rest.end };
+    Some((data, (file, None, next_start..rest.end)))
 }
 
 /// First piece of a range.

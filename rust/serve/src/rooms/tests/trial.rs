@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 
 use bytes::{Buf, BytesMut};
 
-use super::frame::{FromServer, FromUser, HEAD, SAY, SIGNAL, To};
+use super::frame::{FromServer, FromUser, HEAD_BYTES, MAX_SAY_BYTES, MAX_SIGNAL_BYTES, To};
 use super::outbox::{Outbox, Part, Taken};
 use super::pose::{self, Placed, Pose};
 use super::reason::End;
@@ -20,7 +20,7 @@ const ROOM: usize = 5;
 /// Greatest number of connections per client; users belong to two clients.
 const SOCKETS: usize = 4;
 /// Greatest size of a datagram in bytes: two poses.
-const DATAGRAM: usize = 2 * (HEAD + 2 + pose::MAX);
+const DATAGRAM: usize = 2 * (HEAD_BYTES + 2 + pose::MAX_BYTES);
 /// Kinds of the frames that users send in datagrams: poses and acknowledgements.
 const PASSING: [u8; 2] = [2, 3];
 /// Unit of the time steps (up to 255 of them pass at once), and a time in which all rate limits recover.
@@ -29,9 +29,8 @@ const LONG: Duration = Duration::from_secs(3600);
 
 /// Runs a script.
 pub fn run(mut script: &[u8]) {
-    let each = Limits::default();
-    let queue_bytes = 1 << 15;
-    let limits = Limits { users: ROOM, rooms: 1, sockets_per_client: SOCKETS, queue_bytes, ..each };
+    let default = Limits::default();
+    let limits = Limits { users: ROOM, rooms: 1, sockets_per_client: SOCKETS, queue_bytes: 1 << 15, ..default };
     let Ok(rooms) = Rooms::new(limits, None) else { return };
     let mut trial = Trial { rooms: Arc::new(rooms), users: Default::default(), now: Instant::now() };
     while let Ok(step) = script.try_get_u8() {
@@ -39,8 +38,8 @@ pub fn run(mut script: &[u8]) {
     }
     trial.rest();
     trial.users = Default::default();
-    let place = trial.rooms.place([10, 0, 0, 1].into(), 1);
-    assert!(place.is_some(), "a place was not given back");
+    let client = trial.rooms.count_client([10, 0, 0, 1].into(), 1);
+    assert!(client.is_some(), "a place was not given back");
 }
 
 struct Trial {
@@ -89,12 +88,15 @@ impl Trial {
             11..=14 => self.acknowledge(who, usize::from(byte()) % USERS, byte()),
             15 => {
                 let payload = &vec![0; 16 * usize::from(byte())][..];
-                self.send(who, &[FromUser::Say { to: [To::Group, To::Room][who % 2], payload: cut(payload, SAY) }]);
+                self.send(
+                    who,
+                    &[FromUser::Say { to: [To::Group, To::Room][who % 2], payload: cut(payload, MAX_SAY_BYTES) }],
+                );
             }
             16 => {
                 let user = self.number(usize::from(byte()) % USERS);
                 let payload = &vec![0; 64 * usize::from(byte())][..];
-                self.send(who, &[FromUser::Signal { user, payload: cut(payload, SIGNAL) }]);
+                self.send(who, &[FromUser::Signal { user, payload: cut(payload, MAX_SIGNAL_BYTES) }]);
             }
             17 => self.send(who, &[FromUser::Bye]),
             18 => {
@@ -116,8 +118,9 @@ impl Trial {
     fn connect(&mut self, who: usize) {
         self.users[who].session = None;
         let client: IpAddr = [10, 0, 0, 1 + (who % 2) as u8].into();
-        let Some(place) = self.rooms.place(client, USERS) else { return };
-        let session = Session::new(Arc::clone(&self.rooms), Entering::new("hall", None, place), self.now);
+        let Some(client) = self.rooms.count_client(client, USERS) else { return };
+        let entering = Entering { room: "hall".to_owned(), token: None, client };
+        let session = Session::new(Arc::clone(&self.rooms), entering, self.now);
         let user = &mut self.users[who];
         (user.session, user.seen, user.most, user.rest) = (Some(session), Seen::default(), None, None);
         (user.is_strange, user.times) = (false, user.times + 1);
@@ -137,17 +140,10 @@ impl Trial {
         let is_newest = Some(user.sequence) > user.most;
         user.most = user.most.max(Some(user.sequence));
         let head = Placed { position: [0.0; 3], rotation: [0, 0, 0, 32767] };
-        let (is_acknowledged, stops) = (flags & 1 == 0, flags & 2 != 0);
-        let pose = Pose {
-            sequence: user.sequence,
-            // Clocks of users need not agree or be monotonic.
-            clock: u64::from(flags).wrapping_mul(0x0101_0101_0101_0101),
-            is_acknowledged,
-            stops,
-            head,
-            hands: [None; 2],
-            pointer: None,
-        };
+        let (is_acknowledged, stops, hands, pointer) = (flags & 1 == 0, flags & 2 != 0, [None; 2], None);
+        // Clocks of users need not agree or be monotonic.
+        let (sequence, clock) = (user.sequence, u64::from(flags).wrapping_mul(0x0101_0101_0101_0101));
+        let pose = Pose { sequence, clock, is_acknowledged, stops, head, hands, pointer };
         self.send(who, &[FromUser::Pose(pose)]);
         if is_newest {
             let to = self.others(who).map(|other| (other, self.users[other].times)).collect();
@@ -225,7 +221,7 @@ impl Trial {
         if is_passing && user.loses {
             return;
         }
-        let given = session.took(message.len(), self.now).and_then(|()| match is_passing {
+        let given = session.count_bytes(message.len(), self.now).and_then(|()| match is_passing {
             true => session.datagram(message, self.now),
             false => session.message(message, self.now),
         });
@@ -241,21 +237,20 @@ impl Trial {
         let User { session, seen, ticket, most, loses, .. } = &mut self.users[who];
         let Some(open) = session else { return };
         let part = if has_datagrams(who) { Part::Lasting } else { Part::All };
-        match open.outbox.take(part, &mut message, &mut read) {
-            Taken::End(_) => *session = None,
-            Taken::Nothing | Taken::Message => {
-                if has_datagrams(who) {
-                    take_datagrams(&open.outbox, *loses, &mut message);
-                }
-                let bound = open.rooms.limits.queue_bytes + ROOM * (HEAD + 2 + pose::MAX) + HEAD + 4;
-                assert!(message.len() <= bound, "{} bytes waited", message.len());
-                let mut rest = &message[..];
-                while !rest.is_empty() {
-                    let (frame, behind) = FromServer::read(rest).expect("a frame of the server");
-                    seen.see(frame, *most, ticket);
-                    rest = behind;
-                }
-            }
+        if let Taken::End(_) = open.outbox.take(part, &mut message, &mut read) {
+            *session = None;
+            return;
+        }
+        if has_datagrams(who) {
+            take_datagrams(&open.outbox, *loses, &mut message);
+        }
+        let bound = open.rooms.limits.queue_bytes + ROOM * (HEAD_BYTES + 2 + pose::MAX_BYTES) + HEAD_BYTES + 4;
+        assert!(message.len() <= bound, "{} bytes waited", message.len());
+        let mut rest = &message[..];
+        while !rest.is_empty() {
+            let (frame, behind) = FromServer::read(rest).expect("a frame of the server");
+            seen.see(frame, *most, ticket);
+            rest = behind;
         }
     }
 }
@@ -302,15 +297,15 @@ fn has_datagrams(who: usize) -> bool {
 /// Takes all queued datagrams and appends them to the reliable frames, or loses them.
 fn take_datagrams(outbox: &Outbox, loses: bool, message: &mut BytesMut) {
     loop {
-        let passing = outbox.passing(DATAGRAM);
-        assert!(passing.bytes.len() <= DATAGRAM, "too large a datagram");
-        if passing.bytes.is_empty() {
+        let datagram = outbox.datagram(DATAGRAM);
+        assert!(datagram.bytes.len() <= DATAGRAM, "too large a datagram");
+        if datagram.bytes.is_empty() {
             return;
         }
         if !loses {
-            message.extend_from_slice(&passing.bytes);
+            message.extend_from_slice(&datagram.bytes);
         }
-        let _ = outbox.confirm_sent(&passing).len();
+        let _ = outbox.confirm_sent(&datagram).len();
     }
 }
 
