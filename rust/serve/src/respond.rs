@@ -12,7 +12,7 @@ use bytes::Bytes;
 
 use crate::file;
 use crate::packed::Packed;
-use crate::ranges::{Wanted, parse};
+use crate::ranges::{Requested, parse};
 use crate::site::{Content, Document};
 
 /// Cache-Control of documents that are named by their content.
@@ -82,12 +82,12 @@ async fn whole_or_part(asked: &Asked<'_>, document: &Document) -> io::Result<Res
     let range = asked.headers.get(header::RANGE).and_then(|value| value.to_str().ok()).filter(|_| is_same);
     let head = head(document, &document.tag).header(header::CONTENT_TYPE, &document.media);
     let (head, part) = match parse(range, bytes) {
-        Wanted::Whole => (head.status(StatusCode::OK), 0..bytes),
-        Wanted::Part(part) => {
+        Requested::All => (head.status(StatusCode::OK), 0..bytes),
+        Requested::Part(part) => {
             let range = format!("bytes {}-{}/{bytes}", part.start, part.end - 1);
             (head.status(StatusCode::PARTIAL_CONTENT).header(header::CONTENT_RANGE, range), part)
         }
-        Wanted::Nothing => {
+        Requested::Unsatisfiable => {
             let (status, range) = (StatusCode::RANGE_NOT_SATISFIABLE, format!("bytes */{bytes}"));
             return Ok(refusal_with(status, "the file is shorter", header::CONTENT_RANGE, &range));
         }

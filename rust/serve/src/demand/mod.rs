@@ -13,7 +13,7 @@ mod ticket;
 mod unlisted;
 mod workers;
 
-pub use cache::{Cache, Kept, Whole};
+pub use cache::{Cache, CompleteRegion, RegionFile};
 pub use maker::{Maker, Making, Part, Wanted};
 pub use place::Place;
 pub use region::{Outcome, Region};

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use bytes::Bytes;
 use tokio::sync::watch;
 
-use super::cache::Whole;
+use super::cache::CompleteRegion;
 use super::place::Place;
 use super::region::{Outcome, Progress, Region};
 use super::workers::Shared;
@@ -68,10 +68,10 @@ impl Ticket {
     }
 
     /// Waits until the region is complete.
-    pub async fn whole(mut self) -> Result<Whole, String> {
+    pub async fn whole(mut self) -> Result<CompleteRegion, String> {
         loop {
             match self.event().await {
-                Event::End(Outcome::Complete) => return Ok(Whole::InMemory(Arc::clone(&self.region))),
+                Event::End(Outcome::Complete) => return Ok(CompleteRegion::InMemory(Arc::clone(&self.region))),
                 Event::End(Outcome::Failed(reason)) => return Err(reason),
                 Event::Before(_) | Event::Lines(_) => {}
             }

@@ -22,7 +22,7 @@ use crate::offer::{Offer, Pinned};
 use crate::rooms::{self, Limits, Session};
 use crate::router;
 use crate::tls::{self, Current};
-use crate::webtransport::session::{self, Asking, Broken, Link};
+use crate::webtransport::session::{self, Broken, Link, SessionRequest};
 
 /// Number of ports to try after the TCP port; then any free port is used.
 const EXTRA_PORTS: u16 = 16;
@@ -127,17 +127,17 @@ impl Listener {
 
     /// Responds to a connection's request for a session.
     async fn enter(&self, shared: &Shared, connection: &Connection, client: IpAddr) -> Accepted {
-        let mut asking = Asking::read(connection).await.map_err(|Broken| "request")?;
-        self.set_host(asking.request.headers_mut(), shared.tls.is_some());
+        let mut session_request = SessionRequest::read(connection).await.map_err(|Broken| "request")?;
+        self.set_host(session_request.request.headers_mut(), shared.tls.is_some());
         let rooms = shared.router.rooms().ok_or("request")?;
-        match shared.router.entering(client, &asking.request) {
+        match shared.router.entering(client, &session_request.request) {
             Ok(entering) => {
-                let link = asking.accept().await.map_err(|Broken| "request")?;
+                let link = session_request.accept().await.map_err(|Broken| "request")?;
                 Ok((Session::new(Arc::clone(rooms), entering, std::time::Instant::now()), link))
             }
             Err(status) => {
                 tracing::debug!(%client, code = status.as_u16(), "a session is refused");
-                asking.refuse(status, self.limits.linger).await;
+                session_request.refuse(status, self.limits.linger).await;
                 Err("request")
             }
         }

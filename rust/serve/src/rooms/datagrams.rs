@@ -12,7 +12,7 @@ use quinn::{Connection, ConnectionError, ReadError, RecvStream, SendDatagramErro
 use tokio::time::{Instant, Sleep, interval, sleep_until, timeout, timeout_at};
 
 use super::frame::{FromServer, HEAD_BYTES};
-use super::outbox::{Part, Taken};
+use super::outbox::{Selection, Taken};
 use super::reason::{End, Reason};
 use super::session::Session;
 use crate::limits::{MAX_CONSECUTIVE, READ_BYTES};
@@ -235,7 +235,7 @@ impl Transport {
             }
             let received = std::mem::take(&mut self.received);
             self.record_written(received.into_iter());
-            match self.session.outbox.take(Part::Lasting, &mut self.written, &mut self.received) {
+            match self.session.outbox.take(Selection::Reliable, &mut self.written, &mut self.received) {
                 Taken::End(end) => return Err(end),
                 Taken::Message => self.last_progress = Instant::now(),
                 Taken::Nothing => return Ok(()),

@@ -58,10 +58,10 @@ struct QueuedPose {
 
 /// Selection of queued frames.
 #[derive(Clone, Copy, PartialEq)]
-pub enum Part {
+pub enum Selection {
     All,
     /// Reliable frames only, without poses and settled numbers that later ones will replace.
-    Lasting,
+    Reliable,
 }
 
 /// Poses and a settled number that fit into a datagram.
@@ -165,7 +165,7 @@ impl Outbox {
 
     /// Takes queued frames as one message: reliable frames in order, then poses; appends the poses' arrival times to
     /// `received`. All frames taken before have been written.
-    pub fn take(&self, part: Part, message: &mut BytesMut, received: &mut Vec<Instant>) -> Taken {
+    pub fn take(&self, selection: Selection, message: &mut BytesMut, received: &mut Vec<Instant>) -> Taken {
         let mut pending = self.pending.lock();
         if let Some(end) = &pending.end {
             return Taken::End(end.clone());
@@ -179,11 +179,12 @@ impl Outbox {
         pending.queue.clear();
         pending.shares.clear();
         pending.since = None;
-        for queued in pending.poses.extract_if(.., |queued| part == Part::All || queued.pose.stops) {
+        for queued in pending.poses.extract_if(.., |queued| selection == Selection::All || queued.pose.stops) {
             FromServer::Pose { user: queued.user, pose: queued.pose }.write(message);
             received.push(queued.received);
         }
-        if let Some(Settled { sequence, .. }) = pending.settled.take_if(|settled| part == Part::All || settled.is_last)
+        if let Some(Settled { sequence, .. }) =
+            pending.settled.take_if(|settled| selection == Selection::All || settled.is_last)
         {
             FromServer::Settled { sequence }.write(message);
         }

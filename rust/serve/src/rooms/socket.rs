@@ -14,7 +14,7 @@ use tokio_tungstenite::tungstenite::Error;
 use tokio_tungstenite::tungstenite::protocol::{CloseFrame, Message, Role, WebSocketConfig};
 
 use super::frame::{FromServer, HEAD_BYTES};
-use super::outbox::{Part, Taken};
+use super::outbox::{Selection, Taken};
 use super::pose;
 use super::reason::{End, Reason};
 use super::session::Session;
@@ -157,7 +157,7 @@ impl<S: Duplex> Socket<S> {
             let message = if std::mem::take(&mut self.is_ping_due) {
                 Message::Ping(Bytes::new())
             } else {
-                match self.session.outbox.take(Part::All, &mut self.message, &mut self.received) {
+                match self.session.outbox.take(Selection::All, &mut self.message, &mut self.received) {
                     Taken::End(end) => return Poll::Ready(end),
                     Taken::Message => Message::Binary(self.message.split().freeze()),
                     Taken::Nothing => return Poll::Pending,

@@ -26,7 +26,7 @@ const SESSION_ID: u64 = 0;
 const MAX_FRAMES_BEFORE_HEADERS: usize = 16;
 
 /// A session request that awaits its response.
-pub struct Asking {
+pub struct SessionRequest {
     link: Link,
     /// The request, with `Host` and `Origin` as in HTTP/1.1.
     pub request: Request<()>,
@@ -52,14 +52,14 @@ impl<E: std::error::Error> From<E> for Broken {
     }
 }
 
-impl Asking {
+impl SessionRequest {
     /// Reads a connection's request; closes the connection on errors.
     pub async fn read(connection: &Connection) -> Result<Self, Broken> {
-        let asking = read(connection).await;
-        if asking.is_err() {
+        let session_request = read(connection).await;
+        if session_request.is_err() {
             break_off(connection);
         }
-        asking
+        session_request
     }
 
     /// Accepts the session.
@@ -142,7 +142,7 @@ pub fn payload(mut datagram: &[u8]) -> Option<&[u8]> {
     (wire::number(&mut datagram)? == SESSION_ID).then_some(datagram)
 }
 
-async fn read(connection: &Connection) -> Result<Asking, Broken> {
+async fn read(connection: &Connection) -> Result<SessionRequest, Broken> {
     let mut control = connection.open_uni().await?;
     control.write_all(&wire::settings()).await?;
     // The client's settings are not read: without a dynamic table they have no effect.
@@ -151,7 +151,7 @@ async fn read(connection: &Connection) -> Result<Asking, Broken> {
     if connection.max_datagram_size().is_none_or(|max_bytes| max_bytes < MIN_DATAGRAM_BYTES) {
         return Err(Broken);
     }
-    Ok(Asking { link: Link { connection: connection.clone(), send, receive, _control: control }, request })
+    Ok(SessionRequest { link: Link { connection: connection.clone(), send, receive, _control: control }, request })
 }
 
 /// Reads the session request at the start of a connection's first stream.

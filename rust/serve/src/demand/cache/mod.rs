@@ -32,7 +32,7 @@ const DIGITS: usize = 16;
 
 /// A complete region.
 #[derive(Clone)]
-pub enum Whole {
+pub enum CompleteRegion {
     /// Region that is not on disk.
     InMemory(Arc<Region>),
     /// Manifest of a region on disk.
@@ -41,7 +41,7 @@ pub enum Whole {
 
 /// A file of a region.
 #[derive(Clone)]
-pub enum Kept {
+pub enum RegionFile {
     /// Content in memory.
     Content(Bytes),
     /// Path and size in bytes.
@@ -126,13 +126,13 @@ impl Cache {
     }
 
     /// A file of a cached region.
-    pub fn file(&self, name: &str) -> Option<Kept> {
+    pub fn file(&self, name: &str) -> Option<RegionFile> {
         let bytes = self.verify_file(&mut self.index.lock(), name)?;
-        Some(Kept::OnDisk(self.folder.join(name), bytes))
+        Some(RegionFile::OnDisk(self.folder.join(name), bytes))
     }
 
     /// Tileset of a cached region, found by its manifest.
-    pub fn tileset(&self, manifest: &[u8]) -> Option<Kept> {
+    pub fn tileset(&self, manifest: &[u8]) -> Option<RegionFile> {
         let listed = parse_files(manifest)?;
         self.file(&listed.iter().find(|file| file.document() == TILESET)?.name)
     }

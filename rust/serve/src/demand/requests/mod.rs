@@ -6,7 +6,7 @@ use std::thread::JoinHandle;
 
 use parking_lot::Mutex;
 
-use super::cache::{Cache, Kept, Whole};
+use super::cache::{Cache, CompleteRegion, RegionFile};
 use super::maker::Maker;
 use super::place::Place;
 use super::region::Outcome;
@@ -50,9 +50,9 @@ pub enum Refusal {
 /// Response to a request.
 pub enum Answer {
     /// The region is complete.
-    Whole(Whole),
+    Complete(CompleteRegion),
     /// The region is in progress.
-    Coming(Ticket),
+    InProgress(Ticket),
 }
 
 /// Makes regions on request.
@@ -93,14 +93,14 @@ impl Demand {
         let mut state = self.shared.state.lock();
         if let Some(manifest) = cached {
             state.figures.found += 1;
-            return Ok(Answer::Whole(Whole::Manifest(manifest)));
+            return Ok(Answer::Complete(CompleteRegion::Manifest(manifest)));
         }
         if self.shared.is_closing() {
             return Err(Refusal::Closing);
         }
         if let Some(region) = state.in_memory.iter().find(|region| region.place == place).cloned() {
             state.figures.found += 1;
-            return Ok(Answer::Whole(Whole::InMemory(region)));
+            return Ok(Answer::Complete(CompleteRegion::InMemory(region)));
         }
         if !state.entries.contains_key(&key) {
             let of_client = state.entries.values().filter(|entry| entry.clients.contains(&client)).count();
@@ -117,20 +117,20 @@ impl Demand {
         let region = state.add(client, key, place);
         drop(state);
         self.shared.wake();
-        Ok(Answer::Coming(Ticket::new(Arc::clone(&self.shared), region, client)))
+        Ok(Answer::InProgress(Ticket::new(Arc::clone(&self.shared), region, client)))
     }
 
     /// Content of a file of a region that is in progress or complete.
-    pub fn file(&self, name: &str) -> Option<Kept> {
+    pub fn file(&self, name: &str) -> Option<RegionFile> {
         let state = self.shared.state.lock();
         let mut in_memory = state.entries.values().map(|entry| &entry.region).chain(&state.in_memory);
         let found = in_memory.find_map(|region| region.file(name)).or_else(|| state.unlisted.file(name));
         drop(state);
-        found.map(Kept::Content).or_else(|| self.shared.cache.as_ref()?.file(name))
+        found.map(RegionFile::Content).or_else(|| self.shared.cache.as_ref()?.file(name))
     }
 
     /// Tileset of a region on disk, found by its manifest.
-    pub fn tileset(&self, manifest: &[u8]) -> Option<Kept> {
+    pub fn tileset(&self, manifest: &[u8]) -> Option<RegionFile> {
         self.shared.cache.as_ref()?.tileset(manifest)
     }
 

@@ -76,10 +76,14 @@ impl Bench {
     /// Requests a region that is not complete.
     fn ask(&self, client: IpAddr, place: Place) -> Ticket {
         match self.demand.ask(client, place) {
-            Ok(Answer::Coming(ticket)) => ticket,
-            Ok(Answer::Whole(_)) => panic!("the region is there"),
+            Ok(Answer::InProgress(ticket)) => ticket,
+            Ok(Answer::Complete(_)) => panic!("the region is there"),
             Err(refusal) => panic!("{refusal:?}"),
         }
+    }
+
+    fn is_on_disk(&self, place: Place) -> bool {
+        matches!(self.demand.ask(BOB, place), Ok(Answer::Complete(CompleteRegion::Manifest(_))))
     }
 }
 
@@ -121,7 +125,7 @@ async fn a_place_requested_by_several_is_made_once_for_all() {
     }
     assert_eq!(bench.begun.load(Ordering::SeqCst), 1);
     // Without a disk cache it stays in memory.
-    assert!(matches!(bench.demand.ask(ANN, Place([4.0, 1.7, 0.0])), Ok(Answer::Whole(Whole::InMemory(_)))));
+    assert!(matches!(bench.demand.ask(ANN, Place([4.0, 1.7, 0.0])), Ok(Answer::Complete(CompleteRegion::InMemory(_)))));
     assert!(bench.demand.file("files/4-0").is_some() && bench.demand.file("files/5-0").is_none());
 }
 
@@ -132,8 +136,8 @@ async fn a_slow_client_finds_maps_that_came_first_when_full_ones_are_made() {
     let ticket = bench.ask(ANN, Place([4.0, 1.75, 0.0]));
     bench.permit(2);
     completes(ticket).await;
-    assert!(matches!(bench.demand.ask(ANN, Place([4.0, 1.75, 0.0])), Ok(Answer::Whole(Whole::Manifest(_)))));
-    assert!(matches!(bench.demand.file("files/4-0"), Some(Kept::Content(_))));
+    assert!(bench.is_on_disk(Place([4.0, 1.75, 0.0])));
+    assert!(matches!(bench.demand.file("files/4-0"), Some(RegionFile::Content(_))));
     assert!(bench.demand.file("manifest.json").is_none());
 }
 
@@ -232,7 +236,7 @@ async fn complete_regions_come_from_the_disk() {
     let ticket = bench.ask(ANN, at(0.0));
     bench.permit(2);
     completes(ticket).await;
-    assert!(matches!(bench.demand.ask(BOB, at(0.0)), Ok(Answer::Whole(Whole::Manifest(_)))));
+    assert!(bench.is_on_disk(at(0.0)));
     assert_eq!(bench.begun.load(Ordering::SeqCst), 1);
 }
 

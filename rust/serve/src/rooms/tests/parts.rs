@@ -6,7 +6,7 @@ use bytes::BytesMut;
 
 use super::support::{asking, encode_each, pose, split};
 use crate::rooms::frame::{FromServer, To};
-use crate::rooms::outbox::{Outbox, Part, Taken};
+use crate::rooms::outbox::{Outbox, Selection, Taken};
 use crate::rooms::pose::Pose;
 use crate::rooms::reason::{End, Reason};
 use crate::rooms::session::Bucket;
@@ -16,7 +16,7 @@ const BURST: Duration = Duration::from_secs(2);
 /// All queued frames, encoded.
 fn drain(outbox: &Outbox) -> Vec<Vec<u8>> {
     let (mut message, mut read) = (BytesMut::new(), Vec::new());
-    match outbox.take(Part::All, &mut message, &mut read) {
+    match outbox.take(Selection::All, &mut message, &mut read) {
         Taken::Nothing => Vec::new(),
         Taken::Message => split(&message),
         Taken::End(end) => panic!("{end:?}"),
@@ -73,7 +73,7 @@ fn replaceable_poses_are_sent_apart_from_required_ones() {
     let (outbox, now) = (Outbox::new(1000, BURST), Instant::now());
     let part = || {
         let (mut message, mut read) = (BytesMut::new(), Vec::new());
-        let _ = outbox.take(Part::Lasting, &mut message, &mut read);
+        let _ = outbox.take(Selection::Reliable, &mut message, &mut read);
         (split(&message), read.len())
     };
     let rest = Pose { stops: true, ..pose(5) };
@@ -131,13 +131,13 @@ fn users_with_too_long_queues_are_disconnected_and_freed() {
     outbox.add(&frame);
     outbox.add(&frame);
     let (mut message, mut read) = (BytesMut::new(), Vec::new());
-    let end = outbox.take(Part::All, &mut message, &mut read);
+    let end = outbox.take(Selection::All, &mut message, &mut read);
     assert!(matches!(&end, Taken::End(End { reason: Reason::Slow, .. })), "{end:?}");
     assert!(message.is_empty());
     // The first reason is kept.
     outbox.end(End::new(Reason::Ending, ""));
     outbox.add_pose(1, pose(1), Instant::now());
-    assert_eq!(outbox.take(Part::All, &mut message, &mut read), end);
+    assert_eq!(outbox.take(Selection::All, &mut message, &mut read), end);
 }
 
 #[test]

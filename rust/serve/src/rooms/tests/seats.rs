@@ -9,7 +9,7 @@ use super::support::{pose, split};
 use crate::clients::Clients;
 use crate::rooms::figures::Figures;
 use crate::rooms::frame::{FromServer, To};
-use crate::rooms::outbox::{Outbox, Part, Taken};
+use crate::rooms::outbox::{Outbox, Selection, Taken};
 use crate::rooms::reason::Reason;
 use crate::rooms::room::{Joining, Room, Sender};
 
@@ -27,7 +27,7 @@ fn join(room: &Room, previous: Option<(u16, u64)>) -> Sender {
 /// Queued frames, except those about joining and leaving.
 fn queued_frames(outbox: &Outbox) -> Vec<Vec<u8>> {
     let mut message = BytesMut::new();
-    assert!(!matches!(outbox.take(Part::All, &mut message, &mut Vec::new()), Taken::End(_)));
+    assert!(!matches!(outbox.take(Selection::All, &mut message, &mut Vec::new()), Taken::End(_)));
     let is_sent = |frame: &Vec<u8>| {
         let (frame, _) = FromServer::read(frame).expect("a frame");
         !matches!(frame, FromServer::Welcome { .. } | FromServer::Joined { .. } | FromServer::Left { .. })

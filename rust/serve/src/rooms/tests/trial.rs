@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 use bytes::{Buf, BytesMut};
 
 use super::frame::{FromServer, FromUser, HEAD_BYTES, MAX_SAY_BYTES, MAX_SIGNAL_BYTES, To};
-use super::outbox::{Outbox, Part, Taken};
+use super::outbox::{Outbox, Selection, Taken};
 use super::pose::{self, Placed, Pose};
 use super::reason::End;
 use super::{Entering, Limits, Rooms, Session};
@@ -236,7 +236,7 @@ impl Trial {
         let (mut message, mut read) = (BytesMut::new(), Vec::new());
         let User { session, seen, ticket, most, loses, .. } = &mut self.users[who];
         let Some(open) = session else { return };
-        let part = if has_datagrams(who) { Part::Lasting } else { Part::All };
+        let part = if has_datagrams(who) { Selection::Reliable } else { Selection::All };
         if let Taken::End(_) = open.outbox.take(part, &mut message, &mut read) {
             *session = None;
             return;
