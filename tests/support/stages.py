@@ -62,7 +62,7 @@ SERVE: dict[str, set[str]] = {
     "record": {"flow", "router"},
     "connection": {"flow", "limits", "record", "respond", "rooms", "router"},
     "quic": {"clients", "connection", "offer", "rooms", "router", "tls", "webtransport"},
-    "server": {"clients", "connection", "limits", "quic", "rooms", "router", "tls"},
+    "server": {"clients", "connection", "limits", "offer", "quic", "rooms", "router", "tls"},
 }
 """Modules of the server, in the order of lib.rs; it uses no other crate of the project."""
 

@@ -22,7 +22,7 @@ use tokio_rustls::TlsAcceptor;
 
 use crate::flow::Flow;
 use crate::limits::Limits;
-use crate::rooms::{self, Duplex, Entering, Session};
+use crate::rooms::{self, Duplex, Entrance, Session};
 use crate::router::Router;
 use crate::{record, respond};
 
@@ -121,16 +121,16 @@ async fn http1<S: Duplex>(
     client: IpAddr,
     shutdown: Shutdown,
 ) -> Result<(), &'static str> {
-    let (router, flow, entered) = (Arc::clone(&shared.router), Flow::new(), Arc::new(OnceLock::new()));
-    let enters = Arc::clone(&entered);
+    let (router, flow, entry) = (Arc::clone(&shared.router), Flow::new(), Arc::new(OnceLock::new()));
+    let new_entry = Arc::clone(&entry);
     let answer = service_fn(move |mut request: Request<Incoming>| {
-        let (router, flow, enters) = (Arc::clone(&router), Arc::clone(&flow), Arc::clone(&enters));
+        let (router, flow, new_entry) = (Arc::clone(&router), Arc::clone(&flow), Arc::clone(&new_entry));
         async move {
             let upgrade = hyper::upgrade::on(&mut request);
             let mut answer = record::answer(router, flow, usize::MAX, client, request).await;
-            if let Some(entering) = answer.extensions_mut().remove::<Entering>() {
+            if let Some(entrance) = answer.extensions_mut().remove::<Entrance>() {
                 // A connection is upgraded at most once.
-                let _ = enters.set((upgrade, entering));
+                let _ = new_entry.set((upgrade, entrance));
             }
             Ok::<_, Infallible>(answer)
         }
@@ -138,8 +138,8 @@ async fn http1<S: Duplex>(
     let connection = http1_within(shared.limits).serve_connection(TokioIo::new(stream), answer).with_upgrades();
     let result =
         run_until_shutdown(connection, shutdown.clone(), http1::UpgradeableConnection::graceful_shutdown).await;
-    if let (Ok(()), Some(rooms), Some((upgrade, entering))) = (&result, shared.router.rooms(), entered.get().cloned()) {
-        let session = Session::new(Arc::clone(rooms), entering, std::time::Instant::now());
+    if let (Ok(()), Some(rooms), Some((upgrade, entrance))) = (&result, shared.router.rooms(), entry.get().cloned()) {
+        let session = Session::new(Arc::clone(rooms), entrance, std::time::Instant::now());
         enter(session, upgrade, tcp, client, shutdown).await;
     }
     end_reason(client, result)

@@ -15,7 +15,7 @@ use crate::offer::Offer;
 use crate::packed::Packed;
 use crate::respond::Asked;
 use crate::rooms::requests::{self, Door};
-use crate::rooms::{Datagrams, Entering, Rooms};
+use crate::rooms::{Datagrams, Entrance, Rooms};
 use crate::site::{Document, Sites, find};
 use crate::{regions, respond};
 
@@ -49,7 +49,7 @@ pub struct Router {
     /// Names listed in the server's certificate.
     certified: Vec<String>,
     /// WebTransport offer for pages.
-    offer: Option<Offer>,
+    pub(crate) offer: Option<Offer>,
     /// Metrics of the responses.
     pub metrics: Metrics,
 }
@@ -134,7 +134,7 @@ impl Router {
     }
 
     /// Room that a WebTransport request enters, or the status of the refusal.
-    pub(crate) fn entering<B>(&self, client: IpAddr, request: &Request<B>) -> Result<Entering, StatusCode> {
+    pub(crate) fn entrance<B>(&self, client: IpAddr, request: &Request<B>) -> Result<Entrance, StatusCode> {
         if !self.is_called_by_its_name(request) {
             return Err(StatusCode::FORBIDDEN);
         }
@@ -146,11 +146,6 @@ impl Router {
     /// Current WebTransport settings for pages; none if it is off.
     pub(crate) fn datagrams(&self) -> Option<Datagrams> {
         self.offer.as_ref().map(Offer::description)
-    }
-
-    /// Replaces the certificate for WebTransport if it is due.
-    pub(crate) fn renew_offer(&self) -> Result<(), String> {
-        self.offer.as_ref().map_or(Ok(()), Offer::refresh)
     }
 
     /// Access rules for a request for rooms.

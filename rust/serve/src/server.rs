@@ -15,6 +15,7 @@ use tokio_rustls::TlsAcceptor;
 use crate::clients::Gate;
 use crate::connection::{self, Shared};
 use crate::limits::Limits;
+use crate::offer::Offer;
 use crate::quic;
 use crate::rooms::Datagrams;
 use crate::router::Router;
@@ -178,7 +179,7 @@ async fn renew(current: Option<Arc<Current>>, router: Arc<Router>) {
             }
             router.metrics.expires(current.identity().ends);
         }
-        if let Err(reason) = router.renew_offer() {
+        if let Some(Err(reason)) = router.offer.as_ref().map(Offer::refresh) {
             tracing::warn!(%reason, "pages cannot connect for datagrams");
         }
         tokio::time::sleep(CHECK_INTERVAL).await;

@@ -26,7 +26,6 @@ impl Unlisted {
         }
     }
 
-    /// Content of a file.
     pub fn file(&self, name: &str) -> Option<Bytes> {
         self.regions.iter().find_map(|files| files.get(name).cloned())
     }

@@ -151,12 +151,10 @@ impl Shared {
         self.is_closing.load(Ordering::Acquire)
     }
 
-    /// Wakes the threads, because there is work.
     pub fn wake(&self) {
         self.wake.notify_all();
     }
 
-    /// Tells the threads to stop.
     pub fn close(&self) {
         // Under the lock, so that a thread between its check and its wait does not miss the wake-up.
         let state = self.state.lock();

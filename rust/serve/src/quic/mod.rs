@@ -130,10 +130,10 @@ impl Listener {
         let mut session_request = SessionRequest::read(connection).await.map_err(|Broken| "request")?;
         self.set_host(session_request.request.headers_mut(), shared.tls.is_some());
         let rooms = shared.router.rooms().ok_or("request")?;
-        match shared.router.entering(client, &session_request.request) {
-            Ok(entering) => {
+        match shared.router.entrance(client, &session_request.request) {
+            Ok(entrance) => {
                 let link = session_request.accept().await.map_err(|Broken| "request")?;
-                Ok((Session::new(Arc::clone(rooms), entering, std::time::Instant::now()), link))
+                Ok((Session::new(Arc::clone(rooms), entrance, std::time::Instant::now()), link))
             }
             Err(status) => {
                 tracing::debug!(%client, code = status.as_u16(), "a session is refused");

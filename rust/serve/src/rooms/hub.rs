@@ -10,7 +10,7 @@ use rustls::crypto::ring;
 use super::figures::Figures;
 use super::limits::Limits;
 use super::reason::{End, Reason};
-use super::room::{Joining, Room, Sender};
+use super::room::{JoinRequest, Room, Sender};
 use super::token::Key;
 use crate::clients::{Admission, Clients, client_key};
 
@@ -50,7 +50,6 @@ pub struct Seat {
     rooms: Arc<Rooms>,
     name: String,
     pub room: Arc<Room>,
-    /// The user and its connection.
     pub sender: Sender,
 }
 
@@ -112,10 +111,10 @@ impl Rooms {
         name: &str,
         client: &CountedClient,
         ticket: &[u8],
-        mut joining: Joining<'_>,
+        mut join_request: JoinRequest<'_>,
     ) -> Result<Seat, End> {
-        let token = joining.token;
-        joining.previous = rooms.ticket_key.check_ticket(name, token.as_ref(), ticket);
+        let token = join_request.token;
+        join_request.previous = rooms.ticket_key.check_ticket(name, token.as_ref(), ticket);
         let mut state = rooms.state.lock();
         if state.is_closed {
             return Err(ending());
@@ -131,15 +130,15 @@ impl Rooms {
                 let creator = Clients::admit(&rooms.creators, client.address, limit, usize::MAX);
                 let sentence = || format!("expected a client that has begun fewer than {limit} rooms");
                 let creator = creator.ok_or_else(|| End::new(Reason::Full, sentence()))?;
-                Arc::new(Room::new(joining.identity as u16, Arc::clone(&rooms.figures), creator))
+                Arc::new(Room::new(join_request.identity as u16, Arc::clone(&rooms.figures), creator))
             }
         };
         let ticket = |user, identity| rooms.ticket_key.ticket(name, token.as_ref(), user, identity);
-        let user = room.join(&joining, rooms.limits.users, ticket)?;
+        let user = room.join(&join_request, rooms.limits.users, ticket)?;
         state.rooms.insert(name.to_owned(), Arc::clone(&room));
         rooms.figures.rooms.set(state.rooms.len() as i64);
         drop(state);
-        let sender = Sender { user, outbox: joining.outbox };
+        let sender = Sender { user, outbox: join_request.outbox };
         Ok(Seat { rooms: Arc::clone(rooms), name: name.to_owned(), room, sender })
     }
 }

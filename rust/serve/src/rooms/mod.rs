@@ -30,6 +30,6 @@ pub(crate) use hub::ending;
 pub use limits::Limits;
 pub use reason::Reason;
 pub use requests::Datagrams;
-pub(crate) use session::{Entering, Session};
+pub(crate) use session::{Entrance, Session};
 pub(crate) use socket::{Duplex, serve};
 pub use token::{Key, Number};

@@ -9,7 +9,7 @@ use serde::Serialize;
 use tokio_tungstenite::tungstenite::handshake::server::create_response_with_body;
 
 use super::hub::{CountedClient, Rooms};
-use super::session::Entering;
+use super::session::Entrance;
 use crate::respond;
 
 /// Path of the capabilities, and path prefix of rooms.
@@ -97,7 +97,7 @@ pub fn room(path: &str) -> Option<&str> {
     (has_length && !name.contains(|each: char| each.is_control() || each == '/')).then_some(name)
 }
 
-/// Handles a request for a room: switches to WebSocket, with an `Entering` extension in the response, or refuses with
+/// Handles a request for a room: switches to WebSocket, with an `Entrance` extension in the response, or refuses with
 /// a reason. `count_client` counts the connection; none if the server is full.
 pub fn upgrade<B>(
     room: &str,
@@ -113,7 +113,7 @@ pub fn upgrade<B>(
             let Some(client) = count_client() else {
                 return respond::refusal(StatusCode::SERVICE_UNAVAILABLE, "the server has its maximum number of users");
             };
-            answer.extensions_mut().insert(entering(room, client, request));
+            answer.extensions_mut().insert(entrance(room, client, request));
             answer
         }
         Err(error) => {
@@ -133,16 +133,16 @@ pub fn session<B>(
     door: Door<'_>,
     count_client: impl FnOnce() -> Option<CountedClient>,
     request: &Request<B>,
-) -> Result<Entering, StatusCode> {
+) -> Result<Entrance, StatusCode> {
     if !door.is_open(request.headers()) {
         return Err(StatusCode::FORBIDDEN);
     }
     let client = count_client().ok_or(StatusCode::SERVICE_UNAVAILABLE)?;
-    Ok(entering(room, client, request))
+    Ok(entrance(room, client, request))
 }
 
-fn entering<B>(room: &str, client: CountedClient, request: &Request<B>) -> Entering {
+fn entrance<B>(room: &str, client: CountedClient, request: &Request<B>) -> Entrance {
     let query = request.uri().query().unwrap_or_default();
     let token = query.split('&').find_map(|pair| pair.strip_prefix("token="));
-    Entering { room: room.to_owned(), token: token.map(str::to_owned), client }
+    Entrance { room: room.to_owned(), token: token.map(str::to_owned), client }
 }

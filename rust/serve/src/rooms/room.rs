@@ -49,7 +49,7 @@ pub struct Sender {
 }
 
 /// Request to join a room.
-pub struct Joining<'a> {
+pub struct JoinRequest<'a> {
     /// Group, chosen by the user.
     pub group: u16,
     /// Name that others see.
@@ -84,14 +84,14 @@ impl Room {
     /// number.
     pub fn join(
         &self,
-        joining: &Joining<'_>,
+        join_request: &JoinRequest<'_>,
         max_users: usize,
         make_ticket: impl FnOnce(u16, u64) -> [u8; TICKET],
     ) -> Result<u16, End> {
         let mut state = self.state.lock();
-        let has_token = |user: &User| joining.token.is_some() && user.token == joining.token;
+        let has_token = |user: &User| join_request.token.is_some() && user.token == join_request.token;
         // A ticket proves that the token was not intercepted, so its owner replaces all other users of the token.
-        let replaced: Vec<u16> = joining.previous.map_or_else(Vec::new, |previous| {
+        let replaced: Vec<u16> = join_request.previous.map_or_else(Vec::new, |previous| {
             let is_old = |(user, present): &(&u16, &User)| (**user, present.identity) == previous || has_token(present);
             state.users.iter().filter(is_old).map(|(user, _)| *user).collect()
         });
@@ -106,10 +106,10 @@ impl Room {
             self.figures.users.dec();
             outbox.end(End::new(Reason::Replaced, "the user reconnected over another connection"));
         }
-        let previous = joining.previous.filter(|(user, _)| !state.users.contains_key(user));
-        let (user, identity) = previous.unwrap_or_else(|| (state.next_free_number(), joining.identity));
-        state.welcome(user, joining, &make_ticket(user, identity));
-        state.enter(user, identity, joining);
+        let previous = join_request.previous.filter(|(user, _)| !state.users.contains_key(user));
+        let (user, identity) = previous.unwrap_or_else(|| (state.next_free_number(), join_request.identity));
+        state.welcome(user, join_request, &make_ticket(user, identity));
+        state.enter(user, identity, join_request);
         self.figures.users.inc();
         Ok(user)
     }
@@ -190,15 +190,15 @@ impl State {
     }
 
     /// Queues `welcome` and a `joined` frame of each present user for a new user.
-    fn welcome(&self, user: u16, joining: &Joining<'_>, ticket: &[u8]) {
-        joining.outbox.add(&FromServer::Welcome { user, others: self.users.len() as u16, ticket });
+    fn welcome(&self, user: u16, join_request: &JoinRequest<'_>, ticket: &[u8]) {
+        join_request.outbox.add(&FromServer::Welcome { user, others: self.users.len() as u16, ticket });
         for (number, other) in &self.users {
-            joining.outbox.add(&FromServer::Joined { user: *number, group: other.group, name: &other.name });
+            join_request.outbox.add(&FromServer::Joined { user: *number, group: other.group, name: &other.name });
         }
     }
 
-    fn enter(&mut self, user: u16, identity: u64, joining: &Joining<'_>) {
-        let &Joining { group, name, token, .. } = joining;
+    fn enter(&mut self, user: u16, identity: u64, join_request: &JoinRequest<'_>) {
+        let &JoinRequest { group, name, token, .. } = join_request;
         self.notify_others(user, &FromServer::Joined { user, group, name });
         let peers = self.groups.entry(group).or_default();
         let settling = Settling::new(peers.iter().map(|(peer, _)| *peer));
@@ -207,7 +207,7 @@ impl State {
                 peer.settling.join(user);
             }
         }
-        let (name, outbox) = (name.to_owned(), Arc::clone(&joining.outbox));
+        let (name, outbox) = (name.to_owned(), Arc::clone(&join_request.outbox));
         peers.push((user, Arc::clone(&outbox)));
         self.users.insert(user, User { group, name, identity, token, outbox, settling, has_stopped: false });
     }

@@ -9,7 +9,7 @@ use super::limits::Limits;
 use super::outbox::Outbox;
 use super::pose::Pose;
 use super::reason::{End, Reason};
-use super::room::Joining;
+use super::room::JoinRequest;
 
 /// Divisor of the queue's limit: burst that a user may send by `say` and `signal`.
 const SAY_BURST_DIVISOR: usize = 4;
@@ -21,7 +21,7 @@ const MIN_MESSAGE_BYTES: usize = 64;
 /// Connection of a user to a room; it has a seat after its first frame.
 pub struct Session {
     pub rooms: Arc<Rooms>,
-    entering: Entering,
+    entrance: Entrance,
     /// Queue of frames for the user.
     pub outbox: Arc<Outbox>,
     seat: Option<Seat>,
@@ -35,15 +35,14 @@ pub struct Session {
 
 /// Room and token of a connection, from its address, and its client.
 #[derive(Clone, Debug)]
-pub struct Entering {
+pub struct Entrance {
     pub room: String,
     pub token: Option<String>,
     pub client: CountedClient,
 }
 
 impl Session {
-    /// Creates the session of a new connection.
-    pub fn new(rooms: Arc<Rooms>, entering: Entering, now: Instant) -> Self {
+    pub fn new(rooms: Arc<Rooms>, entrance: Entrance, now: Instant) -> Self {
         let limits = rooms.limits;
         let outbox = Arc::new(Outbox::new(limits.queue_bytes, limits.burst));
         let bucket = |rate| Bucket::new(rate, rate * limits.burst.as_secs_f64(), now);
@@ -51,7 +50,7 @@ impl Session {
         let said_burst = (limits.queue_bytes / SAY_BURST_DIVISOR) as f64;
         let said_bytes = Bucket::new(limits.said_bytes_per_second, said_burst, now);
         let [poses, final_poses] = [(); 2].map(|()| bucket(limits.poses_per_second));
-        Session { rooms, entering, outbox, seat: None, messages, bytes, said_bytes, poses, final_poses }
+        Session { rooms, entrance, outbox, seat: None, messages, bytes, said_bytes, poses, final_poses }
     }
 
     /// Whether the user is in the room.
@@ -148,7 +147,7 @@ impl Session {
         let FromUser::Hello { group, name, ticket } = first else {
             return Err(End::new(Reason::Frame, "expected hello first"));
         };
-        let Entering { room, token, client } = &self.entering;
+        let Entrance { room, token, client } = &self.entrance;
         let check_token = |key: &super::Key| {
             let now = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH).map_or(u64::MAX, |age| age.as_secs());
             key.check(room, now, token.as_deref().unwrap_or_default())
@@ -156,8 +155,9 @@ impl Session {
         let token = self.rooms.token_key.as_ref().map(check_token).transpose();
         let token = token.map_err(|sentence| End::new(Reason::Token, sentence))?;
         let identity = u64::from_le_bytes(random().map_err(|sentence| End::new(Reason::Full, sentence))?);
-        let joining = Joining { group, name, token, previous: None, identity, outbox: Arc::clone(&self.outbox) };
-        self.seat = Some(Rooms::join(&self.rooms, room, client, ticket, joining)?);
+        let join_request =
+            JoinRequest { group, name, token, previous: None, identity, outbox: Arc::clone(&self.outbox) };
+        self.seat = Some(Rooms::join(&self.rooms, room, client, ticket, join_request)?);
         Ok(())
     }
 }

@@ -13,7 +13,6 @@ pub struct Settling {
 }
 
 impl Settling {
-    /// Creates the state for a group with other users.
     pub fn new(peers: impl Iterator<Item = u16>) -> Self {
         Settling { sent: None, settled: None, peers: peers.map(|peer| (peer, None)).collect() }
     }

@@ -62,7 +62,6 @@ impl SessionRequest {
         session_request
     }
 
-    /// Accepts the session.
     pub async fn accept(mut self) -> Result<Link, Broken> {
         self.answer(StatusCode::OK).await?;
         Ok(self.link)
@@ -118,7 +117,6 @@ impl Link {
         Ok(self.send.finish()?)
     }
 
-    /// Closes the connection.
     pub fn close(&self, code: u16, reason: &str) {
         self.connection.close(VarInt::from_u32(code.into()), reason.as_bytes());
     }

@@ -199,7 +199,7 @@ async fn requests_are_bounded_for_each_client_and_in_all() {
     let bench = Bench::new(None, Limits { regions: 3, per_client: 2, ..one() });
     let _held = [bench.ask(ANN, at(0.0)), bench.ask(ANN, at(10.0))];
     assert_eq!(bench.demand.ask(ANN, at(20.0)).err(), Some(Refusal::TooManyOfClient(2)));
-    // Joining an existing region adds no work.
+    // JoinRequest an existing region adds no work.
     let _other = bench.ask(BOB, at(30.0));
     let _shared = bench.ask(ANN, at(30.0));
     assert_eq!(bench.demand.ask(BOB, at(40.0)).err(), Some(Refusal::TooMany(3)));

@@ -16,7 +16,7 @@ use tokio_tungstenite::tungstenite::protocol::Role;
 use super::support::{User, limits, pose};
 use crate::rooms::frame::{FromServer, FromUser};
 use crate::rooms::outbox::Outbox;
-use crate::rooms::{Entering, Limits, Reason, Rooms, Session, serve};
+use crate::rooms::{Entrance, Limits, Reason, Rooms, Session, serve};
 
 const SECOND: Duration = Duration::from_secs(1);
 
@@ -38,8 +38,8 @@ async fn connect_unserved(limits: Limits) -> (User<DuplexStream>, impl Future<Ou
     let rooms = Arc::new(Rooms::new(limits, None).expect("there are random bytes"));
     let (near, far) = duplex(1 << 12);
     let client = rooms.count_client([127, 0, 0, 1].into(), 1).expect("a free connection");
-    let entering = Entering { room: "hall".to_owned(), token: None, client };
-    let session = Session::new(rooms, entering, Instant::now().into_std());
+    let entrance = Entrance { room: "hall".to_owned(), token: None, client };
+    let session = Session::new(rooms, entrance, Instant::now().into_std());
     let outbox = Arc::clone(&session.outbox);
     let user = User::new(WebSocketStream::from_raw_socket(near, Role::Client, None).await);
     (user, serve(session, far, Bytes::new()), outbox)

@@ -17,7 +17,7 @@ use crate::rooms::frame::{FromServer, FromUser, To};
 use crate::rooms::hub::CountedClient;
 use crate::rooms::pose::Pose;
 use crate::rooms::reason::{End, Reason};
-use crate::rooms::{Entering, Key, Limits, Rooms, Session, requests};
+use crate::rooms::{Entrance, Key, Limits, Rooms, Session, requests};
 use crate::{Answering, HeaderValue, Server, tls};
 
 fn answering(origin: Option<&'static str>) -> Answering {
@@ -127,8 +127,8 @@ fn sockets_and_new_rooms_of_a_client_are_limited() {
     let [one, two, other] = [1, 1, 2].map(|last| count([10, 0, 0, last]).expect("a free connection"));
     assert!(count([10, 0, 0, 1]).is_none());
     let enter = |room: &str, client: &CountedClient| {
-        let entering = Entering { room: room.to_owned(), token: None, client: client.clone() };
-        let mut session = Session::new(Arc::clone(&rooms), entering, Instant::now());
+        let entrance = Entrance { room: room.to_owned(), token: None, client: client.clone() };
+        let mut session = Session::new(Arc::clone(&rooms), entrance, Instant::now());
         let hello = encode(&[FromUser::Hello { group: 0, name: "", ticket: &[] }]);
         session.message(&hello, Instant::now()).map(|()| session)
     };
@@ -145,8 +145,8 @@ fn sockets_and_new_rooms_of_a_client_are_limited() {
 fn alone(limits: Limits) -> (Arc<Rooms>, impl FnMut(u64, FromUser<'_>) -> Result<(), End>) {
     let (rooms, begin) = (Arc::new(Rooms::new(limits, None).expect("they fit")), Instant::now());
     let client = rooms.count_client([10, 0, 0, 1].into(), 100).expect("a free connection");
-    let entering = Entering { room: "hall".to_owned(), token: None, client };
-    let mut session = Session::new(Arc::clone(&rooms), entering, begin);
+    let entrance = Entrance { room: "hall".to_owned(), token: None, client };
+    let mut session = Session::new(Arc::clone(&rooms), entrance, begin);
     let mut send =
         move |seconds, frame: FromUser<'_>| session.message(&encode(&[frame]), begin + Duration::from_secs(seconds));
     assert_eq!(send(0, FromUser::Hello { group: 0, name: "", ticket: &[] }), Ok(()));

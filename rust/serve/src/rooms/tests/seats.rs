@@ -11,7 +11,7 @@ use crate::rooms::figures::Figures;
 use crate::rooms::frame::{FromServer, To};
 use crate::rooms::outbox::{Outbox, Selection, Taken};
 use crate::rooms::reason::Reason;
-use crate::rooms::room::{Joining, Room, Sender};
+use crate::rooms::room::{JoinRequest, Room, Sender};
 
 fn room() -> Room {
     let begun = Clients::admit(&Arc::default(), [127, 0, 0, 1].into(), 1, 1).expect("the first one");
@@ -20,8 +20,9 @@ fn room() -> Room {
 
 fn join(room: &Room, previous: Option<(u16, u64)>) -> Sender {
     let outbox = Arc::new(Outbox::new(10_000, Duration::from_secs(2)));
-    let joining = Joining { group: 1, name: "", token: None, previous, identity: 7, outbox: Arc::clone(&outbox) };
-    Sender { user: room.join(&joining, 9, |_, _| [0; 26]).expect("there is place"), outbox }
+    let join_request =
+        JoinRequest { group: 1, name: "", token: None, previous, identity: 7, outbox: Arc::clone(&outbox) };
+    Sender { user: room.join(&join_request, 9, |_, _| [0; 26]).expect("there is place"), outbox }
 }
 
 /// Queued frames, except those about joining and leaving.

@@ -67,7 +67,7 @@ async fn ask_at(datagrams: Datagrams, path: &str, origin: Option<&str>) -> Asked
     Ok((connection, endpoint))
 }
 
-/// Starts a session with its stream, without joining.
+/// Starts a session with its stream, without join_request.
 pub async fn connect(server: &Server, path: &str) -> Guest {
     connect_at(server.datagrams().expect("datagrams"), path).await
 }
@@ -100,7 +100,7 @@ impl Guest {
     }
 
     /// Sends frames as a datagram.
-    pub fn throw(&self, frames: &[FromUser<'_>]) {
+    pub fn send_datagram(&self, frames: &[FromUser<'_>]) {
         self.connection.send_datagram(encode(frames)).expect("the server takes datagrams");
     }
 

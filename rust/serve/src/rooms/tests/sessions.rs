@@ -20,7 +20,7 @@ async fn users_of_both_transports_see_each_other() {
     let mut guest = join(&server, "hall", 1, "guest").await;
     let joined = FromServer::Joined { user: guest.number, group: 1, name: "guest" };
     socket.until(|frame| (frame == joined).then_some(())).await;
-    guest.throw(&[FromUser::Pose(pose(1))]);
+    guest.send_datagram(&[FromUser::Pose(pose(1))]);
     assert_eq!(socket.pose_of(guest.number).await, pose(1));
     socket.send(&[FromUser::Pose(pose(7))]).await;
     assert_eq!(guest.pose_of(socket.number).await, (By::Datagram, pose(7)));
@@ -46,9 +46,9 @@ async fn poses_settle_by_datagrams_and_by_the_stream_once_the_user_rests() {
     one.until(pick!(FromServer::Joined { .. } => ())).await;
     let settled = pick!(FromServer::Settled { sequence } => sequence);
     for sequence in 1..4 {
-        one.throw(&[FromUser::Pose(asking(sequence))]);
+        one.send_datagram(&[FromUser::Pose(asking(sequence))]);
         assert_eq!(two.pose_of(one.number).await, (By::Datagram, asking(sequence)));
-        two.throw(&[FromUser::Ack { user: one.number, sequence }]);
+        two.send_datagram(&[FromUser::Ack { user: one.number, sequence }]);
         assert_eq!(one.until(settled).await, (By::Datagram, sequence));
     }
     let rest = Pose { stops: true, ..asking(4) };

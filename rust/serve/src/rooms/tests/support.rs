@@ -88,7 +88,7 @@ pub struct User<S = TcpStream> {
     pub ticket: Vec<u8>,
 }
 
-/// Connects to a path without joining.
+/// Connects to a path without join_request.
 pub async fn connect(address: SocketAddr, path: &str) -> Result<User, Error> {
     let stream = TcpStream::connect(address).await?;
     upgrade(stream, address, path).await
