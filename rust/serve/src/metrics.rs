@@ -94,22 +94,17 @@ impl fmt::Debug for Demands {
 impl Collector for Demands {
     fn encode(&self, mut encoder: DescriptorEncoder<'_>) -> fmt::Result {
         let all: Vec<_> = self.0.iter().map(|(name, demand)| (name.as_str(), demand.figures())).collect();
-        for (name, help, unit, value) in [
-            (
-                "regions_waiting",
-                "Regions that clients wait for",
-                None,
-                (|figures| figures.waiting) as fn(&Figures) -> u64,
-            ),
-            ("cache", "Regions on disk", Some(&Unit::Bytes), |figures| figures.cached_bytes),
-        ] {
+        let mut encode_gauge = |name, help, unit, value: fn(&Figures) -> u64| -> fmt::Result {
             let mut gauges = encoder.encode_descriptor(name, help, unit, MetricType::Gauge)?;
             for (site, figures) in &all {
                 ConstGauge::new(value(figures) as i64).encode(gauges.encode_family(&[("site", *site)])?)?;
             }
-        }
-        let mut ended =
-            encoder.encode_descriptor("regions", "Requests for regions, by outcome", None, MetricType::Counter)?;
+            Ok(())
+        };
+        encode_gauge("regions_waiting", "Regions that clients wait for", None, |figures| figures.waiting)?;
+        encode_gauge("cache", "Regions on disk", Some(&Unit::Bytes), |figures| figures.cached_bytes)?;
+        let help = "Requests for regions, by outcome";
+        let mut ended = encoder.encode_descriptor("regions", help, None, MetricType::Counter)?;
         for (site, figures) in &all {
             for (outcome, count) in figures.outcomes() {
                 let labels = [("site", *site), ("outcome", outcome)];

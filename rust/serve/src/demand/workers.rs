@@ -234,13 +234,12 @@ impl Shared {
 
     /// Stores a complete region on disk, or in memory if that fails, and records that it is complete.
     fn keep(&self, region: &Arc<Region>) {
-        let cache = self.cache.as_ref().filter(|cache| {
-            let stored = cache.keep(&region.place.to_string(), &region.files());
-            stored
-                .inspect_err(|error| tracing::warn!(place = %region.place, %error, "a region cannot be kept on disk"))
-                .is_ok()
-        });
-        if let Some(cache) = cache {
+        let key = region.place.to_string();
+        let stored = self.cache.as_ref().map(|cache| cache.keep(&key, &region.files()).map(|()| cache)).transpose();
+        if let Err(error) = &stored {
+            tracing::warn!(place = %region.place, %error, "a region cannot be kept on disk");
+        }
+        if let Ok(Some(cache)) = stored {
             let mut unlisted = region.files();
             unlisted.retain(|name, _| name.starts_with("files/") && cache.file(name).is_none());
             self.state.lock().unlisted.add(unlisted);

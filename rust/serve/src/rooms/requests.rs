@@ -65,14 +65,12 @@ impl Door<'_> {
         // The scheme is ignored, because a proxy may terminate TLS.
         let origin = origin.to_str().unwrap_or_default();
         let page_host = origin.strip_prefix("https://").or_else(|| origin.strip_prefix("http://"));
-        page_host
-            .zip(self.host)
-            .is_some_and(|(page_host, host)| page_host.eq_ignore_ascii_case(host) && self.is_host_of_server(host))
+        page_host.zip(self.host).is_some_and(|(page, host)| page.eq_ignore_ascii_case(host) && self.is_own_host(host))
     }
 
     /// Whether a page loaded from this host belongs to the server. With DNS rebinding, a name's owner can serve a page
     /// from it and then redirect the name to this server; IP addresses and localhost cannot be rebound.
-    fn is_host_of_server(self, host: &str) -> bool {
+    fn is_own_host(self, host: &str) -> bool {
         let is_address = host.parse::<SocketAddr>().is_ok() || host.trim_matches(['[', ']']).parse::<IpAddr>().is_ok();
         let name = host.split(':').next().unwrap_or_default();
         self.needs_token || self.is_named || is_address || name.eq_ignore_ascii_case("localhost")
