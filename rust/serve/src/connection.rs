@@ -16,7 +16,7 @@ use hyper::upgrade::OnUpgrade;
 use hyper_util::rt::{TokioExecutor, TokioIo, TokioTimer};
 use tokio::net::TcpStream;
 use tokio::sync::watch;
-use tokio::time::timeout;
+use tokio::time::{sleep, timeout};
 use tokio_io_timeout::TimeoutStream;
 use tokio_rustls::TlsAcceptor;
 
@@ -187,12 +187,16 @@ async fn http2<S: Duplex>(shared: &Shared, stream: S, client: IpAddr, shutdown: 
     // Disconnects clients that answer pings but request nothing or read nothing.
     let pause = (limits.headers.min(limits.silence) / 4).max(Duration::from_millis(50));
     loop {
-        if let Ok(result) = timeout(pause, &mut connection).await {
-            return end_reason(client, result);
-        }
-        // The last bytes of a response may still be in the connection's send buffer.
-        if let Some(reason) = progress.end(limits.headers + limits.silence, limits.silence) {
-            return Err(reason);
+        tokio::select! {
+            // Before the connection, which ends by itself and without a reason if a ping has no answer.
+            biased;
+            () = sleep(pause) => {
+                // The last bytes of a response may still be in the connection's send buffer.
+                if let Some(reason) = progress.end(limits.headers + limits.silence, limits.silence) {
+                    return Err(reason);
+                }
+            }
+            result = &mut connection => return end_reason(client, result),
         }
     }
 }
