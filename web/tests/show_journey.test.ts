@@ -86,7 +86,7 @@ function world(centers: readonly number[], arrivals: readonly number[] = [0.2, 0
     const leg = journey.advance(seconds, { position, yaw: 0, pitch: 0 });
     if (moves.length > before) position = moves.at(-1)?.position ?? position;
     const found = opened.get(leg.region) as Loaded;
-    found.shown = found.stage.advance(leg.leaving ? 0 : seconds, journey.least);
+    found.shown = found.stage.advance(leg.leaving ? 0 : seconds, journey.minRadius);
     check(leg.region, position);
     if (leg.leaving) check(leg.leaving.region, leg.leaving.pose?.position ?? position);
     assert.ok(opened.size <= 2, 'two regions at most');

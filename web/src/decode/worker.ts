@@ -38,10 +38,10 @@ async function work(job: Job): Promise<Result> {
       return { number: job.id, parts: parts.length, samples: samplesOf(pieces), triangles };
     }
     case 'part': {
-      const parts = partsOfJobs.get(job.of);
+      const parts = partsOfJobs.get(job.geometry);
       const part = parts?.[job.part];
-      if (!parts || !part) throw new Error(`geometry ${job.of} has no part ${job.part}`);
-      if (job.part === parts.length - 1) partsOfJobs.delete(job.of);
+      if (!parts || !part) throw new Error(`geometry ${job.geometry} has no part ${job.part}`);
+      if (job.part === parts.length - 1) partsOfJobs.delete(job.geometry);
       return part;
     }
     case 'drop':

@@ -31,12 +31,12 @@ export function createBudget(now: Clock['now']): Bucket {
 export function createUploads(
   line: { readonly bufferedAmount: number },
   send: (message: Message) => void,
-  sent: (bytes: number) => void,
+  onSent: (bytes: number) => void,
   shelf: Shelf,
   budget: Bucket,
   now: Clock['now'],
 ) {
-  const rate = createBucket(FILES_PER_SECOND, FILES_AT_ONCE, now);
+  const fileRate = createBucket(FILES_PER_SECOND, FILES_AT_ONCE, now);
   /** Number of times that the page got each file; keys are those of files that were present here. */
   const sendCounts = new Map<string, number>();
   /** Requests for present files, in order; keys of requests for files in transfer. */
@@ -65,7 +65,7 @@ export function createUploads(
         if (!ready.has(request)) return;
         const part = data.subarray(start, start + PART);
         send({ kind: 'part', request, data: part });
-        sent(part.length);
+        onSent(part.length);
       }
     }
   }
@@ -93,7 +93,7 @@ export function createUploads(
       if (request <= lastRequest) return 'a request reuses a number';
       lastRequest = request;
       if (ready.size + waiting.size >= MAX_UPLOADS) return 'too many requests are open';
-      const isTooFast = !rate.take(1);
+      const isTooFast = !fileRate.take(1);
       const file = isTooFast ? null : shelf.find(key);
       if (file) {
         queue(request, key, file);
