@@ -3,7 +3,7 @@ import { messageOf } from './base/errors';
 import { BundleError, damagedFile } from './bundle/error';
 import type { RegionEntry } from './bundle/manifest';
 import { createControls } from './control/controls';
-import { directionTo, destinationOf } from './control/floor';
+import { destinationOf, directionTo } from './control/floor';
 import { distance } from './control/limit';
 import { type Pose, readLink, writeLink } from './control/pose';
 import { openAddress } from './opened';

@@ -2,18 +2,18 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import {
   clampToBounds,
+  destinationOf,
   directionTo,
   EYE_OFFSET,
   floorUnder,
   type Head,
   headBounds,
   headOf,
-  worldPose,
   localOf,
   moveFloor,
-  destinationOf,
   turnFloor,
   worldOf,
+  worldPose,
 } from '../src/control/floor';
 import type { Vector } from '../src/control/pose';
 import { assertNear } from './support/near';

@@ -124,10 +124,10 @@ test('the work lists each part once, nearest first, by its splats', () => {
   );
   // Calls are consecutive; each has one page, and those of a batch are nearer than those of the next one.
   let [at, farthest, nearest] = [0, Number.POSITIVE_INFINITY, 0];
-  for (const { page, first, count: length, begins } of calls) {
+  for (const { page, first, count: length, startsBatch } of calls) {
     assert.equal(first, at);
     at += length;
-    if (begins) [farthest, nearest] = [Math.min(farthest, nearest || farthest), Number.POSITIVE_INFINITY];
+    if (startsBatch) [farthest, nearest] = [Math.min(farthest, nearest || farthest), Number.POSITIVE_INFINITY];
     for (let n = first; n < at; n++) {
       assert.equal(pages[own[n] as number], page);
       assert.ok((orders[n] as number) <= farthest);

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { ahead } from '../src/control/pose';
-import { interpolateBodies, type Body, type Pose, rotate, rotationAlong, rotationOf, slerp } from '../src/rooms/pose';
+import { type Body, interpolateBodies, type Pose, rotate, rotationAlong, rotationOf, slerp } from '../src/rooms/pose';
 import { createPresence } from '../src/rooms/presence';
 import { createTrack } from '../src/rooms/track';
 import { REST } from './support/rooms';

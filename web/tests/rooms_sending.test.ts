@@ -3,7 +3,7 @@ import { test } from 'node:test';
 import { texelOf } from '../src/rooms/pointing';
 import type { Body } from '../src/rooms/pose';
 import { createSender } from '../src/rooms/sending';
-import { type Morph, invertMorph, applyMorph } from '../src/rooms/unmorph';
+import { applyMorph, invertMorph, type Morph } from '../src/rooms/unmorph';
 import { randomOf } from './support/random';
 import { REST } from './support/rooms';
 

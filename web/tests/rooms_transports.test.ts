@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { askDescription, type Datagrams, type Listener, readDescription, type Socket } from '../src/rooms/server';
-import { addressOf, createOpen, createGatherer, openDatagrams, readAll, createSplitter } from '../src/rooms/transports';
+import { addressOf, createGatherer, createOpen, createSplitter, openDatagrams, readAll } from '../src/rooms/transports';
 
 const TO: Datagrams = { port: 8443, hashes: [] };
 const RELAY = 'wss://host:8/rooms/a';

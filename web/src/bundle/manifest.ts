@@ -55,7 +55,7 @@ export interface RingEntry extends GroupEntry {
   readonly sharper?: SharperMaps;
 }
 
-/** Files that the strategies vis0 and vis1 load instead of rings: objects by footprint, and the map of the last ring. */
+/** Files that the strategies vis0 and vis1 load instead of rings: objects by footprint, and the last ring's map. */
 export interface FootprintEntry {
   readonly portions: readonly GroupEntry[];
   readonly map: MapEntry;

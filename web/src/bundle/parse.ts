@@ -150,7 +150,7 @@ function readRegion(place: string, value: Fields, regionNumber: number, count: n
   };
 }
 
-/** With the unit triangle, the geometry of the only ring is cut at its radius in every pixel; whole objects are not cut. */
+/** With unit triangle the geometry of the only ring is cut at its radius in every pixel; objects are not cut. */
 function cutBy(unit: 'object' | 'triangle', place: string, entry: RegionEntry): RegionEntry {
   if (unit === 'object') return entry;
   if (entry.rings.length !== 2) throw new BundleError(`manifest.json: ${place}.rings: expected two with unit triangle`);

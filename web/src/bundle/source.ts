@@ -2,7 +2,7 @@
 import { messageOf } from '../base/errors';
 import { BundleError } from './error';
 import type { FileEntry, Manifest } from './manifest';
-import { shareRequests, createSlots } from './requests';
+import { createSlots, shareRequests } from './requests';
 import { NETWORK, type Network, transfer } from './transfer';
 
 /** Pauses before each retry, seconds. */

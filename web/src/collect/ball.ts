@@ -84,7 +84,7 @@ void main() {
 }
 `;
 
-/** Greatest tangent of the angle between a direction and that of the sphere's centre up to which the sphere is meant. */
+/** Greatest tangent of the angle between a direction and the sphere's centre at which the user means the sphere. */
 const MAX_TANGENT = 0.5;
 
 /**

@@ -1,7 +1,6 @@
 /** Binary messages of the sphere collection, sent as payloads of a room: the tables of docs/collect.md. */
 import type { Vector } from '../control/pose';
 import {
-  prefixed,
   checked,
   choiceOf,
   type Codec,
@@ -11,6 +10,7 @@ import {
   FrameError,
   kindsOf,
   type MessageOf,
+  prefixed,
   record,
   shortList,
   tuple,

@@ -16,7 +16,7 @@ export interface ControlSettings {
   readonly onChange?: (pose: Pose) => void;
   /** Position of the left thumb, which walks; null when it is lifted. */
   readonly onThumb?: (thumb: Thumb | null) => void;
-  /** Called on a double tap or click to go to a place, in shares of the picture's width and height from its upper left. */
+  /** Called on a double tap or double click; place as shares of the picture's width and height, from its upper left. */
   readonly onGo?: (x: number, y: number) => void;
   /**
    * Event target for keys: by default the window; in a notebook the element, so that the notebook keeps its own keys.

@@ -1,7 +1,7 @@
 /** Orbiting a point in the middle of the picture; independent of a browser. */
 import type { Drive } from './drive';
 import { allowedShare, type Bounds, confine, leadBack } from './limit';
-import { addScaled, ahead, clamp, type Pose, rightOf, MAX_PITCH, upOf, type Vector } from './pose';
+import { addScaled, ahead, clamp, MAX_PITCH, type Pose, rightOf, upOf, type Vector } from './pose';
 
 /** Least and greatest distance from the point, and the default distance, metres. */
 const [MIN_DISTANCE, MAX_DISTANCE, DEFAULT_DISTANCE] = [0.3, 2000, 4] as const;

@@ -30,7 +30,7 @@ export interface PointerActions {
   pan(right: number, up: number): void;
   zoom(factor: number): void;
   thumb(thumb: Thumb | null): void;
-  /** Called on a double tap or click to go to a place, in shares of the picture's width and height from its upper left. */
+  /** Called on a double tap or double click; place as shares of the picture's width and height, from its upper left. */
   go(x: number, y: number): void;
 }
 

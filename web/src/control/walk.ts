@@ -1,7 +1,7 @@
 /** First-person walking at a constant eye height; independent of a browser. */
 import type { Drive } from './drive';
 import { type Bounds, confine, leadBack } from './limit';
-import { clamp, type Pose, rightOf, MAX_PITCH, type Vector } from './pose';
+import { clamp, MAX_PITCH, type Pose, rightOf, type Vector } from './pose';
 
 /** Walking speed, metres per second. */
 const SPEED = 1.6;

@@ -119,7 +119,7 @@ export interface PartRequest {
 /** Drops parts that will not be requested. */
 export interface DropRequest {
   readonly kind: 'drop';
-  readonly of: number;
+  readonly geometry: number;
 }
 
 /** Begins the maps of a region with ring 0: six pictures. */

@@ -45,8 +45,8 @@ async function work(job: Job): Promise<Result> {
       return part;
     }
     case 'drop':
-      for (const { rows } of partsOfJobs.get(job.of)?.flatMap(({ bands }) => bands) ?? []) rows.close();
-      partsOfJobs.delete(job.of);
+      for (const { rows } of partsOfJobs.get(job.geometry)?.flatMap(({ bands }) => bands) ?? []) rows.close();
+      partsOfJobs.delete(job.geometry);
       return null;
     case 'first-map': {
       const regionMaps = createMaps();

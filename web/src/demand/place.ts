@@ -1,6 +1,6 @@
 /** Region of a place that a server makes on demand, read from the streamed lines that announce its parts. */
 import { choice, type Fields, integer, object, text } from '../bundle/checks';
-import { type ArrivingRegion, arrivedRegion, firstRings } from '../bundle/contents';
+import { arrivedRegion, type ArrivingRegion, firstRings } from '../bundle/contents';
 import { BundleError } from '../bundle/error';
 import type { FileEntry, Manifest, MapEntry, RingEntry } from '../bundle/manifest';
 import { outlinedRing, readFiles, readManifest, readRing, tilesOf } from '../bundle/parse';
@@ -17,7 +17,7 @@ export type ServerProgress =
 export interface Listener {
   /** Files that can be fetched from now on. */
   readonly onFiles: (files: Readonly<Record<string, FileEntry>>) => void;
-  readonly onProgress: (making: ServerProgress) => void;
+  readonly onProgress: (progress: ServerProgress) => void;
 }
 
 type Lines = AsyncIterator<unknown>;

@@ -1,7 +1,7 @@
 /** Flight along the view, sideways, up and down, at a speed proportional to the height; the pose at the start. */
 import { browserPads, combine, createKeys, type Drive, hasOtherPurpose, readPads } from '../control/drive';
 import { createPointers, type Thumb } from '../control/pointers';
-import { addScaled, ahead, clamp, type Pose, rightOf, MAX_PITCH, type Vector } from '../control/pose';
+import { addScaled, ahead, clamp, MAX_PITCH, type Pose, rightOf, type Vector } from '../control/pose';
 import type { Layout } from './store/layout';
 
 /** Speed in metres per second, per metre of height above the ground. */

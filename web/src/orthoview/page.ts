@@ -10,7 +10,7 @@ import { createFly, startPose } from './fly';
 import { createPanel } from './panel';
 import type { Facts, Graphics } from './show/stock';
 import { Viewer } from './show/viewer';
-import { type Failure, canRetry } from './store/error';
+import { canRetry, type Failure } from './store/error';
 import type { Layout } from './store/layout';
 
 /** Vertical field of view, radians. */
@@ -69,7 +69,7 @@ function main(): void {
     workers: Math.min(Math.max((navigator.hardwareConcurrency || 2) - 1, 1), 4),
     onReceived: meter.receive,
     onOpen,
-    failed(failure, isFatal) {
+    onFailure(failure, isFatal) {
       if (isFatal) {
         fatal(failure);
         return;

@@ -1,5 +1,5 @@
 /** WebRTC connection to one other page with one data channel, and the signals that set it up. */
-import { prefixed, choiceOf, decode, encode, FrameError, payload, record, U32, utf8, type ValueOf } from '../rooms/bytes';
+import { choiceOf, decode, encode, FrameError, payload, prefixed, record, U32, utf8, type ValueOf } from '../rooms/bytes';
 import { type Clock, createBucket } from '../rooms/clock';
 import type { Channel } from './peer';
 
@@ -10,7 +10,7 @@ const CHANNEL_SETTINGS = { negotiated: true, id: 0, ordered: true } as const;
 
 export interface CallEvents {
   /** Called when the channel can be used. */
-  readonly opened: (line: Channel) => void;
+  readonly opened: (channel: Channel) => void;
   /** Called when the connection has ended or could not be established. */
   readonly ended: () => void;
   /** Called when the other page violates the protocol. */

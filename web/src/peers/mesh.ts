@@ -22,7 +22,7 @@ export interface MeshSettings {
   readonly create: (events: CallEvents) => Call;
   /** Sends a signal to a user. */
   readonly signal: (user: number, signal: Signal) => void;
-  readonly opened: (user: number, line: Channel) => void;
+  readonly opened: (user: number, channel: Channel) => void;
   readonly ended: (user: number) => void;
 }
 
@@ -100,10 +100,10 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
     let call: Call;
     try {
       call = create({
-        opened: (line) => ifCurrent(() => {
+        opened: (channel) => ifCurrent(() => {
           slot.stop();
           slot.isOpen = true;
-          opened(user, line);
+          opened(user, channel);
         }),
         ended: () => ifCurrent(() => fail(user)),
         refuse: (sentence) => ifCurrent(() => drop(user, sentence)),
@@ -129,7 +129,7 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
 
   /** Sends offers to neighbours with greater numbers. */
   function offer(): void {
-    // Until all users are known, `neighbours` may return users who are none later, and who would not answer.
+    // Until all users are known, `neighbours` may return users who turn out to be none and would not answer.
     if (!isOn || ownNumber === null || unannounced !== 0) return;
     for (const user of neighbours()) {
       const canOffer = user > ownNumber && !slots.has(user) && !failed.has(user) && !dropped.has(user);
@@ -228,7 +228,7 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
     /** Users who have violated the protocol, with the violation: no more connections to them. */
     dropped,
     /** User's own number; null outside the room. */
-    get own(): number | null {
+    get ownNumber(): number | null {
       return ownNumber;
     },
     drop,

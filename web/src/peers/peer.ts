@@ -25,7 +25,7 @@ export type Channel = Pick<
 
 export interface PeerSettings {
   readonly number: number;
-  readonly line: Channel;
+  readonly channel: Channel;
   readonly shelf: Shelf;
   /** Budget of bytes that this page sends to all others. */
   readonly budget: Bucket;
@@ -40,7 +40,7 @@ export interface PeerSettings {
 
 export type Peer = ReturnType<typeof createPeer>;
 
-export function createPeer({ number, line, shelf, budget, now, sent, greeted, refuse }: PeerSettings) {
+export function createPeer({ number, channel, shelf, budget, now, sent, greeted, refuse }: PeerSettings) {
   const holdings = new Map<string, Holding>();
   const messages = createBucket(RATE, BURST, now);
   const requests = createBucket(REQUEST_RATE, REQUEST_BURST, now);
@@ -51,14 +51,14 @@ export function createPeer({ number, line, shelf, budget, now, sent, greeted, re
   function send(message: Message): void {
     if (isOver) return;
     try {
-      line.send(writeMessage(message));
+      channel.send(writeMessage(message));
     } catch {
       // The browser has closed the channel; an event follows.
     }
   }
 
   const downloads = createDownloads(send, refuse);
-  const uploads = createUploads(line, send, sent, shelf, budget, now);
+  const uploads = createUploads(channel, send, sent, shelf, budget, now);
 
   function learn(holding: Holding, keys: readonly string[]): void {
     for (const key of keys) {
@@ -88,10 +88,10 @@ export function createPeer({ number, line, shelf, budget, now, sent, greeted, re
     }
   }
 
-  line.binaryType = 'arraybuffer';
-  line.bufferedAmountLowThreshold = MIN_BUFFERED_BYTES;
-  line.onbufferedamountlow = uploads.pump;
-  line.onmessage = ({ data }: MessageEvent<unknown>) => {
+  channel.binaryType = 'arraybuffer';
+  channel.bufferedAmountLowThreshold = MIN_BUFFERED_BYTES;
+  channel.onbufferedamountlow = uploads.pump;
+  channel.onmessage = ({ data }: MessageEvent<unknown>) => {
     if (isOver) return;
     try {
       if (!(data instanceof ArrayBuffer)) throw new FrameError('a message is text instead of bytes');

@@ -40,10 +40,10 @@ export function startPeers({ query, ask, files, shownNames, isFirstPictureMissin
     clock,
     create: (events) => createCall(events, clock.later),
     signal: (user, message) => outbox.send(user, writeSignal(message)),
-    opened(number, line) {
+    opened(number, channel) {
       const peer = createPeer({
         number,
-        line,
+        channel,
         shelf: share.shelf,
         budget,
         now: clock.now,
@@ -64,7 +64,7 @@ export function startPeers({ query, ask, files, shownNames, isFirstPictureMissin
     entryOf: files.entryOf,
     shownNames,
     isFirstPictureMissing,
-    ownNumber: () => mesh.own,
+    ownNumber: () => mesh.ownNumber,
     peers: () => [...peers.values()],
     ready: mesh.ready,
     fetch: files.fetch,

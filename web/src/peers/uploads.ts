@@ -29,7 +29,7 @@ export function createBudget(now: Clock['now']): Bucket {
 
 /** Creates the uploads to a page; `sent` is called with the number of sent bytes of files. */
 export function createUploads(
-  line: { readonly bufferedAmount: number },
+  channel: { readonly bufferedAmount: number },
   send: (message: Message) => void,
   onSent: (bytes: number) => void,
   shelf: Shelf,
@@ -60,7 +60,7 @@ export function createUploads(
   async function sendParts(request: number, file: Blob): Promise<void> {
     for (let begin = 0; begin < file.size; begin += READ_BYTES) {
       const data = new Uint8Array(await file.slice(begin, begin + READ_BYTES).arrayBuffer());
-      while (line.bufferedAmount > MAX_BUFFERED_BYTES) await new Promise<void>((done) => (resume = done));
+      while (channel.bufferedAmount > MAX_BUFFERED_BYTES) await new Promise<void>((done) => (resume = done));
       for (let start = 0; start < data.length; start += PART) {
         if (!ready.has(request)) return;
         const part = data.subarray(start, start + PART);

@@ -1,6 +1,5 @@
 /** Binary frames of rooms: kind, length of the body, and body. docs/rooms.md has a table of every field. */
 import {
-  prefixed,
   checked,
   choiceOf,
   type Codec,
@@ -9,6 +8,7 @@ import {
   kindsOf,
   type MessageOf,
   payload,
+  prefixed,
   Reader,
   record,
   shortBytes,

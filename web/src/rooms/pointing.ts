@@ -9,7 +9,7 @@ import type { HandRay } from '../xr/hands';
 import type { FromServer } from './frames';
 import type { Hold, ScreenPoint } from './hold';
 import { type Body, MAX_COORDINATE, type Placed, rotationAlong, rotationOf } from './pose';
-import { type Morph, invertMorph } from './unmorph';
+import { invertMorph, type Morph } from './unmorph';
 
 /** Seconds between two updates of the pointer's target: each waits for the GPU. */
 const QUERY_INTERVAL = 1 / 36;

@@ -4,7 +4,7 @@
  * movement is extrapolated for a moment and stops. Times are in seconds.
  */
 import { clamp, subtract } from '../control/pose';
-import { interpolateBodies, type Body, type Pose } from './pose';
+import { type Body, interpolateBodies, type Pose } from './pose';
 
 /** Number of stored poses: more than half a second. */
 const MAX_SAMPLES = 48;
@@ -68,7 +68,7 @@ export function createTrack() {
     samples = [...samples.slice(0, index), sample, ...samples.slice(index)].slice(-MAX_SAMPLES);
   }
 
-  /** Returns the begin of the movement to a pose. */
+  /** Returns the time at which the movement to a pose begins. */
   function beginOf(before: Sample, after: Sample): number {
     return before.stops ? Math.max(before.time, after.time - interval) : before.time;
   }

@@ -209,7 +209,7 @@ async function receiveParts(job: Job, ring: number, { number, parts, samples, tr
   } finally {
     pictures.dispose();
     // The error of a stopped worker is reported to its pending requests.
-    geometry({ kind: 'drop', of: number }).catch(() => undefined);
+    geometry({ kind: 'drop', geometry: number }).catch(() => undefined);
   }
 }
 

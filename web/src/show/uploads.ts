@@ -79,7 +79,7 @@ export function createUploads(now: () => number = () => performance.now(), fligh
         else jobs.push(job);
       });
     },
-    /** Records milliseconds of the main thread spent on a decoder's answer; the next frame's budget is reduced by them. */
+    /** Records milliseconds of the main thread spent on a decoder's answer; they reduce the next frame's budget. */
     spend(milliseconds: number): void {
       spent += milliseconds;
     },

@@ -1,5 +1,5 @@
 /** Content of a viewer: the places of regions, access to each, and the choice of the region to preload. */
-import { type ArrivingRegion, arrivedRegion } from '../bundle/contents';
+import { arrivedRegion, type ArrivingRegion } from '../bundle/contents';
 import type { Manifest, RegionEntry } from '../bundle/manifest';
 import type { Limit } from '../control/limit';
 import type { Vector } from '../control/pose';

@@ -207,8 +207,8 @@ export function createPanel(root: HTMLElement, commands: Commands) {
 
 /** Creates a button of the bar, with its effect and its key in the title. */
 function tool(name: Name, label: string, path: string): HTMLButtonElement {
-  const { label: key, effect: does } = SHORTCUTS[name];
-  const title = `${does.charAt(0).toUpperCase()}${does.slice(1)} (${key})`;
+  const { label: key, effect } = SHORTCUTS[name];
+  const title = `${effect.charAt(0).toUpperCase()}${effect.slice(1)} (${key})`;
   return toolButton(path, label, title, key);
 }
 

@@ -2,7 +2,7 @@
 import { createHash } from 'node:crypto';
 import type { FileEntry } from '../../src/bundle/manifest';
 import { TICK } from '../../src/peers/downloads';
-import { createPeer, type Channel, type Peer } from '../../src/peers/peer';
+import { type Channel, createPeer, type Peer } from '../../src/peers/peer';
 import { createShare, type Share } from '../../src/peers/share';
 import { LruCache } from '../../src/base/cache';
 import { createBudget } from '../../src/peers/uploads';
@@ -174,7 +174,7 @@ export function createPage(number: number, world: World, clock: Stepped, ready =
 export function plug(page: Page, number: number, line: Wire, clock: Clock): Peer {
   const peer = createPeer({
     number,
-    line,
+    channel: line,
     shelf: page.share.shelf,
     budget: page.budget,
     now: clock.now,

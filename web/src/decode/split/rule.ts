@@ -72,7 +72,7 @@ export function createRule({ radii, nearShare, reach }: Growth, tolerance = TOLE
     return (4 * RANGE_SHARE * tolerance) / (q * (1 + q / 2) * (weightSlopeAt(rho) || 1e-9));
   }
 
-  /** Factors of the squares of c, of an edge's horizontal length and of its length; they add to six times its error. */
+  /** Factors of c², of an edge's squared horizontal length and of its squared length in six times its error, radians. */
   function errorFactorsAt(rho: number, distance: number, u: number, isFlat: boolean): Vector {
     const leastDistance = distanceToUser(distance, u);
     const q = u / leastDistance;

@@ -1,5 +1,5 @@
 /** Worker that reads a store's records of cells, and cuts the tree for the viewer. */
-import { failureOf, canRetry } from '../store/error';
+import { canRetry, failureOf } from '../store/error';
 import { createFiles } from '../store/files';
 import { nameOf, type Triple } from '../store/layout';
 import { openRecords, type Records } from '../store/records';

@@ -1,5 +1,5 @@
 /** Requests for views: highest priority first, cancelled when no longer needed, retried after temporary failures. */
-import { type Failure, canRetry } from '../store/error';
+import { canRetry, type Failure } from '../store/error';
 
 /** Least and greatest delay before a failed view is requested again, seconds; the delay doubles each time. */
 const [MIN_DELAY, MAX_DELAY] = [1, 30] as const;

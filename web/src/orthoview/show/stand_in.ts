@@ -40,8 +40,7 @@ export function choose(
 ): Choice {
   const drawn: DrawnView[] = [];
   const missingViews: ViewKey[] = [];
-  const leaves = new Map<string, Triple>();
-  const missingLeaves = new Map<string, Triple>();
+  const [leaves, missingLeaves] = [new Map<string, Triple>(), new Map<string, Triple>()];
   let holes = 0;
 
   const viewsOf = (level: number, place: Triple, box: CellKey | null = null): DrawnView[] =>

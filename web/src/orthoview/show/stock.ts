@@ -37,11 +37,11 @@ export function stockOf<Layer extends GpuResource, Mesh extends GpuResource>(
     /** Directions of a cell's loaded views, the latest one last. */
     directionsOf: (level: number, place: Triple): readonly number[] => views.directionsOf(level, place),
     hasLeaf: (place: Triple): boolean => leaves.directionsOf(0, place).length > 0,
-    draw({ leaves: drawnLeaves, views: drawnViews }: Choice, camera: Camera, grid: number, evictedLast: EvictedLast): FrameCounts {
+    draw(choice: Choice, camera: Camera, grid: number, evictedLast: EvictedLast): FrameCounts {
       views.begin();
       leaves.begin();
-      const meshes = drawnLeaves.flatMap((place) => leaves.use(0, place, GEOMETRY));
-      const items = drawnViews.flatMap(({ level, place, direction, box }): Item<Layer>[] =>
+      const meshes = choice.leaves.flatMap((place) => leaves.use(0, place, GEOMETRY));
+      const items = choice.views.flatMap(({ level, place, direction, box }): Item<Layer>[] =>
         views.use(level, place, direction).map((layer) => ({ layer, box })),
       );
       const counts = drawer.draw(meshes, items, camera, grid);

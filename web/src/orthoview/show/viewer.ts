@@ -24,7 +24,7 @@ export interface ViewerSettings extends Omit<Settings, 'isAround'> {
   readonly workers: number;
   onOpen(layout: Layout): void;
   onReceived(bytes: number): void;
-  failed(failure: Failure, isFatal: boolean): void;
+  onFailure(failure: Failure, isFatal: boolean): void;
   /** Called when the server answers again. */
   onRecovered(): void;
 }
@@ -60,7 +60,7 @@ export class Viewer {
   /** Whether the camera has changed since the last picture; whether its content has. */
   #hasMoved = true;
   #isDirty = true;
-  /** Begin and end of the last picture, milliseconds. */
+  /** Start and end time of the last picture, milliseconds. */
   #begin = 0;
   #end = 0;
   #isDrawing = false;
@@ -71,12 +71,12 @@ export class Viewer {
     this.#cutter = new Worker(settings.scripts.cutter, { type: 'module' });
     this.#cutter.onmessage = ({ data }: MessageEvent<FromCutter>): void => this.#hearCutter(data);
     this.#cutter.onerror = ({ message }): void =>
-      settings.failed({ kind: 'other', message: `a worker stopped: ${message}` }, true);
+      settings.onFailure({ kind: 'other', message: `a worker stopped: ${message}` }, true);
     this.#queue = new Queue<ViewRequest>({
       maxRunning: REQUESTS_PER_WORKER * settings.workers,
       send: (id, request) => this.#readers?.read(id, request),
       cancel: (id) => this.#readers?.cancel(id),
-      onFailure: (failure) => settings.failed(failure, false),
+      onFailure: (failure) => settings.onFailure(failure, false),
       onRecovered: settings.onRecovered,
       now: () => performance.now() / 1000,
     });
@@ -162,7 +162,7 @@ export class Viewer {
         this.#settings.onReceived(message.bytes);
         break;
       case 'failed':
-        this.#settings.failed(message.failure, message.isFatal);
+        this.#settings.onFailure(message.failure, message.isFatal);
     }
   }
 
@@ -213,7 +213,7 @@ export class Viewer {
   }
 
   #fail(reason: unknown, isFatal: boolean): void {
-    this.#settings.failed({ kind: 'other', message: messageOf(reason) }, isFatal);
+    this.#settings.onFailure({ kind: 'other', message: messageOf(reason) }, isFatal);
   }
 
   #choose(cut: Cut): Choice {

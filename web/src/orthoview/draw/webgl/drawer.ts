@@ -5,11 +5,11 @@ import type { Layout } from '../../store/layout';
 import { type Drawer, type FrameCounts, gridOf, type Item, nearDistanceOf } from '../drawer';
 import {
   boundsOf,
+  boxFunctionsOf,
   mayLieIn,
   type Model,
   type Projector,
   projectorOf,
-  boxFunctionsOf,
   sightOf,
   VECTORS_PER_VIEW,
   writeView,

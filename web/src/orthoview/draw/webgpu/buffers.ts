@@ -61,12 +61,12 @@ export class Arena {
   put(words: Uint32Array<ArrayBuffer>): PageRange {
     const wordCount = Math.max(Math.ceil(words.length / ALIGNMENT_WORDS), 1) * ALIGNMENT_WORDS;
     const { page, gap } = this.#find(wordCount) ?? this.#grow(wordCount);
-    const place: PageRange = { page, first: gap.first, words: wordCount, bytes: 4 * wordCount };
+    const range: PageRange = { page, first: gap.first, words: wordCount, bytes: 4 * wordCount };
     gap.first += wordCount;
     gap.words -= wordCount;
     if (gap.words === 0) page.gaps.splice(page.gaps.indexOf(gap), 1);
-    this.device.queue.writeBuffer(page.buffer, 4 * place.first, words);
-    return place;
+    this.device.queue.writeBuffer(page.buffer, 4 * range.first, words);
+    return range;
   }
 
   /** Frees a range. */

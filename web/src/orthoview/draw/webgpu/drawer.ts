@@ -4,7 +4,7 @@ import type { Part, Splats } from '../../decode/pack';
 import type { Layout } from '../../store/layout';
 import { type Drawer, type FrameCounts, gridOf, type Item, nearDistanceOf } from '../drawer';
 import { type Model, type Projector, projectorOf } from '../sight';
-import { Arena, type Page, type PageRange, GrowingBuffer, SLOT } from './buffers';
+import { Arena, GrowingBuffer, type Page, type PageRange, SLOT } from './buffers';
 import { type CallUniforms, type Kernels, Numbers } from './kernels';
 import { COLOR, type Mesh, type Meshes } from './meshes';
 import { GROUP, ROW } from './sample_shaders';
@@ -143,16 +143,16 @@ export function createWebgpuDrawer(
       groups.set(page, createGroup(kernels.splatLayout, [uniformBinding, ...inputs, ...outputs]));
     }
     const pass = encoder.beginComputePass({ label: 'splats' });
-    const call = (pipeline: GPUComputePipeline, page: Page, count: number, called: CallUniforms): void => {
+    const call = (pipeline: GPUComputePipeline, page: Page, count: number, uniforms: CallUniforms): void => {
       pass.setPipeline(pipeline);
-      pass.setBindGroup(0, groups.get(page) as GPUBindGroup, [numbers.put(band, called)]);
+      pass.setBindGroup(0, groups.get(page) as GPUBindGroup, [numbers.put(band, uniforms)]);
       dispatch(pass, count);
     };
     const { splats, tiles, shade } = kernels;
     const groupsOfTiles = Math.ceil(tilesOf(projector.width, band.rows) / GROUP);
     for (const round of [0, 1]) {
       for (const [n, each] of work.calls.entries()) {
-        if (each.begins && (round === 0 || n === 0)) call(tiles, each.page, groupsOfTiles, {});
+        if (each.startsBatch && (round === 0 || n === 0)) call(tiles, each.page, groupsOfTiles, {});
         call(splats, each.page, each.count, { first: each.first, count: each.count, round });
       }
     }

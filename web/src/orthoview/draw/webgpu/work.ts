@@ -4,11 +4,11 @@ import type { Layout } from '../../store/layout';
 import type { Item } from '../drawer';
 import {
   boundsOf,
+  boxFunctionsOf,
   mayLieIn,
   type Model,
   type PartBounds,
   type Projector,
-  boxFunctionsOf,
   sightOf,
   VECTORS_PER_VIEW,
   writeView,
@@ -34,7 +34,7 @@ export interface Call<Page> {
   readonly first: number;
   readonly count: number;
   /** Whether a batch begins with this call. */
-  readonly begins: boolean;
+  readonly startsBatch: boolean;
 }
 
 export interface Work<Page> {
@@ -109,7 +109,7 @@ function assignCalls<Page>(visible: readonly VisiblePart<Page>[], splats: number
     for (const page of pages) {
       const pageParts = batch.filter((part) => part.page === page);
       if (pageParts.length === 0) continue;
-      calls.push({ page, begins: startsBatch, first: indices.size, count: pageParts.length });
+      calls.push({ page, startsBatch, first: indices.size, count: pageParts.length });
       startsBatch = false;
       for (const part of pageParts) {
         parts.set(wordsOf(part, pages.indexOf(page), nearest), PART_WORDS * indices.size);
