@@ -89,7 +89,7 @@ async function main(): Promise<void> {
       // The lost context belonged to the headset's session, and the restored one does not.
       if (isLost && headset?.isPresenting) void headset.toggle();
     },
-    moved(pose) {
+    onMove(pose) {
       // The failed pose is no longer wanted.
       if (failedPose) problems = [];
       targetPose = failedPose = null;

@@ -70,7 +70,7 @@ function world(centers: readonly number[], arrivals: readonly number[] = [0.2, 0
   const moves: Pose[] = [];
   const entries = centers.map((x) => ({ center: [x, 1.7, 0], fold_margin: MARGIN }) as const);
   const journey = createJourney(
-    { places: knownPlaces(entries), marginShare: NEAR_SHARE, fade: FADE, moved: (pose) => moves.push(pose) },
+    { places: knownPlaces(entries), marginShare: NEAR_SHARE, fade: FADE, onMove: (pose) => moves.push(pose) },
     regions,
     0,
   );

@@ -33,12 +33,12 @@ export function applyMorph(p: Vector, { user, inner, radius, strength }: Morph):
 /** Returns the point that is shown at a position relative to the eye; null if none is found, as beyond a fold. */
 export function invertMorph(q: Vector, morph: Morph): Vector | null {
   const { user, inner, radius, strength } = morph;
-  const near = addScaled(q, user, 1);
-  if (strength === 1 && Math.hypot(near[0], near[2]) <= inner) return near;
+  const unmorphed = addScaled(q, user, 1);
+  if (strength === 1 && Math.hypot(unmorphed[0], unmorphed[2]) <= inner) return unmorphed;
   if (Math.hypot(q[0], q[2]) >= radius) return q;
   // Starts at the point that either view alone would give, the one with the smaller error first.
   const error = (start: Vector): number => Math.hypot(...subtract(applyMorph(start, morph), q));
-  const [first, second] = error(near) <= error(q) ? [near, q] : [q, near];
+  const [first, second] = error(unmorphed) <= error(q) ? [unmorphed, q] : [q, unmorphed];
   return solveFrom(first, q, morph) ?? solveFrom(second, q, morph);
 }
 

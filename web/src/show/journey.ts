@@ -53,9 +53,9 @@ export interface Leg {
 
 export type Journey = ReturnType<typeof createJourney>;
 
-/** Creates a journey; `moved` is called when the user was moved to another place. */
+/** Creates a journey; `onMove` is called when the user was moved to another place. */
 export function createJourney(
-  settings: Pick<World, 'places' | 'marginShare' | 'fade'> & { readonly moved: (pose: Pose) => void },
+  settings: Pick<World, 'places' | 'marginShare' | 'fade'> & { readonly onMove: (pose: Pose) => void },
   regions: Regions,
   first: number,
 ) {
@@ -134,7 +134,7 @@ export function createJourney(
     takeOver(region, fits && from ? from : NOTHING_NEAR, from ? pose : null);
     if (!from) leaving = null;
     user = place;
-    settings.moved(place);
+    settings.onMove(place);
   }
 
   /** Closes unneeded regions and loads needed ones, first the region of the user's current or future position. */

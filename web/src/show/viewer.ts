@@ -36,7 +36,7 @@ export interface Settings extends Manner {
   readonly antialias: boolean;
   readonly onFailure: (reason: Error) => void;
   /** Called when the user was moved to another place, for which frames are drawn from then on. */
-  readonly moved: (pose: Pose) => void;
+  readonly onMove: (pose: Pose) => void;
   /** Called when the graphics context is lost, and when it is restored. */
   readonly onLoss: (isLost: boolean) => void;
 }
@@ -123,11 +123,11 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings) {
   /** Begins in a region from its ring 0; closes all others. */
   function begin(number: number): void {
     close();
-    const moved = (pose: Pose): void => {
+    const onMove = (pose: Pose): void => {
       user = pose;
-      settings.moved(pose);
+      settings.onMove(pose);
     };
-    journey = createJourney({ places, marginShare, fade, moved }, atlas, number);
+    journey = createJourney({ places, marginShare, fade, onMove }, atlas, number);
   }
 
   function fit(): void {

@@ -81,8 +81,8 @@ export function nearestOf(spots: readonly Pick<Spot, 'center'>[], place: Vector,
   let best: number | null = null;
   let least = Number.POSITIVE_INFINITY;
   spots.forEach(({ center }, number) => {
-    const far = distanceBetween(center, place);
-    if (number !== excluded && far < least) [best, least] = [number, far];
+    const distance = distanceBetween(center, place);
+    if (number !== excluded && distance < least) [best, least] = [number, distance];
   });
   return best;
 }
@@ -98,13 +98,13 @@ export function knownPlaces(spots: readonly Spot[]): Places {
       const other = nearestOf(spots, place, current);
       if (other === null) return null;
       const from = of(current).center;
-      const far = (region: number): number => distanceBetween(of(region).center, place);
+      const distanceTo = (region: number): number => distanceBetween(of(region).center, place);
       const { apart, border } = borderOf(from, of(other).center, place);
       const lead = Math.max((AHEAD_SHARE * apart) / 2, Math.min((AHEAD_MAX_SHARE * apart) / 2, AHEAD_METRES));
       if (ahead !== null && ahead !== current) {
-        const isAsNear = far(ahead) < far(other) + KEPT_SHARE * apart;
-        const near = borderOf(from, of(ahead).center, place).border;
-        if (isAsNear && near < lead + (KEPT_SHARE * apart) / 2) return ahead;
+        const isAsNear = distanceTo(ahead) < distanceTo(other) + KEPT_SHARE * apart;
+        const aheadBorder = borderOf(from, of(ahead).center, place).border;
+        if (isAsNear && aheadBorder < lead + (KEPT_SHARE * apart) / 2) return ahead;
       }
       return border < lead ? other : null;
     },

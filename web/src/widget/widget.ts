@@ -98,7 +98,7 @@ function show(
     isWhole,
     onFailure: failed,
     onLoss: (isLost) => view.complain(isLost ? GRAPHICS_LOST : ''),
-    moved: controls.setPose,
+    onMove: controls.setPose,
   });
   host.nearfar = { viewer };
   const mirror = createMirror(model);

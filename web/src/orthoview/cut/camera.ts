@@ -92,7 +92,7 @@ export function frameOf(toward: Triple): Frame {
 }
 
 /** Width or height of a cell's widest view, as a multiple of the cell's side. */
-export function widestExtent(directions: readonly Triple[]): number {
+export function widest(directions: readonly Triple[]): number {
   return Math.max(...directions.flatMap((direction) => frameOf(direction).extents.slice(0, 2)));
 }
 

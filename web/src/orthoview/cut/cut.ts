@@ -21,7 +21,7 @@ import {
   pixelSize,
   subtract,
   unit,
-  widestExtent,
+  widest,
 } from './camera';
 
 /** Children of a cell, one level below. */
@@ -114,7 +114,7 @@ export interface Cut {
 /** Cuts a tree for a viewer, with the known subtrees. */
 export function cut(cells: Cells, camera: Camera, settings: Settings): Cut {
   const { layout } = cells;
-  const pitch = (layout.cell * widestExtent(layout.directions)) / layout.size;
+  const pitch = (layout.cell * widest(layout.directions)) / layout.size;
   const reach = pitch / (pixelSize(camera) * settings.error);
   const planes = frustumOf(camera);
   const viewAxes = layout.directions.map((direction) => frameOf(direction).axes[2]);
