@@ -9,6 +9,7 @@ use std::time::Duration;
 
 use axum::body::Body;
 use axum::http::{Request, Response, StatusCode, Uri};
+use futures_util::future::{Either, select};
 use hyper::body::Incoming;
 use hyper::server::conn::{http1, http2};
 use hyper::service::service_fn;
@@ -187,16 +188,13 @@ async fn http2<S: Duplex>(shared: &Shared, stream: S, client: IpAddr, shutdown: 
     // Disconnects clients that answer pings but request nothing or read nothing.
     let pause = (limits.headers.min(limits.silence) / 4).max(Duration::from_millis(50));
     loop {
-        tokio::select! {
-            // Before the connection, which ends by itself and without a reason if a ping has no answer.
-            biased;
-            () = sleep(pause) => {
-                // The last bytes of a response may still be in the connection's send buffer.
-                if let Some(reason) = progress.end(limits.headers + limits.silence, limits.silence) {
-                    return Err(reason);
-                }
-            }
-            result = &mut connection => return end_reason(client, result),
+        // The pause is polled first: a connection with an unanswered ping ends by itself, without a reason.
+        if let Either::Right((result, _)) = select(pin!(sleep(pause)), connection.as_mut()).await {
+            return end_reason(client, result);
+        }
+        // The last bytes of a response may still be in the connection's send buffer.
+        if let Some(reason) = progress.end(limits.headers + limits.silence, limits.silence) {
+            return Err(reason);
         }
     }
 }
