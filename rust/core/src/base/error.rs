@@ -56,20 +56,9 @@ mod tests {
 
     #[test]
     fn messages_have_no_rows_of_zeros() {
-        let shown = [0.0, -0.0, 0.1, -1.5, 1e-4, 9.9e-5, -1e-310, 9_999_999_999_999_998.0, 1e16, -f64::MAX];
-        let words = [
-            "0",
-            "-0",
-            "0.1",
-            "-1.5",
-            "0.0001",
-            "9.9e-5",
-            "-1e-310",
-            "9999999999999998",
-            "1e16",
-            "-1.7976931348623157e308",
-        ];
-        assert_eq!(shown.map(number), words);
+        let values = [0.0, -0.0, 0.1, -1.5, 1e-4, 9.9e-5, -1e-310, 9_999_999_999_999_998.0, 1e16, -f64::MAX];
+        let expected = "0 -0 0.1 -1.5 0.0001 9.9e-5 -1e-310 9999999999999998 1e16 -1.7976931348623157e308";
+        assert_eq!(values.map(number).join(" "), expected);
         assert_eq!([f64::NAN, f64::INFINITY, f64::NEG_INFINITY].map(number), ["NaN", "inf", "-inf"]);
     }
 

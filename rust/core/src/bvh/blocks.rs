@@ -89,7 +89,7 @@ impl Block {
     /// Returns the faces without the repetitions of unused lanes.
     pub(crate) fn distinct_faces(&self) -> &[u32] {
         let last = self.faces[LANES - 1];
-        let count = self.faces.iter().position(|&face| face == last).map_or(LANES, |at| at + 1);
+        let count = self.faces.iter().position(|&face| face == last).map_or(LANES, |lane| lane + 1);
         &self.faces[..count]
     }
 }

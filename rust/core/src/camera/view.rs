@@ -1,15 +1,69 @@
-//! Views: position, orientation, projection and pixels.
+//! Views: position, orientation, projection (the mapping from image points to ray directions) and pixels.
 
-use glam::{DMat3, DQuat, DVec3};
+use glam::{DMat3, DQuat, DVec2, DVec3};
 use rayon::prelude::*;
 
 use super::cube_face::direction_from_face;
-use super::projection::{Fov, Projection};
 use super::rays::Rays;
 use crate::base::{Error, Progress, Result, memory::room_for};
 
 /// Number of points in one task.
 const TILE: usize = 1 << 12;
+
+/// Bounds of a view: tangents of half angles for a perspective view, metres for an orthographic view. They need not be
+/// symmetric; in the symmetric case left and down are negative.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Fov {
+    /// Leftmost x.
+    pub left: f64,
+    /// Rightmost x.
+    pub right: f64,
+    /// Lowest y.
+    pub down: f64,
+    /// Highest y.
+    pub up: f64,
+}
+
+/// The projection of a view.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Projection {
+    /// Pinhole camera; the bounds are tangents.
+    Perspective(Fov),
+    /// Parallel rays along the viewing direction; the bounds are metres.
+    Orthographic(Fov),
+    /// Face 0 to 5 of a cube map (+x −x +y −y +z −z) in world axes; the camera's orientation is not used.
+    CubeFace(u8),
+}
+
+impl Projection {
+    /// Returns the bounds; those of a cube face are tangents, too.
+    pub(super) fn fov(self) -> Fov {
+        match self {
+            Self::Perspective(fov) | Self::Orthographic(fov) => fov,
+            Self::CubeFace(_) => Fov { left: -1.0, right: 1.0, down: -1.0, up: 1.0 },
+        }
+    }
+}
+
+impl Fov {
+    /// Returns the image-plane point at the fractions s from the left and t from the top.
+    #[inline]
+    fn point(&self, s: f64, t: f64) -> DVec2 {
+        DVec2::new(self.left + (self.right - self.left) * s, self.up + (self.down - self.up) * t)
+    }
+
+    fn area(&self) -> f64 {
+        (self.right - self.left) * (self.up - self.down)
+    }
+
+    pub(super) fn validate(&self) -> Result<()> {
+        let finite = [self.left, self.right, self.down, self.up].iter().all(|x| x.is_finite() && x.abs() < 1e9);
+        if finite && self.left < self.right && self.down < self.up {
+            return Ok(());
+        }
+        Err(Error::value("fov", "bounds within ±1e9 with left < right and down < up", format!("{self:?}")))
+    }
+}
 
 /// A view: world position and orientation camera→world. It looks along −z, with y up.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -39,19 +93,15 @@ impl Camera {
             return Err(Error::value("orientation", "a unit quaternion (x, y, z, w)", orientation));
         }
         if !(1..=MAX_SIZE).contains(&width) || !(1..=MAX_SIZE).contains(&height) {
-            return Err(Error::value(
-                "size",
-                format!("1 to {MAX_SIZE} pixels each way"),
-                format!("({width}, {height})"),
-            ));
+            let expected = format!("1 to {MAX_SIZE} pixels each way");
+            return Err(Error::value("size", expected, format!("({width}, {height})")));
         }
-        match projection {
-            Projection::CubeFace(face) if face > 5 || width != height => {
-                return Err(Error::value("fov", "a cube face 0 to 5 with a square image", format!("{face}")));
-            }
-            Projection::Perspective(fov) | Projection::Orthographic(fov) => fov.validate()?,
-            Projection::CubeFace(_) => {}
+        if let Projection::CubeFace(face) = projection
+            && (face > 5 || width != height)
+        {
+            return Err(Error::value("fov", "a cube face 0 to 5 with a square image", face));
         }
+        projection.fov().validate()?;
         Ok(Self { position, orientation: orientation.normalize(), projection, width, height })
     }
 
@@ -126,13 +176,10 @@ impl Camera {
         let local = axes.transpose() * offset;
         let depth = -local.z;
         let plane = local.truncate();
-        let (fov, at) = match self.projection {
-            Projection::Perspective(fov) => (fov, plane / depth),
-            Projection::Orthographic(fov) => (fov, plane),
-            Projection::CubeFace(_) => (Fov { left: -1.0, right: 1.0, down: -1.0, up: 1.0 }, plane / depth),
-        };
-        let s = (at.x - fov.left) / (fov.right - fov.left);
-        let t = (fov.up - at.y) / (fov.up - fov.down);
+        let fov = self.projection.fov();
+        let point = if self.is_parallel() { plane } else { plane / depth };
+        let s = (point.x - fov.left) / (fov.right - fov.left);
+        let t = (fov.up - point.y) / (fov.up - fov.down);
         (depth > 0.0).then(|| DVec3::new(s * f64::from(self.width), t * f64::from(self.height), depth))
     }
 

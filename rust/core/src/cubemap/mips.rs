@@ -5,10 +5,10 @@
 
 use rayon::prelude::*;
 
-use super::faces::{CubeFaces, is_known};
+use super::faces::{CubeFaces, check_out, is_known};
 use super::lookup::{self, halve_greatest, halve_least};
 use super::solid::{edge_of, edges, row_of_angles, solid_angle};
-use crate::base::{Error, Progress, Real, Result};
+use crate::base::{Progress, Real, Result};
 
 /// Rule that reduces the covered texels to one texel of the next level.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -50,10 +50,7 @@ pub fn next_level<T: Real>(
     progress: &Progress,
 ) -> Result<()> {
     let (size, next) = (faces.size, next_size(faces.size));
-    let expected = 6 * (next as usize).pow(2) * faces.channels;
-    if out.len() != expected {
-        return Err(Error::value("out", format!("{expected} values"), out.len()));
-    }
+    check_out(out, 6 * (next as usize).pow(2) * faces.channels)?;
     if faces.channels == 0 {
         return Ok(());
     }

@@ -3,12 +3,9 @@
 use rayon::prelude::*;
 
 use super::divide::Partition;
-use super::radii::{Indexed, Soup, TriangleSource, measure};
+use super::radii::{Indexed, Soup, TILE, TriangleSource, measure};
 use super::zone::{Class, TriangleSet, Zone};
 use crate::base::{Error, Progress, Real, Result};
-
-/// Number of triangles in one task.
-const TILE: usize = 1 << 14;
 
 /// Writes the minimum and maximum ρ of each triangle about an axis at (x, z). The error is float64's rounding of the
 /// maximum ρ, plus one rounding to the type of the coordinates. Without faces, every three vertices form a triangle.
@@ -67,7 +64,7 @@ fn fill<T: Real>(triangles: &impl TriangleSource<T>, axis: [f64; 2], radii: &mut
 impl Partition {
     /// Returns the numbers of the triangles in a set, ascending.
     pub fn triangles(&self, part: TriangleSet, progress: &Progress) -> Result<Vec<i64>> {
-        let counts = self.counts();
+        let counts = &self.counts;
         let count = match part {
             TriangleSet::Near => counts.near,
             TriangleSet::Intermediate => counts.intermediate,
@@ -76,17 +73,12 @@ impl Partition {
             TriangleSet::Sf => counts.sf,
         };
         let mut numbers = Vec::with_capacity(count as usize);
-        for (instance, class) in self.classes().iter().enumerate() {
+        for (instance, class) in self.classes.iter().enumerate() {
             progress.check()?;
-            let offset = self.scene().triangle_offset(instance as u32);
-            let count = self.scene().instance(instance as u32).mesh.faces.len() as u32;
+            let offset = self.scene.triangle_offset(instance as u32);
+            let count = self.scene.instance(instance as u32).mesh.faces.len() as u32;
             let holds = |zone| part.holds(zone, self.is_moving(instance));
-            let all = || (0..count).map(|face| offset + i64::from(face));
             match class {
-                Class::Near if holds(Zone::Near) => numbers.extend(all()),
-                Class::Intermediate if holds(Zone::Intermediate) => numbers.extend(all()),
-                Class::Far if holds(Zone::Far) => numbers.extend(all()),
-                Class::Near | Class::Intermediate | Class::Far => {}
                 Class::Mixed(mixed) => {
                     let mut listed = mixed.faces.iter().zip(&mixed.zones).peekable();
                     if holds(Zone::Far) {
@@ -99,6 +91,11 @@ impl Partition {
                         numbers.extend(chosen.map(|(&face, _)| offset + i64::from(face)));
                     }
                 }
+                // All faces have the zone of the first.
+                _ if holds(self.zone(instance as u32, 0)) => {
+                    numbers.extend((0..i64::from(count)).map(|face| offset + face))
+                }
+                _ => {}
             }
         }
         Ok(numbers)

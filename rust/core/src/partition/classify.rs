@@ -34,9 +34,8 @@ impl Ruler {
 
     /// Returns the class of an instance, from its box if that suffices, otherwise from its triangles.
     pub fn classify(&self, instance: &Instance, progress: &Progress) -> Result<Class> {
-        let class = match self.class_of_box(&secure_bounds(instance)) {
-            Some(class) => class,
-            None => return self.mixed(instance, progress).map(Class::Mixed),
+        let Some(class) = self.class_of_box(&secure_bounds(instance)) else {
+            return self.mixed(instance, progress).map(Class::Mixed);
         };
         progress.report(instance.mesh.faces.len() as u64)?;
         Ok(class)
@@ -62,30 +61,20 @@ impl Ruler {
     fn mixed(&self, instance: &Instance, progress: &Progress) -> Result<Mixed> {
         let mesh = &instance.mesh;
         let codes = if instance.in_place { self.outcodes(&mesh.positions) } else { Vec::new() };
-        let tiles = mesh
-            .faces
-            .par_chunks(TILE)
-            .enumerate()
-            .map(|(tile, faces)| {
-                let first = (tile * TILE) as u32;
-                let mixed = if instance.in_place {
-                    let candidates = candidates(&codes, faces);
-                    let triangles = Indexed { vertices: &mesh.positions, faces };
-                    self.zones(first, &triangles, &candidates)
-                } else {
-                    let corners = placed_triangles(instance, first..first + faces.len() as u32);
-                    let candidates: Vec<u32> = (0..)
-                        .zip(&corners)
-                        .filter(|(_, corners)| !self.is_far(corners))
-                        .map(|(face, _)| face)
-                        .collect();
-                    self.zones(first, &Soup(&corners), &candidates)
-                };
-                progress.report(faces.len() as u64).map(|()| mixed)
-            })
-            .collect::<Result<Vec<_>>>()?;
+        let tiles = mesh.faces.par_chunks(TILE).enumerate().map(|(tile, faces)| {
+            let first = (tile * TILE) as u32;
+            let mixed = if instance.in_place {
+                let triangles = Indexed { vertices: &mesh.positions, faces };
+                self.zones(first, &triangles, &candidates(&codes, faces))
+            } else {
+                let corners = placed_triangles(instance, first..first + faces.len() as u32);
+                let candidates = (0..).zip(&corners).filter(|(_, corners)| !self.is_far(corners)).map(|(face, _)| face);
+                self.zones(first, &Soup(&corners), &candidates.collect::<Vec<_>>())
+            };
+            progress.report(faces.len() as u64).map(|()| mixed)
+        });
         let mut all = Mixed::default();
-        for tile in tiles {
+        for tile in tiles.collect::<Result<Vec<_>>>()? {
             all.faces.extend(tile.faces);
             all.zones.extend(tile.zones);
             all.measured += tile.measured;

@@ -7,7 +7,6 @@
 //! triangle.
 
 mod arrays;
-mod axis;
 mod classify;
 mod divide;
 mod load_curve;

@@ -4,7 +4,6 @@ use std::ops::Range;
 
 use rayon::prelude::*;
 
-use super::axis::axis_in;
 use super::classify::Ruler;
 use super::divide::Partition;
 use super::radii::radii_of;
@@ -17,12 +16,12 @@ const TILE: u32 = 1 << 14;
 impl Partition {
     /// Measures every triangle again, without boxes and thresholds, and compares. An error is a bug in nearfar.
     pub fn validate(&self, progress: &Progress) -> Result<()> {
-        let axis = axis_in(self.scene(), self.center());
-        let ruler = Ruler::new(axis, self.r1(), self.r2());
-        progress.expect(self.counts().triangles as u64);
-        (0..self.classes().len() as u32).into_par_iter().try_for_each(|number| {
-            let instance = self.scene().instance(number);
-            if let Class::Mixed(mixed) = &self.classes()[number as usize]
+        let axis = self.axis;
+        let ruler = Ruler::new(axis, self.r1, self.r2);
+        progress.expect(self.counts.triangles as u64);
+        (0..self.classes.len() as u32).into_par_iter().try_for_each(|number| {
+            let instance = self.scene.instance(number);
+            if let Class::Mixed(mixed) = &self.classes[number as usize]
                 && !(mixed.faces.is_sorted_by(|a, b| a < b) && mixed.faces.len() == mixed.zones.len())
             {
                 return Err(Error::Scene(format!("partition: the faces of instance {number} are out of order")));
@@ -34,17 +33,17 @@ impl Partition {
                 progress.report(faces.len() as u64)
             })
         })?;
-        let counts = self.counts();
-        let (zones, parts) =
-            (counts.near + counts.intermediate + counts.far, counts.nsf + counts.sf - counts.straddling);
-        if zones != counts.triangles || parts != counts.triangles || self.count() != *counts {
+        let counts = &self.counts;
+        let by_zone = counts.near + counts.intermediate + counts.far;
+        let by_set = counts.nsf + counts.sf - counts.straddling;
+        if by_zone != counts.triangles || by_set != counts.triangles || self.count() != *counts {
             return Err(Error::Scene(format!("partition: the counts do not add up: {counts:?}")));
         }
         Ok(())
     }
 
     fn validate_faces(&self, number: u32, faces: Range<u32>, ruler: &Ruler, axis: [f64; 2]) -> Result<()> {
-        let instance = self.scene().instance(number);
+        let instance = self.scene.instance(number);
         for face in faces {
             let [a, b, c] = instance.corners(face).map(|corner| [f64::from(corner.x), f64::from(corner.z)]);
             let radii = radii_of(a, b, c, axis).map(|radius| radius as f32);

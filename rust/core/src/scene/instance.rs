@@ -69,11 +69,10 @@ impl InstanceSet {
     /// Creates a set and numbers the triangles in the order of the instances.
     pub fn new(instances: Vec<Instance>) -> Self {
         let mut offsets = vec![0];
-        let mut total = 0;
-        for instance in &instances {
-            total += instance.mesh.faces.len() as i64;
-            offsets.push(total);
-        }
+        offsets.extend(instances.iter().scan(0, |total, instance| {
+            *total += instance.mesh.faces.len() as i64;
+            Some(*total)
+        }));
         Self { instances, offsets, ..Self::default() }
     }
 
@@ -94,11 +93,10 @@ impl InstanceSet {
 
     /// Returns the instance and face of a triangle number.
     pub fn locate(&self, triangle: i64) -> Option<(usize, u32)> {
-        if !(0..self.triangle_count()).contains(&triangle) {
-            return None;
-        }
-        let instance = self.offsets.partition_point(|&offset| offset <= triangle) - 1;
-        Some((instance, (triangle - self.offsets[instance]) as u32))
+        (0..self.triangle_count()).contains(&triangle).then(|| {
+            let instance = self.offsets.partition_point(|&offset| offset <= triangle) - 1;
+            (instance, (triangle - self.offsets[instance]) as u32)
+        })
     }
 
     /// Returns the top-level tree, if it has been built.

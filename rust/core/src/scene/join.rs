@@ -46,11 +46,8 @@ impl Scene {
             add(&part.scene.standing, &mut standing)?;
             add(&part.scene.moving, &mut moving)?;
         }
-        surfaces.into_scene(&Self {
-            standing: Arc::new(InstanceSet::new(standing)),
-            moving: Arc::new(InstanceSet::new(moving)),
-            ..first.scene.clone()
-        })
+        let (standing, moving) = (InstanceSet::new(standing), InstanceSet::new(moving));
+        surfaces.into_scene(&first.scene.with_sets(Some(standing), Some(moving)))
     }
 }
 
@@ -70,17 +67,14 @@ impl Renumbering<'_> {
         let number_of = |object: i32| usize::try_from(object).ok().and_then(|index| self.objects.get(index)).copied();
         let object = instance.object.map(|object| number_of(object).unwrap_or(object));
         let shared = &instance.mesh;
-        let mesh = if is_unchanged(self.objects) && is_unchanged(&self.materials) {
-            Arc::clone(shared)
-        } else {
-            let create = || {
-                let (objects, materials) =
-                    (shared.objects.renumbered(self.objects), shared.materials.renumbered(&self.materials));
-                Arc::new(shared.relabeled(objects, materials))
-            };
-            Arc::clone(self.meshes.entry(Arc::as_ptr(shared)).or_insert_with(create))
-        };
-        instance.with_mesh(mesh, object)
+        if is_unchanged(self.objects) && is_unchanged(&self.materials) {
+            return instance.with_mesh(Arc::clone(shared), object);
+        }
+        let mesh = self.meshes.entry(Arc::as_ptr(shared)).or_insert_with(|| {
+            let materials = shared.materials.renumbered(&self.materials);
+            Arc::new(shared.relabeled(shared.objects.renumbered(self.objects), materials))
+        });
+        instance.with_mesh(Arc::clone(mesh), object)
     }
 }
 
@@ -107,14 +101,14 @@ mod tests {
 
     #[test]
     fn joined_scenes_have_all_objects_and_each_material_once() {
-        let (one, other) = (scene(0.0, &[0.5]), scene(10.0, &[1.0, 0.5]));
-        let parts = [Joined { scene: &one, objects: &[0, 1] }, Joined { scene: &other, objects: &[1, 2] }];
+        let (first, second) = (scene(0.0, &[0.5]), scene(10.0, &[1.0, 0.5]));
+        let parts = [Joined { scene: &first, objects: &[0, 1] }, Joined { scene: &second, objects: &[1, 2] }];
         let all = Scene::join(&parts, &Progress::new()).unwrap();
         assert_eq!(all.materials.len(), 2);
         let objects: Vec<_> = all.instances().map(|i| [i.object_of(0), i.object_of(1)]).collect();
         assert_eq!(objects, [[0, 1], [1, 2], [1, 1], [2, 2]]);
         assert!(all.instances().all(|i| i.mesh.materials.get(0) == 0));
-        assert!(Arc::ptr_eq(&all.instance(0).mesh, &one.instance(0).mesh));
+        assert!(Arc::ptr_eq(&all.instance(0).mesh, &first.instance(0).mesh));
         assert!(Arc::ptr_eq(&all.instance(1).mesh, &all.instance(3).mesh));
         assert_eq!(all.instance(1).corners(0)[0].to_array(), [10.0, 0.0, 0.0]);
         assert_eq!(all.instance(3).corners(0)[0].to_array(), [10.0, 1.0, 0.0]);

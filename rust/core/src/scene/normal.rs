@@ -7,7 +7,7 @@ use glam::{DAffine3, DMat3, Vec3};
 use rayon::prelude::*;
 
 use super::instance::Instance;
-use super::mesh::{Mesh, TILE};
+use super::mesh::TILE;
 use crate::base::{Progress, Result};
 
 /// Returns the matrix that transforms normals, up to length: the placement's cofactors, which exist for singular
@@ -42,21 +42,12 @@ pub(super) fn place_normals(
     })
 }
 
-impl Mesh {
-    /// Returns the normals of a face's corners; `None` if the mesh has no normals.
-    #[inline]
-    fn corner_normals(&self, face: u32) -> Option<[[f32; 3]; 3]> {
-        let normals = self.normals.as_ref()?;
-        Some(self.faces[face as usize].map(|vertex| normals[vertex as usize]))
-    }
-}
-
 impl Instance {
     /// Returns the unit normals of a face's placed corners, zero for a vertex without one; `None` if the mesh has no
     /// normals.
     #[inline]
     pub fn corner_normals(&self, face: u32) -> Option<[Vec3; 3]> {
-        let normals = self.mesh.corner_normals(face)?;
+        let normals = self.mesh.corner_values(face, &self.mesh.normals)?;
         if self.in_place {
             return Some(normals.map(|normal| Vec3::from_array(normal).normalize_or_zero()));
         }
@@ -96,7 +87,7 @@ mod tests {
 
     use super::*;
     use crate::base::{Buffer, FaceMap};
-    use crate::scene::{PlacedMesh, merge};
+    use crate::scene::{Mesh, PlacedMesh, merge};
 
     /// A triangle whose normals differ from its plane's; the third vertex has none.
     fn leaning() -> Arc<Mesh> {

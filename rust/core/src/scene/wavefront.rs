@@ -13,7 +13,7 @@ use crate::base::{Error, Progress, Result};
 pub const NONE: u32 = u32::MAX;
 
 /// Maximum characters of a word quoted in a message.
-const MAX_SHOWN: usize = 60;
+const MAX_QUOTED: usize = 60;
 
 /// Kinds of rows, in the order of indices in a face's corner.
 const KINDS: [&str; 3] = ["vertex", "texture coordinate", "normal"];
@@ -91,8 +91,8 @@ struct Scan {
 }
 
 impl Scan {
-    fn line(&mut self, whole: &[u8], line: u64) -> Result<()> {
-        let trimmed = whole.trim_ascii_start();
+    fn line(&mut self, text: &[u8], line: u64) -> Result<()> {
+        let trimmed = text.trim_ascii_start();
         let length =
             trimmed.iter().position(|byte| byte.is_ascii_whitespace() || *byte == b'\\').unwrap_or(trimmed.len());
         let (keyword, rest) = trimmed.split_at(length);
@@ -102,31 +102,21 @@ impl Scan {
         let rest = if rest.contains(&b'\n') { Cow::Owned(join_continued_line(rest)) } else { Cow::Borrowed(rest) };
         let stated = rest.split(|&byte| byte == b'#').next().unwrap_or_default();
         match keyword {
-            b"v" => self.vertex(stated, line),
+            b"v" => self.vertex(stated, line)?,
             b"vt" => {
                 let (_, [u, v, ..]) = numbers(stated, 1, line, "texture coordinate")?;
                 self.read.uvs.push([u, v]);
-                Ok(())
             }
             b"vn" => {
                 let (_, [x, y, z, ..]) = numbers(stated, 3, line, "normal")?;
                 self.read.normals.push([x, y, z]);
-                Ok(())
             }
-            b"f" => self.face(stated, line),
-            b"o" => {
-                self.object = self.number_of_name(rest.trim_ascii());
-                Ok(())
-            }
-            b"usemtl" => {
-                self.material = self.number_of_name(rest.trim_ascii());
-                Ok(())
-            }
-            _ => {
-                self.read.libraries.push(String::from_utf8_lossy(rest.trim_ascii()).into_owned());
-                Ok(())
-            }
+            b"f" => self.face(stated, line)?,
+            b"o" => self.object = self.number_of_name(rest.trim_ascii()),
+            b"usemtl" => self.material = self.number_of_name(rest.trim_ascii()),
+            _ => self.read.libraries.push(String::from_utf8_lossy(rest.trim_ascii()).into_owned()),
         }
+        Ok(())
     }
 
     fn vertex(&mut self, stated: &[u8], line: u64) -> Result<()> {
@@ -197,10 +187,9 @@ impl Scan {
 
     /// Converts an index to an absolute one, counted from 1; negative ones count back from the last row so far.
     fn absolute(&self, index: &[u8], kind: usize, line: u64) -> Result<u64> {
-        let (digits, is_back) = match index {
+        let (digits, is_negative) = match index {
             [b'-', digits @ ..] => (digits, true),
-            [b'+', digits @ ..] => (digits, false),
-            digits => (digits, false),
+            [b'+', digits @ ..] | digits => (digits, false),
         };
         let word = || shorten(index);
         if digits.is_empty() || !digits.iter().all(u8::is_ascii_digit) {
@@ -209,7 +198,7 @@ impl Scan {
         let value =
             digits.iter().fold(0u64, |value, digit| value.saturating_mul(10).saturating_add(u64::from(digit - b'0')));
         let count = self.counts()[kind];
-        match (value, is_back) {
+        match (value, is_negative) {
             (0, _) => Err(Error::Scene(format!("line {line}: a face names {} 0, but the first is 1", KINDS[kind]))),
             (value, true) if value > count => Err(absent(line, KINDS[kind], &word(), count)),
             (value, true) => Ok(count + 1 - value),
@@ -276,7 +265,7 @@ fn absent(line: u64, kind: &str, index: &str, count: u64) -> Error {
 /// Shortens a word for a message.
 fn shorten(word: &[u8]) -> String {
     let text = String::from_utf8_lossy(word);
-    match text.char_indices().nth(MAX_SHOWN) {
+    match text.char_indices().nth(MAX_QUOTED) {
         Some((end, _)) => format!("{}…", &text[..end]),
         None => text.into_owned(),
     }

@@ -1,4 +1,5 @@
-//! Assembly of pieces into faces and new vertices. Neighbouring pieces share vertices where the source's faces do.
+//! Splitting of meshes: assembly of pieces into faces and new vertices. Neighbouring pieces share vertices where the
+//! source's faces do.
 
 use std::collections::HashMap;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -6,7 +7,6 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use glam::DVec3;
 use rayon::prelude::*;
 
-use super::counts::SplitCounts;
 use super::rule::Rule;
 use super::settings::Precision;
 use super::split::Piece;
@@ -16,6 +16,65 @@ use crate::base::{Error, Progress, Result, memory::room_for};
 const TILE: usize = 1 << 12;
 /// Peak memory per piece, bytes: the piece, its face and its part of the new vertices.
 const BYTES: u64 = size_of::<Piece>() as u64 + 64;
+
+/// Numbers of triangles.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct SplitCounts {
+    /// Triangles of the source.
+    pub before: u64,
+    /// Triangles of the result.
+    pub after: u64,
+    /// Triangles of the source that were examined; the others lie within r₁ or beyond r₂, or move.
+    pub examined: u64,
+    /// Triangles of the source that were split.
+    pub split: u64,
+}
+
+/// A split mesh: the source's vertices, followed by new ones.
+#[derive(Debug, Default)]
+pub struct Arrays {
+    /// New vertices.
+    pub points: Vec<[f64; 3]>,
+    /// Face of the source on which each new vertex lies.
+    pub point_faces: Vec<u32>,
+    /// Weights of that face's corners.
+    pub weights: Vec<[f64; 3]>,
+    /// Three vertex numbers per face.
+    pub faces: Vec<[u32; 3]>,
+    /// Source face that contains each face.
+    pub sources: Vec<u32>,
+    /// Numbers of triangles before and after splitting.
+    pub counts: SplitCounts,
+}
+
+/// Splits the faces of a mesh. Vertex numbers must be below the number of vertices.
+pub fn tessellate_arrays(
+    vertices: &[[f64; 3]],
+    faces: &[[u32; 3]],
+    rule: &Rule,
+    progress: &Progress,
+) -> Result<Arrays> {
+    rule.edges.demand()?;
+    let mut counts = SplitCounts { before: faces.len() as u64, ..SplitCounts::default() };
+    let corners = |face: u32| Some(faces[face as usize].map(|vertex| DVec3::from_array(vertices[vertex as usize])));
+    progress.expect(faces.len() as u64);
+    let how = (rule, Precision::Double);
+    let made = assemble(faces, vertices.len(), corners, how, (&Budget::default(), &mut counts), progress)?;
+    let Some(made) = made else {
+        counts.after = counts.before;
+        let sources = (0..faces.len() as u32).collect();
+        return Ok(Arrays { faces: faces.to_vec(), sources, counts, ..Arrays::default() });
+    };
+    counts.after = made.faces.len() as u64;
+    Ok(Arrays {
+        points: made.new.iter().map(|new| new.point.to_array()).collect(),
+        point_faces: made.new.iter().map(|new| new.face).collect(),
+        weights: made.new.iter().map(|new| new.weights).collect(),
+        faces: made.faces,
+        sources: made.sources,
+        counts,
+    })
+}
 
 /// A new vertex on a face of the source.
 #[derive(Clone, Copy, Debug, PartialEq)]

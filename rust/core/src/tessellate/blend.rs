@@ -1,10 +1,9 @@
-//! Edge-splitting rule for `Kind::Blend`. It depends only on the two ends of an edge, so all triangles at an edge
-//! split it alike.
+//! Edge-splitting rule for `Kind::Blend`.
 
 use glam::{DVec2, DVec3};
 
 use super::bound::{Form, MIN_CLEARANCE, RadialZone};
-use super::segment::{crossing, segment_distance, weights_of_axis};
+use super::rule::{Cut, EdgeRule, crossing, segment_distance, weights_of_axis};
 use super::settings::{Precision, Settings};
 use crate::base::{Error, Result};
 
@@ -121,41 +120,8 @@ impl BlendRule {
         }
     }
 
-    /// Returns whether the tolerance is a bound for every user of the region: they stay well inside r₁, and the
-    /// tolerance is not below the resolution of the coordinates.
-    pub fn holds(&self) -> bool {
-        self.holds
-    }
-
-    /// Fails if the tolerance is not a bound.
-    pub fn demand(&self) -> Result<()> {
-        let Settings { r1, reach, .. } = self.settings;
-        let greatest = (1.0 - MIN_CLEARANCE) * (r1 - self.passing_r1);
-        if reach >= greatest {
-            let expected =
-                format!("users within {greatest:.3} m of the centre, 0.6 of r1, where the error has a bound");
-            return Err(Error::value("user_region", expected, format!("{reach} m")));
-        }
-        if !self.holds {
-            let expected =
-                "a tolerance that triangles of a few thousandths of r2 - r1 and the coordinates' digits reach";
-            return Err(Error::value("tolerance_px", expected, format!("{:e} radians", self.settings.tolerance)));
-        }
-        Ok(())
-    }
-
-    /// Returns the length up to which edges have an error below the tolerance wherever they lie, also across the
-    /// radii.
-    pub fn harmless(&self) -> f64 {
-        self.harmless
-    }
-
-    /// Returns the fraction of the way from a to b at which their edge is split. The caller must order the ends of an
-    /// edge consistently.
-    ///
-    /// If an edge is left whole, each part of it must be left whole as well; otherwise thin triangles would be split
-    /// for ever.
-    pub(super) fn share(&self, a: DVec3, b: DVec3) -> Option<f64> {
+    /// Returns the fraction of the way from a to b at which their edge is split, as `EdgeRule::cut` requires.
+    fn split_fraction(&self, a: DVec3, b: DVec3) -> Option<f64> {
         let Settings { r1, r2, .. } = self.settings;
         let (p, q) = (self.settings.on_ground(a), self.settings.on_ground(b));
         let (least, greatest) = (p.length().min(q.length()), p.length().max(q.length()));
@@ -203,10 +169,38 @@ impl BlendRule {
         let fewest = ((horizontal + height * height).sqrt() / self.shortest).min(1e9);
         (parts * (1.0 - 1e-9)).ceil().min(fewest.floor())
     }
+}
 
-    /// Returns a point at which a triangle must be split although none of its edges is: the triangle contains the
-    /// whole cylinder.
-    pub(super) fn inner_split_point(&self, corners: &[DVec3; 3]) -> Option<[f64; 3]> {
+impl EdgeRule for BlendRule {
+    fn holds(&self) -> bool {
+        self.holds
+    }
+
+    fn demand(&self) -> Result<()> {
+        let Settings { r1, reach, .. } = self.settings;
+        let greatest = (1.0 - MIN_CLEARANCE) * (r1 - self.passing_r1);
+        if reach >= greatest {
+            let expected =
+                format!("users within {greatest:.3} m of the centre, 0.6 of r1, where the error has a bound");
+            return Err(Error::value("user_region", expected, format!("{reach} m")));
+        }
+        if !self.holds {
+            let expected =
+                "a tolerance that triangles of a few thousandths of r2 - r1 and the coordinates' digits reach";
+            return Err(Error::value("tolerance_px", expected, format!("{:e} radians", self.settings.tolerance)));
+        }
+        Ok(())
+    }
+
+    fn harmless(&self) -> f64 {
+        self.harmless
+    }
+
+    fn cut(&self, a: DVec3, b: DVec3) -> Option<Cut> {
+        self.split_fraction(a, b).map(|fraction| Cut { fraction, size: (b - a).length() })
+    }
+
+    fn inner_split_point(&self, corners: &[DVec3; 3]) -> Option<[f64; 3]> {
         if self.settings.r2 == 0.0 {
             return None;
         }
@@ -215,9 +209,11 @@ impl BlendRule {
         if is_far { weights_of_axis(p) } else { None }
     }
 
-    /// Returns whether a distance from the axis is below that of all ends of split edges. Edges between two points of
-    /// r₁ are split too.
-    pub(super) fn is_within(&self, rho: f64) -> bool {
+    fn outer(&self) -> f64 {
+        self.settings.r2
+    }
+
+    fn is_within(&self, rho: f64) -> bool {
         rho < self.settings.r1 - self.rounding
     }
 }

@@ -1,11 +1,9 @@
-//! Edge-splitting rule for `Kind::Cylinder`, for all radii of its growth. It depends only on the two ends of an edge,
-//! so all triangles at an edge split it alike.
+//! Edge-splitting rule for `Kind::Cylinder`, for all radii of its growth.
 
 use glam::{DVec2, DVec3};
 
-use super::cut::Cut;
 use super::grown_bound::{LONGEST, LONGEST_FAR, MAX_RATIO, Measure, Region, SPREAD, SPREAD_FAR, allowed};
-use super::segment::{crossing, segment_distance, weights_of_axis};
+use super::rule::{Cut, EdgeRule, crossing, segment_distance, weights_of_axis};
 use super::settings::{Precision, Settings};
 use crate::base::{Error, Result};
 
@@ -111,108 +109,6 @@ impl GrownRule {
         rule
     }
 
-    /// Returns whether the tolerance is a bound for every user of the region and all points.
-    pub fn holds(&self) -> bool {
-        let is_clear = self.still > 0.0 && self.floor < self.still;
-        self.settings.reach == 0.0 || self.is_fine && is_clear
-    }
-
-    /// Fails if the tolerance is not a bound. Next to the axis, where points within r₁ move, it need not be one.
-    pub fn demand(&self) -> Result<()> {
-        let inner = self.region.near * self.region.radii[0];
-        let greatest = MAX_RATIO * (1.0 - SAG) * inner;
-        if self.settings.reach > greatest {
-            let expected = format!(
-                "users within {greatest:.3} m of the centre, half of the least r1, where the error has a bound"
-            );
-            return Err(Error::value("user_region", expected, format!("{} m", self.settings.reach)));
-        }
-        if !self.is_wide {
-            let Settings { r1, r2, .. } = self.settings;
-            return Err(Error::value("r1", format!("a radius of at most {}", r2 * (1.0 - THINNEST)), r1));
-        }
-        if !self.is_fine {
-            let expected = "a tolerance that pieces of a millionth of the least r1 and the coordinates' digits reach";
-            return Err(Error::value("tolerance_px", expected, format!("{:e} radians", self.settings.tolerance)));
-        }
-        Ok(())
-    }
-
-    /// Returns the length up to which edges have an error below the tolerance wherever they lie.
-    pub fn harmless(&self) -> f64 {
-        self.harmless
-    }
-
-    /// Returns the radius beyond which no edge is split.
-    pub fn outer(&self) -> f64 {
-        DRAWN * self.settings.drawn
-    }
-
-    /// Returns whether a distance from the axis is below that of all ends of split edges.
-    pub fn is_within(&self, rho: f64) -> bool {
-        rho < self.still - self.rounding
-    }
-
-    /// Returns where to split a triangle around the axis whose edges all lie beyond the drawn radius.
-    pub fn inner_split_point(&self, corners: &[DVec3; 3]) -> Option<[f64; 3]> {
-        let p = corners.map(|corner| self.settings.on_ground(corner));
-        let is_far = self.settings.reach > 0.0 && p.iter().all(|p| p.length() >= self.outer());
-        if is_far { weights_of_axis(p) } else { None }
-    }
-
-    /// Returns where the edge from a to b is split. The caller must order the ends of an edge consistently. If an edge
-    /// is left whole, so is each part of it, because all measures decrease: otherwise thin triangles would be split
-    /// for ever.
-    pub fn cut(&self, a: DVec3, b: DVec3) -> Option<Cut> {
-        let center = self.settings.center;
-        let (p, q) = (self.settings.on_ground(a), self.settings.on_ground(b));
-        let (least, greatest) = (p.length().min(q.length()), p.length().max(q.length()));
-        let length = (b - a).length();
-        let is_short = length <= self.shortest.max(1e-14 * a.abs().max(b.abs()).max_element());
-        if is_short || self.settings.reach == 0.0 {
-            return None;
-        }
-        let nearest = segment_distance(p, q);
-        let is_still = greatest <= self.still + self.rounding && least < self.still - self.rounding;
-        if is_still || nearest >= self.outer() {
-            return None;
-        }
-        let extent = Extent {
-            nearest,
-            farthest: greatest,
-            distance: distance(a - center, b - center),
-            level: (q - p).length(),
-            length,
-            is_flat: self.region.radii[0] > 0.0
-                && greatest <= self.inner + self.rounding
-                && least < self.inner - self.rounding,
-        };
-        let measure = self.measure(&extent);
-        let by_range = self.by_range(&measure, greatest - nearest);
-        // The bound lets pieces high above the centre be higher than wide: measured in metres, each width would be
-        // split in two heights.
-        let tall = (nearest.max(self.floor) / extent.distance.max(self.floor)).min(1.0);
-        let size = extent.level.hypot((b.y - a.y) * tall);
-        let at = |share: f64| Some(Cut { share, size });
-        let is_across = |kink: &f64| least < kink - self.rounding && greatest > kink + self.rounding;
-        if let Some(&kink) = self.kinks.iter().find(|kink| is_across(kink)) {
-            return at(crossing(p, q, &[kink], f64::EPSILON).unwrap_or(0.5));
-        }
-        let is_bounded = self.is_fine && nearest >= self.floor;
-        let fewest = if is_bounded { self.shortest } else { self.coarsest };
-        if by_range > 1.0
-            && length >= 2.0 * fewest
-            && let Some(share) = self.band_at(p, q, (greatest - nearest) / by_range, fewest / length)
-        {
-            return at(share);
-        }
-        let parts = (by_range.max(self.by_lengths(&measure, &extent)) * (1.0 - 1e-9))
-            .ceil()
-            .min((length / fewest).floor())
-            .min(1e9);
-        if parts >= 2.0 { at((parts / 2.0).floor() / parts) } else { None }
-    }
-
     /// Returns where an edge crosses a band; among several crossed bands, the one whose number has the most factors of
     /// two. So the edges of a triangle are cut at the same band, and the edge between the cuts lies along it. Bands
     /// close to an end are skipped, because they would cut off slivers.
@@ -283,6 +179,103 @@ impl GrownRule {
         // The count at which first/count + second/count² is within the fraction.
         let (one, two) = (first * range / allowed, second * range * range / allowed);
         ((one + (one * one + 4.0 * two).sqrt()) / 2.0).max(range / measure.most[0])
+    }
+}
+
+impl EdgeRule for GrownRule {
+    fn holds(&self) -> bool {
+        let is_clear = self.still > 0.0 && self.floor < self.still;
+        self.settings.reach == 0.0 || self.is_fine && is_clear
+    }
+
+    fn demand(&self) -> Result<()> {
+        let inner = self.region.near * self.region.radii[0];
+        let greatest = MAX_RATIO * (1.0 - SAG) * inner;
+        if self.settings.reach > greatest {
+            let expected = format!(
+                "users within {greatest:.3} m of the centre, half of the least r1, where the error has a bound"
+            );
+            return Err(Error::value("user_region", expected, format!("{} m", self.settings.reach)));
+        }
+        if !self.is_wide {
+            let Settings { r1, r2, .. } = self.settings;
+            return Err(Error::value("r1", format!("a radius of at most {}", r2 * (1.0 - THINNEST)), r1));
+        }
+        if !self.is_fine {
+            let expected = "a tolerance that pieces of a millionth of the least r1 and the coordinates' digits reach";
+            return Err(Error::value("tolerance_px", expected, format!("{:e} radians", self.settings.tolerance)));
+        }
+        Ok(())
+    }
+
+    fn harmless(&self) -> f64 {
+        self.harmless
+    }
+
+    fn outer(&self) -> f64 {
+        DRAWN * self.settings.drawn
+    }
+
+    fn is_within(&self, rho: f64) -> bool {
+        rho < self.still - self.rounding
+    }
+
+    /// A triangle around the axis whose edges all lie beyond the drawn radius is split.
+    fn inner_split_point(&self, corners: &[DVec3; 3]) -> Option<[f64; 3]> {
+        let p = corners.map(|corner| self.settings.on_ground(corner));
+        let is_far = self.settings.reach > 0.0 && p.iter().all(|p| p.length() >= self.outer());
+        if is_far { weights_of_axis(p) } else { None }
+    }
+
+    /// Each part of an edge that is left whole is left whole, because all measures decrease.
+    fn cut(&self, a: DVec3, b: DVec3) -> Option<Cut> {
+        let center = self.settings.center;
+        let (p, q) = (self.settings.on_ground(a), self.settings.on_ground(b));
+        let (least, greatest) = (p.length().min(q.length()), p.length().max(q.length()));
+        let length = (b - a).length();
+        let is_short = length <= self.shortest.max(1e-14 * a.abs().max(b.abs()).max_element());
+        if is_short || self.settings.reach == 0.0 {
+            return None;
+        }
+        let nearest = segment_distance(p, q);
+        let is_still = greatest <= self.still + self.rounding && least < self.still - self.rounding;
+        if is_still || nearest >= self.outer() {
+            return None;
+        }
+        let extent = Extent {
+            nearest,
+            farthest: greatest,
+            distance: distance(a - center, b - center),
+            level: (q - p).length(),
+            length,
+            is_flat: self.region.radii[0] > 0.0
+                && greatest <= self.inner + self.rounding
+                && least < self.inner - self.rounding,
+        };
+        let measure = self.measure(&extent);
+        let by_range = self.by_range(&measure, greatest - nearest);
+        // The bound lets pieces high above the centre be higher than wide: measured in metres, each width would be
+        // split in two heights.
+        let tall = (nearest.max(self.floor) / extent.distance.max(self.floor)).min(1.0);
+        let size = extent.level.hypot((b.y - a.y) * tall);
+        let at = |fraction: f64| Some(Cut { fraction, size });
+        let is_across = |kink: &f64| least < kink - self.rounding && greatest > kink + self.rounding;
+        if let Some(&kink) = self.kinks.iter().find(|kink| is_across(kink)) {
+            return at(crossing(p, q, &[kink], f64::EPSILON).unwrap_or(0.5));
+        }
+        let is_bounded = self.is_fine && nearest >= self.floor;
+        let fewest = if is_bounded { self.shortest } else { self.coarsest };
+        if by_range > 1.0
+            && length >= 2.0 * fewest
+            && let Some(share) = self.band_at(p, q, (greatest - nearest) / by_range, fewest / length)
+        {
+            return at(share);
+        }
+        let parts = (by_range.max(self.by_lengths(&measure, &extent)) * (1.0 - 1e-9))
+            .ceil()
+            .min((length / fewest).floor())
+            .min(1e9);
+        if parts >= 2.0 { at((parts / 2.0).floor() / parts) } else { None }
     }
 }
 

@@ -1,9 +1,11 @@
-//! Edge-splitting rule.
+//! Edge-splitting rule, and edges and triangles in the ground plane, relative to the axis.
+
+use std::fmt::Debug;
+use std::sync::Arc;
 
 use glam::{DVec2, DVec3};
 
 use super::blend::BlendRule;
-use super::cut::Cut;
 use super::grown::GrownRule;
 use super::settings::{Precision, Settings, Stages};
 use crate::base::Result;
@@ -12,91 +14,73 @@ use crate::base::Result;
 #[derive(Clone, Debug)]
 pub struct Rule {
     settings: Settings,
-    edges: Edges,
+    pub(super) edges: Arc<dyn EdgeRule>,
 }
 
-#[derive(Clone, Debug)]
-enum Edges {
-    Blend(BlendRule),
-    Grown(GrownRule),
+/// Edge-splitting rule for one kind of morph. It depends only on the two ends of an edge, so all triangles at an edge
+/// split it alike.
+pub(super) trait EdgeRule: Debug + Send + Sync {
+    /// Returns whether the tolerance is a bound for every user of the region: they stay well inside r₁, and the
+    /// tolerance is not below the resolution of the coordinates.
+    fn holds(&self) -> bool;
+
+    /// Fails if the tolerance is not a bound. A cylinder below full strength needs none next to the axis, where points
+    /// within r₁ move.
+    fn demand(&self) -> Result<()>;
+
+    /// Returns the length up to which edges have an error below the tolerance wherever they lie, also across the
+    /// radii.
+    fn harmless(&self) -> f64;
+
+    /// Returns where the edge from a to b is split. The caller must order the ends of an edge consistently.
+    ///
+    /// If an edge is left whole, each part of it must be left whole as well; otherwise thin triangles would be split
+    /// for ever.
+    fn cut(&self, a: DVec3, b: DVec3) -> Option<Cut>;
+
+    /// Returns a point at which a triangle must be split although none of its edges is: the triangle contains the
+    /// whole cylinder.
+    fn inner_split_point(&self, corners: &[DVec3; 3]) -> Option<[f64; 3]>;
+
+    /// Returns the radius beyond which no edge is split.
+    fn outer(&self) -> f64;
+
+    /// Returns whether a distance from the axis is below that of all ends of split edges. Edges between two points of
+    /// r₁ are split too.
+    fn is_within(&self, rho: f64) -> bool;
+}
+
+/// Position at which an edge is split.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Cut {
+    /// Fraction of the way along the edge.
+    pub fraction: f64,
+    /// Length of the edge in the rule's own measure: the longest edge of a triangle is split first.
+    pub size: f64,
 }
 
 impl Rule {
     /// Creates a rule; checks the settings.
     pub fn new(settings: &Settings, precision: Precision) -> Result<Self> {
         settings.check()?;
-        let edges = match settings.stages {
-            Stages::Blend => Edges::Blend(BlendRule::new(settings, precision)),
-            Stages::Cylinder { least, is_full } => Edges::Grown(GrownRule::new(settings, least, is_full, precision)),
+        let edges: Arc<dyn EdgeRule> = match settings.stages {
+            Stages::Blend => Arc::new(BlendRule::new(settings, precision)),
+            Stages::Cylinder { least, is_full } => Arc::new(GrownRule::new(settings, least, is_full, precision)),
         };
         Ok(Self { settings: *settings, edges })
     }
 
-    /// Returns whether the tolerance is a bound for every user of the region: they stay well inside r₁, and the
-    /// tolerance is not below the resolution of the coordinates.
+    /// Returns whether the tolerance is a bound; see `EdgeRule::holds`.
     pub fn holds(&self) -> bool {
-        match &self.edges {
-            Edges::Blend(rule) => rule.holds(),
-            Edges::Grown(rule) => rule.holds(),
-        }
-    }
-
-    /// Fails if the tolerance is not a bound. A cylinder below full strength needs none next to the axis.
-    pub fn demand(&self) -> Result<()> {
-        match &self.edges {
-            Edges::Blend(rule) => rule.demand(),
-            Edges::Grown(rule) => rule.demand(),
-        }
-    }
-
-    /// Returns the length up to which edges have an error below the tolerance wherever they lie, also across the
-    /// radii.
-    pub fn harmless(&self) -> f64 {
-        match &self.edges {
-            Edges::Blend(rule) => rule.harmless(),
-            Edges::Grown(rule) => rule.harmless(),
-        }
-    }
-
-    /// Returns where the edge from a to b is split. The caller must order the ends of an edge consistently.
-    pub(super) fn cut(&self, a: DVec3, b: DVec3) -> Option<Cut> {
-        match &self.edges {
-            Edges::Blend(rule) => rule.share(a, b).map(|share| Cut { share, size: (b - a).length() }),
-            Edges::Grown(rule) => rule.cut(a, b),
-        }
-    }
-
-    /// Returns a point at which a triangle must be split although none of its edges is: the triangle contains the
-    /// whole cylinder.
-    pub(super) fn inner_split_point(&self, corners: &[DVec3; 3]) -> Option<[f64; 3]> {
-        match &self.edges {
-            Edges::Blend(rule) => rule.inner_split_point(corners),
-            Edges::Grown(rule) => rule.inner_split_point(corners),
-        }
-    }
-
-    /// Returns the radius beyond which no edge is split.
-    pub(super) fn outer(&self) -> f64 {
-        match &self.edges {
-            Edges::Blend(_) => self.settings.r2,
-            Edges::Grown(rule) => rule.outer(),
-        }
-    }
-
-    /// Returns whether a distance from the axis is below that of all ends of split edges. Edges between two points of
-    /// r₁ are split too.
-    pub(super) fn is_within(&self, rho: f64) -> bool {
-        match &self.edges {
-            Edges::Blend(rule) => rule.is_within(rho),
-            Edges::Grown(rule) => rule.is_within(rho),
-        }
+        self.edges.holds()
     }
 
     /// Returns whether a triangle can be skipped: by its box and corners, no point of it lies where edges are split.
     pub(super) fn leaves_alone(&self, corners: &[DVec3; 3]) -> bool {
         let p = corners.map(|corner| self.on_ground(corner));
         let (low, high) = (p[0].min(p[1]).min(p[2]), p[0].max(p[1]).max(p[2]));
-        low.max(-high).max(DVec2::ZERO).length() >= self.outer() || p.iter().all(|p| self.is_within(p.length()))
+        low.max(-high).max(DVec2::ZERO).length() >= self.edges.outer()
+            || p.iter().all(|p| self.edges.is_within(p.length()))
     }
 
     /// Returns whether no point of a triangle is drawn, by a separating line.
@@ -116,4 +100,35 @@ impl Rule {
     pub(super) fn on_ground(&self, p: DVec3) -> DVec2 {
         self.settings.on_ground(p)
     }
+}
+
+/// Returns the distance of the axis from a segment in the ground plane.
+pub(super) fn segment_distance(p: DVec2, q: DVec2) -> f64 {
+    let d = q - p;
+    let squared = d.length_squared();
+    let share = if squared > 0.0 { (-p.dot(d) / squared).clamp(0.0, 1.0) } else { 0.0 };
+    (p + d * share).length()
+}
+
+/// Returns the fraction of the way from p to q at which their segment crosses one of the radii: the crossing nearest
+/// to the middle. `None` if there is no crossing or all lie within `room` of the ends.
+pub(super) fn crossing(p: DVec2, q: DVec2, radii: &[f64], room: f64) -> Option<f64> {
+    let d = q - p;
+    let (squared, along) = (d.length_squared(), p.dot(d));
+    let roots = radii.iter().flat_map(|&radius| {
+        let root = (along * along - squared * (p.length_squared() - radius * radius)).sqrt();
+        [(-along - root) / squared, (-along + root) / squared]
+    });
+    // The fraction is NaN if the edge misses a cylinder or is vertical; NaN lies in no range.
+    roots
+        .filter(|share| (room..=1.0 - room).contains(share))
+        .min_by(|a, b| (a - 0.5).abs().total_cmp(&(b - 0.5).abs()).then(a.total_cmp(b)))
+}
+
+/// Returns the weights of a triangle's corners at the axis, if it contains the axis.
+pub(super) fn weights_of_axis([a, b, c]: [DVec2; 3]) -> Option<[f64; 3]> {
+    let areas = [b.perp_dot(c), c.perp_dot(a), a.perp_dot(b)];
+    let whole = areas[0] + areas[1] + areas[2];
+    let weights = areas.map(|area| area / whole);
+    weights.iter().all(|&weight| weight > 0.0).then_some(weights)
 }

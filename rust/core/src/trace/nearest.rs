@@ -6,9 +6,9 @@
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;
 
-use super::cast::{Points, TILE, refuse};
+use super::cast::{Points, TILE};
 use super::closest::{closest, square};
-use crate::base::{Error, Progress, REACH, Result};
+use crate::base::{Error, Progress, Result};
 use crate::bvh::{Block, LEAF, NO_CHILD, Node, WIDTH, Wide};
 use crate::scene::{Instance, Scene};
 
@@ -30,9 +30,7 @@ pub fn nearest(scene: &Scene, points: Points<'_>, facing: Option<&[[f32; 3]]>, p
     if let Some(rows) = facing.map(<[_]>::len).filter(|&rows| rows != count) {
         return Err(Error::value("facing", format!("{count} rows as points has"), rows));
     }
-    let out_of_reach = |p: DVec3| !p.is_finite() || (p - scene.origin).abs().max_element() > REACH;
-    let reachable = format!("finite coordinates within {REACH:e} m of the scene's origin");
-    refuse("points", &reachable, points.find(out_of_reach))?;
+    points.check_reach("points", scene)?;
     scene.build(progress)?;
     progress.expect(count as u64);
     let mut found = Nearest {

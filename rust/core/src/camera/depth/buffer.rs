@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use super::super::projection::{Fov, Projection};
+use super::super::view::Projection;
 use super::block::{self, BLOCK, Depth, DepthRow, Ranged};
 use crate::base::{Error, Progress, Result, number};
 
@@ -53,10 +53,7 @@ impl DepthBuffer {
             let expected = if parallel { "a finite number above near" } else { "a number above near, or infinity" };
             return Err(Error::value("far", expected, number(far)));
         }
-        let fov = match projection {
-            Projection::Perspective(fov) | Projection::Orthographic(fov) => fov,
-            Projection::CubeFace(_) => Fov { left: -1.0, right: 1.0, down: -1.0, up: 1.0 },
-        };
+        let fov = projection.fov();
         fov.validate()?;
         let [w, h] = [width as f64, height as f64];
         let (dx, dy) = ((fov.right - fov.left) / w, (fov.down - fov.up) / h);
@@ -122,27 +119,25 @@ impl DepthBuffer {
     /// Writes the distances from the eye in metres; infinite where nothing was drawn. `depth` holds one or more images
     /// of the view.
     pub fn ranges<T: Depth>(&self, depth: &[T], ranges: &mut [T::Range], progress: &Progress) -> Result<()> {
-        let wrong = self.run_kernel(depth, ranges, block::ranges, progress)?;
-        wrong.map_or(Ok(()), |(pixel, value)| Err(self.refusal("depth", T::EXPECTED, pixel, value)))
+        self.run_kernel(depth, ranges, block::ranges, ("depth", T::EXPECTED), progress)
     }
 
     /// Writes the depths at distances from the eye: the inverse of `ranges`. Points beyond the far plane get the
     /// background's depth.
     pub fn depths<T: Ranged>(&self, ranges: &[T], depth: &mut [T], progress: &Progress) -> Result<()> {
-        let wrong = self.run_kernel(ranges, depth, block::depths, progress)?;
-        wrong.map_or(Ok(()), |(pixel, value)| {
-            Err(self.refusal("ranges", "distances that are not before the near plane", pixel, value))
-        })
+        let refusal = ("ranges", "distances that are not before the near plane");
+        self.run_kernel(ranges, depth, block::depths, refusal, progress)
     }
 
-    /// Runs a kernel over all rows. Returns the index and value of the first refused value.
+    /// Runs a kernel over all rows. The error of the first refused value states the argument and what it accepts.
     fn run_kernel<T: Copy + Into<f64> + Sync, U: Copy + Default + Into<f64> + Send>(
         &self,
         values: &[T],
         results: &mut [U],
         kernel: Kernel<T, U>,
+        (argument, expected): (&'static str, &str),
         progress: &Progress,
-    ) -> Result<Option<(usize, f64)>> {
+    ) -> Result<()> {
         assert_eq!(values.len(), results.len(), "as many results as values");
         let rows = (TASK / self.width).max(1);
         let task = |(n, (values, results)): (usize, (&[T], &mut [U]))| {
@@ -152,7 +147,7 @@ impl DepthBuffer {
             let mut refused = false;
             let pairs = values.chunks(self.width).zip(results.chunks_mut(self.width));
             for (row, (values, results)) in (n * rows..).zip(pairs) {
-                refused |= one_row(&self.line(row % self.height), values, results, kernel);
+                refused |= one_row(&self.depth_row(row % self.height), values, results, kernel);
             }
             let wrong = if refused { results.iter().position(|&result| result.into().is_nan()) } else { None };
             wrong.map(|at| (n * rows * self.width + at, values[at].into()))
@@ -160,10 +155,16 @@ impl DepthBuffer {
         let size = rows * self.width;
         let tasks = values.par_chunks(size).zip(results.par_chunks_mut(size)).enumerate();
         let first = tasks.filter_map(task).min_by_key(|(pixel, _)| *pixel);
-        progress.check().map(|()| first)
+        progress.check()?;
+        first.map_or(Ok(()), |(pixel, value)| {
+            let (row, column) = (pixel / self.width, pixel % self.width);
+            let (image, row) = (row / self.height, row % self.height);
+            let got = format!("{} in row {row}, column {column} of image {image}", number(value));
+            Err(Error::value(argument, expected, got))
+        })
     }
 
-    fn line(&self, row: usize) -> DepthRow {
+    fn depth_row(&self, row: usize) -> DepthRow {
         let at = |axis: usize| self.first[axis] + row as f64 * self.steps[1][axis];
         DepthRow {
             start: [at(0), at(1)],
@@ -173,31 +174,24 @@ impl DepthBuffer {
             parallel: self.parallel,
         }
     }
-
-    fn refusal(&self, argument: &'static str, expected: &str, pixel: usize, value: f64) -> Error {
-        let (row, column) = (pixel / self.width, pixel % self.width);
-        let (image, row) = (row / self.height, row % self.height);
-        let got = format!("{} in row {row}, column {column} of image {image}", number(value));
-        Error::value(argument, expected, got)
-    }
 }
 
 /// Runs a kernel over one row. Returns whether a value was refused; its result is NaN, which no valid value gives.
-fn one_row<T: Copy, U: Copy + Default>(line: &DepthRow, values: &[T], results: &mut [U], kernel: Kernel<T, U>) -> bool {
+fn one_row<T: Copy, U: Copy + Default>(row: &DepthRow, values: &[T], results: &mut [U], kernel: Kernel<T, U>) -> bool {
     let (blocks, rest) = values.as_chunks::<BLOCK>();
     let (block_results, rest_results) = results.as_chunks_mut::<BLOCK>();
     let (mut column, mut refused) = (0, false);
     for (block, results) in blocks.iter().zip(block_results) {
-        refused |= kernel(line, column, block, results);
+        refused |= kernel(row, column, block, results);
         column += BLOCK as i32;
     }
     if let Some(&last) = rest.last() {
         // The rest is padded to a block. The kernel may refuse a padded column although it accepts the row's own
         // values.
-        let (mut block, mut shown) = ([last; BLOCK], [U::default(); BLOCK]);
+        let (mut block, mut padded) = ([last; BLOCK], [U::default(); BLOCK]);
         block[..rest.len()].copy_from_slice(rest);
-        refused |= kernel(line, column, &block, &mut shown);
-        rest_results.copy_from_slice(&shown[..rest.len()]);
+        refused |= kernel(row, column, &block, &mut padded);
+        rest_results.copy_from_slice(&padded[..rest.len()]);
     }
     refused
 }

@@ -3,7 +3,7 @@
 use glam::DVec3;
 use rayon::prelude::*;
 
-use super::super::faces::CubeFaces;
+use super::super::faces::{CubeFaces, check_out};
 use super::super::lookup::{
     BLOCK, BlockValues, SampledPicture, Sampler, TexelFilter, cube_sampler, find_texels, in_blocks, in_tiles,
     is_zero_or_not_finite,
@@ -27,7 +27,7 @@ pub fn convert<T: Real>(
     progress: &Progress,
 ) -> Result<()> {
     let channels = picture.channels;
-    check_out(target, channels, out)?;
+    check_out(out, target.texels() * channels)?;
     if channels == 0 {
         return Ok(());
     }
@@ -92,7 +92,7 @@ pub fn convert_nearest<T: Copy + Send + Sync>(
     progress: &Progress,
 ) -> Result<()> {
     let channels = picture.channels;
-    check_out(target, channels, out)?;
+    check_out(out, target.texels() * channels)?;
     if channels == 0 {
         return Ok(());
     }
@@ -119,14 +119,6 @@ pub fn convert_nearest<T: Copy + Send + Sync>(
     })
 }
 
-fn check_out<T>(target: Grid, channels: usize, out: &[T]) -> Result<()> {
-    let expected = target.texels() * channels;
-    if out.len() == expected {
-        return Ok(());
-    }
-    Err(Error::value("out", format!("{expected} values"), out.len()))
-}
-
 /// Writes the number of the texel that each direction hits.
 pub fn grid_texels<D: Real>(grid: Grid, directions: &[[D; 3]], out: &mut [i64], progress: &Progress) -> Result<()> {
     if out.len() != directions.len() {
@@ -145,7 +137,7 @@ pub fn grid_texels<D: Real>(grid: Grid, directions: &[[D; 3]], out: &mut [i64], 
 /// Writes the directions of all texel centres, row by row. The longest component of a cube's directions is ±1,
 /// equirectangular directions are unit vectors, and octahedral directions have an L1 norm of 1.
 pub fn grid_directions(grid: Grid, out: &mut [[f64; 3]], progress: &Progress) -> Result<()> {
-    check_out(grid, 1, out)?;
+    check_out(out, grid.texels())?;
     let rows = GridRows::new(grid, 1)?;
     out.par_chunks_mut(grid.width as usize).zip(0..grid.rows()).try_for_each(|(out, row)| {
         rows.write(0, row, 0, out);

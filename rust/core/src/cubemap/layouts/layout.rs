@@ -12,7 +12,7 @@ use std::f64::consts::PI;
 
 use glam::{DVec2, DVec3};
 
-use super::super::texels::{MAX_SIZE, texel_from_direction};
+use super::super::faces::{MAX_SIZE, texel_from_direction};
 use super::projections::{equirectangular, octahedral};
 use crate::base::{Error, Result, memory::room_for};
 use crate::camera::direction_from_face;

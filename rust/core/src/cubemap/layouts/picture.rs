@@ -77,10 +77,6 @@ impl<T: Real> SampledPicture<T> for Panorama<'_, T> {
 
 /// Returns the value that precedes all others in the order `before`; NaN if all values are NaN.
 fn first<T: Real>(texels: impl Iterator<Item = (T, f64)>, before: impl Fn(T, T) -> bool) -> T {
-    texels.fold(
-        T::narrow(f64::NAN),
-        |chosen, (texel, _)| {
-            if before(texel, chosen) || !is_known(chosen) { texel } else { chosen }
-        },
-    )
+    let earlier = |chosen, (texel, _)| if before(texel, chosen) || !is_known(chosen) { texel } else { chosen };
+    texels.fold(T::narrow(f64::NAN), earlier)
 }

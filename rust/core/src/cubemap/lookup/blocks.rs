@@ -103,8 +103,10 @@ vectorized! {
     pub fn halve_greatest<T: Real>(above: &[T], below: &[T], out: &mut [T]) = halve_extreme::<T, true>;
     /// Writes the weighted means of each 2 × 2 values of two rows.
     pub fn halve<T: Real>(above: &[T], below: &[T], weights: [&[f64]; 2], out: &mut [T]) = halve_kernel;
-    fn weigh(placed: &Placed, weights: &mut [BlockValues<f64>; 4]) = weigh_kernel;
-    fn weigh_cubic(fraction: &BlockValues<f64>, weights: &mut [BlockValues<f64>; 4]) = weigh_cubic_kernel;
+    /// Returns bilinear weights of the four texels around each direction, row by row.
+    pub fn bilinear(placed: &Placed) -> [BlockValues<f64>; 4] = bilinear_kernel;
+    /// Returns Keys' weights of the four texels around each fraction.
+    pub fn cubic(fraction: &BlockValues<f64>) -> [BlockValues<f64>; 4] = cubic_kernel;
 }
 
 /// Same as `face_from_direction`, without branches. Returns the number of directions that are zero or not finite.
@@ -203,9 +205,9 @@ fn find_places_kernel<D: Real>(directions: &[[D; 3]; BLOCK], size: u32, inner: I
     wrong
 }
 
-/// Bilinear weights of the four texels around each direction, row by row.
 #[inline(always)]
-fn weigh_kernel(placed: &Placed, weights: &mut [BlockValues<f64>; 4]) {
+fn bilinear_kernel(placed: &Placed) -> [BlockValues<f64>; 4] {
+    let mut weights = [BlockValues([0.0; BLOCK]); 4];
     for i in 0..BLOCK {
         let (s, t) = (placed.s.0[i], placed.t.0[i]);
         weights[0].0[i] = (1.0 - s) * (1.0 - t);
@@ -213,24 +215,19 @@ fn weigh_kernel(placed: &Placed, weights: &mut [BlockValues<f64>; 4]) {
         weights[2].0[i] = (1.0 - s) * t;
         weights[3].0[i] = s * t;
     }
-}
-
-/// Bilinear weights of the four texels around each direction, row by row.
-pub fn bilinear(placed: &Placed) -> [BlockValues<f64>; 4] {
-    let mut weights = [BlockValues([0.0; BLOCK]); 4];
-    weigh(placed, &mut weights);
     weights
 }
 
-/// Writes Keys' weights, with a = −1/2, of the four texels around a fraction.
 #[inline(always)]
-fn weigh_cubic_kernel(fraction: &BlockValues<f64>, weights: &mut [BlockValues<f64>; 4]) {
+fn cubic_kernel(fraction: &BlockValues<f64>) -> [BlockValues<f64>; 4] {
+    let mut weights = [BlockValues([0.0; BLOCK]); 4];
     for i in 0..BLOCK {
         let four = keys(fraction.0[i]);
         for k in 0..4 {
             weights[k].0[i] = four[k];
         }
     }
+    weights
 }
 
 /// Returns the weights of Keys, "Cubic convolution interpolation for digital image processing" (1981), Eq. 4 with a =
@@ -243,13 +240,6 @@ pub fn keys(s: f64) -> [f64; 4] {
         ((2.0 - 1.5 * s) * s + 0.5) * s,
         (0.5 * s - 0.5) * s * s,
     ]
-}
-
-/// Keys' weights of the four texels around a fraction.
-pub fn cubic(fraction: &BlockValues<f64>) -> [BlockValues<f64>; 4] {
-    let mut weights = [BlockValues([0.0; BLOCK]); 4];
-    weigh_cubic(fraction, &mut weights);
-    weights
 }
 
 /// Weighted means. Texels without weight are skipped, because 0 × ∞ is NaN.
@@ -285,7 +275,6 @@ fn extreme<T: Real, const MAX: bool>(
     }
 }
 
-/// Adds a weighted row of four texels to the sums.
 #[inline(always)]
 fn add_row_kernel<T: Real>(
     texels: &[BlockValues<T>; 4],
@@ -302,7 +291,6 @@ fn add_row_kernel<T: Real>(
     }
 }
 
-/// Weighted means of each 2 × 2 values of two rows.
 #[inline(always)]
 fn halve_kernel<T: Real>(above: &[T], below: &[T], weights: [&[f64]; 2], out: &mut [T]) {
     let count = out.len();

@@ -2,11 +2,10 @@
 
 use glam::DVec3;
 
-use super::super::faces::{CubeFaces, is_known};
+use super::super::faces::{CubeFaces, check_out, is_known};
 use super::blocks::{self, BLOCK, BlockValues, Inner, MIN_WEIGHT, Placed};
 use super::cubic::Rim;
-use super::filter::TexelFilter;
-use super::sampler::{SampledPicture, Sampler};
+use super::sampler::{SampledPicture, Sampler, TexelFilter};
 use super::taps::Taps;
 use super::tiles::{in_blocks, in_tiles};
 use crate::base::{Progress, Real, Result};
@@ -77,7 +76,7 @@ pub fn lookup<T: Real, D: Real>(
     out: &mut [T],
     progress: &Progress,
 ) -> Result<()> {
-    faces.check_out(out, directions.len())?;
+    check_out(out, directions.len() * faces.channels)?;
     let sampler = cube_sampler(faces, filter, directions.len())?;
     in_tiles(directions, out, faces.channels, progress, |directions, out| sampler.sample(directions, out))
 }
@@ -89,7 +88,7 @@ pub fn nearest<T: Copy + Send + Sync, D: Real>(
     out: &mut [T],
     progress: &Progress,
 ) -> Result<()> {
-    faces.check_out(out, directions.len())?;
+    check_out(out, directions.len() * faces.channels)?;
     in_tiles(directions, out, faces.channels, progress, |directions, out| match faces.channels {
         1 => nearest_of::<T, D, 1>(faces, directions, out),
         3 => nearest_of::<T, D, 3>(faces, directions, out),

@@ -8,8 +8,7 @@
 use glam::DVec3;
 use rayon::prelude::*;
 
-use super::super::faces::CubeFaces;
-use super::super::texels::{center_of, texel_from_direction};
+use super::super::faces::{CubeFaces, center_of, texel_from_direction};
 use super::blocks::keys;
 use super::taps::descending;
 use crate::base::{Real, Result, memory::room_for};

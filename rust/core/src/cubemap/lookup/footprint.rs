@@ -3,10 +3,10 @@
 use glam::DVec3;
 use rayon::prelude::*;
 
-use super::super::faces::{CubeFaces, is_known};
+use super::super::faces::{CubeFaces, check_out, is_known};
 use super::blocks::{halve_greatest, halve_least};
 use super::cone::{Cone, ConeRows};
-use super::filter::TexelFilter;
+use super::sampler::TexelFilter;
 use super::tiles::{check_first_invalid, is_zero_or_not_finite};
 use crate::base::{Error, Progress, Real, Result, memory::room_for};
 
@@ -29,7 +29,7 @@ pub fn footprint<T: Real, D: Real>(
     if !(0.0..std::f64::consts::FRAC_PI_2).contains(&radius) {
         return Err(Error::value("radius", "an angle of at least 0 and below 90°", radius));
     }
-    faces.check_out(out, directions.len())?;
+    check_out(out, directions.len() * faces.channels)?;
     check_first_invalid(
         directions.par_iter().with_min_len(1 << 13).position_first(is_zero_or_not_finite).unwrap_or(usize::MAX),
     )?;

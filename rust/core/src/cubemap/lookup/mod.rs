@@ -5,7 +5,6 @@ mod blocks;
 mod cone;
 mod cube;
 mod cubic;
-mod filter;
 mod footprint;
 mod sampler;
 mod taps;
@@ -16,8 +15,8 @@ pub(super) use blocks::{
 };
 pub(super) use cube::cube_sampler;
 pub use cube::{lookup, nearest};
-pub use filter::TexelFilter;
 pub use footprint::footprint;
+pub use sampler::TexelFilter;
 pub(super) use sampler::{SampledPicture, Sampler};
 pub use taps::Taps;
 pub(super) use tiles::{in_blocks, in_tiles, is_zero_or_not_finite};

@@ -6,7 +6,7 @@ use crate::base::error::number;
 use crate::base::{Error, Result};
 
 /// Maximum absolute coordinate, so that products of four coordinates stay finite.
-const FARTHEST: f64 = 1e30;
+const MAX_COORDINATE: f64 = 1e30;
 
 /// Polygons in a plane. A polygon is a sequence of rings: the first is its outer boundary, the others bound holes. A
 /// ring is a sequence of points, closed implicitly. Either orientation is allowed.
@@ -26,21 +26,15 @@ impl<'a> Polygons<'a> {
         }
         check_offsets("rings", rings, points.len())?;
         check_offsets("polygons", polygons, rings.len() - 1)?;
-        let far = |value: &&f64| value.is_nan() || value.abs() > FARTHEST;
+        let far = |value: &&f64| value.is_nan() || value.abs() > MAX_COORDINATE;
         if let Some(&value) = points.as_flattened().iter().find(far) {
             return Err(Error::value("points", "numbers up to 1e30", number(value)));
         }
         Ok(Self { points, rings, polygons })
     }
 
-    /// Returns the number of polygons.
-    pub fn len(&self) -> usize {
+    pub(super) fn len(&self) -> usize {
         self.polygons.len() - 1
-    }
-
-    /// Returns whether there are no polygons.
-    pub fn is_empty(&self) -> bool {
-        self.len() == 0
     }
 
     /// Returns all points.
@@ -89,7 +83,7 @@ mod tests {
     fn rings_are_found() {
         let points = [[0.0; 2]; 9];
         let polygons = Polygons::new(&points, &[0, 3, 3, 9], &[0, 0, 2, 3]).unwrap();
-        assert_eq!((polygons.len(), polygons.is_empty()), (3, false));
+        assert_eq!(polygons.len(), 3);
         assert_eq!(polygons.rings_of(0).count(), 0);
         assert_eq!(polygons.rings_of(1).collect::<Vec<_>>(), [0..3, 3..3]);
         assert_eq!(polygons.rings_of(2).next(), Some(3..9));

@@ -1,16 +1,13 @@
 //! Reader for polygons in well-known binary (WKB), by OGC and ISO and with the flags of PostGIS.
 
-use std::ops::Range;
-
-use rayon::prelude::*;
-
 use super::outlines::check_offsets;
+use crate::base::mapped::in_ranges;
 use crate::base::{Error, Progress, Result};
 
 /// Rows per task: a few milliseconds.
 const ROWS_PER_TASK: usize = 4096;
 /// Maximum nesting depth of geometry collections.
-const DEEPEST: usize = 16;
+const MAX_DEPTH: usize = 16;
 /// Flags of PostGIS in the type field.
 const HAS_Z: u32 = 1 << 31;
 const HAS_M: u32 = 1 << 30;
@@ -36,7 +33,7 @@ pub fn read(bytes: &[u8], offsets: &[i64], progress: &Progress) -> Result<Outlin
     check_offsets("offsets", offsets, bytes.len())?;
     let count = offsets.len() - 1;
     progress.expect(count as u64);
-    let task = |rows: Range<usize>| -> Result<Outlines> {
+    let parts = in_ranges(count, ROWS_PER_TASK, |rows| {
         let (mut found, size) = (Outlines::default(), rows.len() as u64);
         for row in rows {
             let range = offsets[row] as usize..offsets[row + 1] as usize;
@@ -48,14 +45,8 @@ pub fn read(bytes: &[u8], offsets: &[i64], progress: &Progress) -> Result<Outlin
         }
         progress.report(size)?;
         Ok(found)
-    };
-    let tasks = (0..count.div_ceil(ROWS_PER_TASK)).into_par_iter().map(|number| {
-        let start = number * ROWS_PER_TASK;
-        task(start..count.min(start + ROWS_PER_TASK))
-    });
-    // Reports the first error in row order, whichever task ends first.
-    let parts: Vec<Result<Outlines>> = tasks.collect();
-    Ok(concat(&parts.into_iter().collect::<Result<Vec<_>>>()?))
+    })?;
+    Ok(concat(&parts))
 }
 
 /// Concatenates parts; their offsets are ends, to which this adds the leading 0.
@@ -106,13 +97,13 @@ impl<'a> Reader<'a, '_> {
             2 => self.point_run(&header).map(drop),
             3 => return self.polygon(&header),
             // Multi-geometries and collections; their parts have their own headers.
-            4..=7 if depth < DEEPEST => {
+            4..=7 if depth < MAX_DEPTH => {
                 for _ in 0..self.count(&header, 5)? {
                     self.geometry(depth + 1)?;
                 }
                 return Ok(());
             }
-            4..=7 => return Err(format!("its geometries are nested deeper than {DEEPEST}")),
+            4..=7 => return Err(format!("its geometries are nested deeper than {MAX_DEPTH}")),
             kind => return Err(format!("geometry type {kind} is not read, only points, lines and polygons are")),
         }?;
         self.found.skipped += 1;

@@ -63,18 +63,6 @@ pub(super) struct StoredMesh {
     pub bounds: Aabb,
 }
 
-impl StoredMesh {
-    const EMPTY: Self = Self { vertices: Vec::new(), faces: Vec::new(), is_fit: false, bounds: Aabb::EMPTY };
-
-    fn vertex_count(&self) -> usize {
-        self.vertices.iter().map(|set| set.count).sum()
-    }
-
-    fn face_count(&self) -> usize {
-        self.faces.iter().map(|faces| faces.count).sum()
-    }
-}
-
 /// Meshes stored in the bytes of files.
 #[derive(Clone, Debug)]
 pub struct StoredMeshes {
@@ -134,7 +122,8 @@ impl StoredMeshes {
             return Err(Error::value("faces", "meshes that ascend without gaps", part.mesh));
         }
         if part.mesh == self.meshes.len() {
-            self.meshes.push(StoredMesh::EMPTY);
+            let (vertices, faces) = (Vec::new(), Vec::new());
+            self.meshes.push(StoredMesh { vertices, faces, is_fit: false, bounds: Aabb::EMPTY });
             known.clear();
         }
         let vertex_count = self.rows[part.attributes.positions].count;
@@ -209,12 +198,12 @@ impl StoredMeshes {
 
     /// Returns the number of a mesh's vertices.
     pub fn vertex_count(&self, mesh: usize) -> usize {
-        self.meshes[mesh].vertex_count()
+        self.meshes[mesh].vertices.iter().map(|set| set.count).sum()
     }
 
     /// Returns the number of a mesh's faces.
     pub fn face_count(&self, mesh: usize) -> usize {
-        self.meshes[mesh].face_count()
+        self.meshes[mesh].faces.iter().map(|faces| faces.count).sum()
     }
 
     /// Returns the box of the vertices of a fit mesh, in its own frame.

@@ -75,7 +75,7 @@ struct Cause {
 impl Near {
     /// Sorts the near triangles by whether they lie inside a radius.
     pub fn gather(partition: &Partition, radius: f64, progress: &Progress) -> Result<Self> {
-        let scene = partition.scene();
+        let scene = &partition.scene;
         let [fixed, bending] = partition.nsf_inside(radius);
         Ok(Self {
             fixed: Geometry::new(scene, fixed, progress)?,
@@ -84,7 +84,7 @@ impl Near {
             split: Mutex::default(),
             moved: Mutex::default(),
             no_instances: Arc::default(),
-            radii: [partition.r1(), partition.r2()],
+            radii: [partition.r1, partition.r2],
         })
     }
 
