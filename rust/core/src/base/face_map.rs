@@ -91,27 +91,26 @@ impl FaceMap {
 
     /// Returns the map of the given faces, in the given order.
     pub fn selected(&self, faces: &[u32], progress: &Progress) -> Result<Self> {
-        match self {
-            Self::Uniform(value) => Ok(Self::Uniform(*value)),
-            _ => {
-                let values = mapped(faces, |&face| self.get(face), progress)?;
-                Ok(Self::PerFace(values.into()).compacted(faces.len()))
-            }
+        if let Self::Uniform(value) = self {
+            return Ok(Self::Uniform(*value));
         }
+        let values = mapped(faces, |&face| self.get(face), progress)?;
+        Ok(Self::PerFace(values.into()).compacted(faces.len()))
     }
 
     /// Returns the map of the given ascending faces. `Ranges` stay ranges, and are not searched for each face.
     pub(crate) fn ascending(&self, faces: &[u32], progress: &Progress) -> Result<Self> {
         let Self::Ranges { starts, values } = self else { return self.selected(faces, progress) };
-        let (mut runs, mut rest): (Vec<(usize, i32)>, &[u32]) = (Vec::new(), faces);
-        while let Some(&face) = rest.first() {
+        let (mut runs, mut remaining): (Vec<(usize, i32)>, &[u32]) = (Vec::new(), faces);
+        while let Some(&face) = remaining.first() {
             let next = starts.partition_point(|&start| start <= face);
             let value = values[next - 1];
             if runs.last().is_none_or(|&(_, last)| last != value) {
-                runs.push((faces.len() - rest.len(), value));
+                runs.push((faces.len() - remaining.len(), value));
             }
-            let end = starts.get(next).map_or(rest.len(), |&start| rest.partition_point(|&face| face < start));
-            rest = &rest[end..];
+            let end =
+                starts.get(next).map_or(remaining.len(), |&start| remaining.partition_point(|&face| face < start));
+            remaining = &remaining[end..];
         }
         progress.check()?;
         Ok(Self::from_runs(runs.into_iter(), faces.len()))

@@ -9,6 +9,9 @@ use super::{Progress, Result};
 /// Rows between two checks for cancellation: a few milliseconds of work.
 const ROWS_PER_CHECK: usize = 1 << 20;
 
+/// Rows in one task that writes them.
+const ROWS_PER_TASK: usize = 1 << 14;
+
 /// Number of rows that one thread maps faster than it takes to wake the others.
 const ROWS_OF_ONE_THREAD: usize = 1 << 13;
 
@@ -25,6 +28,19 @@ pub fn mapped<A: Sync, B: Send>(rows: &[A], of: impl Fn(&A) -> B + Sync, progres
         values.par_extend(part.par_iter().map(&of));
     }
     Ok(values)
+}
+
+/// Writes the value of each row to its slot; `of` returns it.
+pub fn write_mapped<A: Sync, B: Send>(
+    rows: &[A],
+    slots: &mut [B],
+    of: impl Fn(&A) -> B + Sync,
+    progress: &Progress,
+) -> Result<()> {
+    rows.par_chunks(ROWS_PER_TASK).zip(slots.par_chunks_mut(ROWS_PER_TASK)).try_for_each(|(rows, slots)| {
+        slots.iter_mut().zip(rows).for_each(|(slot, row)| *slot = of(row));
+        progress.check()
+    })
 }
 
 /// Returns the chosen numbers below `count`, ascending.

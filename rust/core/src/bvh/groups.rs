@@ -5,12 +5,10 @@
 
 use rayon::prelude::*;
 
+use crate::base::mapped::write_mapped;
 use crate::base::random::bits;
 use crate::base::sort::sort_by_key;
 use crate::base::{Aabb, FaceMap, Progress, Result};
-
-/// Number of groups in one task.
-const TILE: usize = 1 << 16;
 
 /// Mesh arrays that decide whether two faces are copies.
 #[derive(Clone, Copy)]
@@ -87,9 +85,7 @@ impl Groups {
             starts.push(faces.len() as u32);
         }
         let mut boxes = vec![Aabb::EMPTY; groups.len()];
-        boxes.par_chunks_mut(TILE).zip(groups.par_chunks(TILE)).for_each(|(boxes, groups)| {
-            boxes.iter_mut().zip(groups).for_each(|(slot, &(first, _))| *slot = mesh.bounds(first));
-        });
+        write_mapped(&groups, &mut boxes, |&(first, _)| mesh.bounds(first), progress)?;
         sort_by_key(&mut copies, |&pair| pair, progress)?;
         Ok(Self { boxes, faces, starts, copies })
     }

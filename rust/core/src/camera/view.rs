@@ -5,10 +5,8 @@ use rayon::prelude::*;
 
 use super::cube_face::direction_from_face;
 use super::rays::Rays;
+use crate::base::mapped::write_mapped;
 use crate::base::{Error, Progress, Result, memory::room_for};
-
-/// Number of points in one task.
-const TILE: usize = 1 << 12;
 
 /// Bounds of a view: tangents of half angles for a perspective view, metres for an orthographic view. They need not be
 /// symmetric; in the symmetric case left and down are negative.
@@ -152,13 +150,9 @@ impl Camera {
     }
 
     /// Writes `project` of many points; NaN for points behind the camera.
-    pub fn project_all(&self, points: &[[f64; 3]], places: &mut [[f64; 3]], progress: &Progress) -> Result<()> {
-        points.par_chunks(TILE).zip(places.par_chunks_mut(TILE)).try_for_each(|(points, places)| {
-            for (point, place) in points.iter().zip(places) {
-                *place = self.project(DVec3::from_array(*point)).unwrap_or(DVec3::NAN).to_array();
-            }
-            progress.check()
-        })
+    pub fn project_all(&self, points: &[[f64; 3]], projected: &mut [[f64; 3]], progress: &Progress) -> Result<()> {
+        let project = |point: &[f64; 3]| self.project((*point).into()).unwrap_or(DVec3::NAN).to_array();
+        write_mapped(points, projected, project, progress)
     }
 
     /// Returns the image position (x, y) of a world point in pixels, and its distance along the viewing axis; `None`

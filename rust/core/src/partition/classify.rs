@@ -4,6 +4,7 @@ use rayon::prelude::*;
 
 use super::radii::{Indexed, Soup, TriangleSource, measure, placed_triangles};
 use super::zone::{Class, Mixed, Zone};
+use crate::base::mapped::mapped;
 use crate::base::{Aabb, Progress, Result};
 use crate::scene::Instance;
 
@@ -60,7 +61,9 @@ impl Ruler {
 
     fn mixed(&self, instance: &Instance, progress: &Progress) -> Result<Mixed> {
         let mesh = &instance.mesh;
-        let codes = if instance.in_place { self.outcodes(&mesh.positions) } else { Vec::new() };
+        // One byte per vertex, so that faces need not load coordinates.
+        let positions: &[[f32; 3]] = if instance.in_place { &mesh.positions } else { &[] };
+        let codes = mapped(positions, |position| self.outcode(position), progress)?;
         let tiles = mesh.faces.par_chunks(TILE).enumerate().map(|(tile, faces)| {
             let first = (tile * TILE) as u32;
             let mixed = if instance.in_place {
@@ -95,17 +98,6 @@ impl Ruler {
         };
         measure(triangles, candidates.len(), self.axis, |i| candidates[i] as usize, take);
         mixed
-    }
-
-    /// Computes one byte per vertex, so that faces need not load coordinates.
-    fn outcodes(&self, positions: &[[f32; 3]]) -> Vec<u8> {
-        let mut codes = vec![0; positions.len()];
-        codes.par_chunks_mut(TILE).zip(positions.par_chunks(TILE)).for_each(|(codes, positions)| {
-            for (code, position) in codes.iter_mut().zip(positions) {
-                *code = self.outcode(position);
-            }
-        });
-        codes
     }
 
     /// Returns one bit for each side of the square around the cylinder r₂ beyond which a point lies (Cohen and

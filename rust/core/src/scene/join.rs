@@ -29,12 +29,29 @@ impl Scene {
         let (mut standing, mut moving) = (Vec::new(), Vec::new());
         for part in parts {
             progress.check()?;
-            let mut renumbering =
-                Renumbering { objects: part.objects, materials: surfaces.add(part.scene), meshes: HashMap::new() };
+            // Renumbered meshes by original mesh; each is created once.
+            let mut meshes: HashMap<*const Mesh, Arc<Mesh>> = HashMap::new();
+            let (objects, materials) = (part.objects, surfaces.add(part.scene));
+            let is_unchanged = |numbers: &[i32]| numbers.iter().zip(0..).all(|(&number, index)| number == index);
+            let mut renumber = |instance: &Instance| {
+                let number_of =
+                    |object: i32| usize::try_from(object).ok().and_then(|index| objects.get(index)).copied();
+                let object = instance.object.map(|object| number_of(object).unwrap_or(object));
+                let shared = &instance.mesh;
+                if is_unchanged(objects) && is_unchanged(&materials) {
+                    return instance.with_mesh(Arc::clone(shared), object);
+                }
+                let mesh = meshes.entry(Arc::as_ptr(shared)).or_insert_with(|| {
+                    Arc::new(
+                        shared.relabeled(shared.objects.renumbered(objects), shared.materials.renumbered(&materials)),
+                    )
+                });
+                instance.with_mesh(Arc::clone(mesh), object)
+            };
             let shift = DAffine3::from_translation(part.scene.origin - first.scene.origin);
             let mut add = |set: &InstanceSet, list: &mut Vec<Instance>| {
                 for instance in set.instances() {
-                    let renumbered = renumbering.renumber(instance);
+                    let renumbered = renumber(instance);
                     list.push(if shift == DAffine3::IDENTITY {
                         renumbered
                     } else {
@@ -48,33 +65,6 @@ impl Scene {
         }
         let (standing, moving) = (InstanceSet::new(standing), InstanceSet::new(moving));
         surfaces.into_scene(&first.scene.with_sets(Some(standing), Some(moving)))
-    }
-}
-
-/// Renumbering of one scene's meshes; each renumbered mesh is created once.
-struct Renumbering<'a> {
-    /// New object numbers, indexed by the scene's.
-    objects: &'a [i32],
-    /// New material numbers, indexed by the scene's.
-    materials: Vec<i32>,
-    /// Renumbered meshes by original mesh.
-    meshes: HashMap<*const Mesh, Arc<Mesh>>,
-}
-
-impl Renumbering<'_> {
-    fn renumber(&mut self, instance: &Instance) -> Instance {
-        let is_unchanged = |numbers: &[i32]| numbers.iter().zip(0..).all(|(&number, index)| number == index);
-        let number_of = |object: i32| usize::try_from(object).ok().and_then(|index| self.objects.get(index)).copied();
-        let object = instance.object.map(|object| number_of(object).unwrap_or(object));
-        let shared = &instance.mesh;
-        if is_unchanged(self.objects) && is_unchanged(&self.materials) {
-            return instance.with_mesh(Arc::clone(shared), object);
-        }
-        let mesh = self.meshes.entry(Arc::as_ptr(shared)).or_insert_with(|| {
-            let materials = shared.materials.renumbered(&self.materials);
-            Arc::new(shared.relabeled(shared.objects.renumbered(self.objects), materials))
-        });
-        instance.with_mesh(Arc::clone(mesh), object)
     }
 }
 

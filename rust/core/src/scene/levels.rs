@@ -12,7 +12,7 @@ use super::merge::{PlacedMesh, merge};
 use super::mesh::Mesh;
 use super::texture::Texture;
 use super::world::Scene;
-use crate::base::{Buffer, Error, Progress, Result};
+use crate::base::{Error, Progress, Result};
 
 /// Marks an object without a model, and a level that is not drawn.
 const NONE: i32 = -1;
@@ -99,41 +99,25 @@ impl InstanceSet {
 }
 
 /// Materials and textures of several scenes, without duplicates.
-pub(super) struct Surfaces {
+pub(super) struct Surfaces<'a> {
     materials: Vec<Material>,
-    /// Size and texels of each texture; the textures themselves are created at the end.
-    textures: Vec<TextureImage>,
+    /// Textures of all scenes; copies of them are created at the end.
+    textures: Vec<&'a Texture>,
     /// Numbers of materials and textures of the scene to which others are added.
     first_counts: (usize, usize),
 }
 
-struct TextureImage {
-    width: u32,
-    height: u32,
-    texels: Buffer<[u8; 4]>,
-}
-
-impl TextureImage {
-    fn new(texture: &Texture) -> Self {
-        Self { width: texture.width, height: texture.height, texels: texture.texels.clone() }
-    }
-
-    fn is_same(&self, other: &Self) -> bool {
-        let same_size = self.width == other.width && self.height == other.height;
-        same_size && (self.texels.as_ptr() == other.texels.as_ptr() || *self.texels == *other.texels)
-    }
-}
-
-impl Surfaces {
-    pub(super) fn from_scene(scene: &Scene) -> Self {
-        let textures: Vec<TextureImage> = scene.textures.iter().map(TextureImage::new).collect();
+impl<'a> Surfaces<'a> {
+    pub(super) fn from_scene(scene: &'a Scene) -> Self {
+        let textures: Vec<&Texture> = scene.textures.iter().collect();
         let first_counts = (scene.materials.len(), textures.len());
         Self { materials: scene.materials.to_vec(), textures, first_counts }
     }
 
     /// Adds a scene's materials and textures; returns the new number of each of its materials.
-    pub(super) fn add(&mut self, scene: &Scene) -> Vec<i32> {
-        let add = |texture| index_of(&mut self.textures, TextureImage::new(texture), TextureImage::is_same) as u32;
+    pub(super) fn add(&mut self, scene: &'a Scene) -> Vec<i32> {
+        let is_same = |a: &&Texture, b: &&Texture| a.has_same_texels(b);
+        let add = |texture| index_of(&mut self.textures, texture, is_same) as u32;
         let textures: Vec<u32> = scene.textures.iter().map(add).collect();
         let number = |material: &Material| {
             let link = |texture: Option<u32>| texture.and_then(|texture| textures.get(texture as usize).copied());
@@ -149,8 +133,8 @@ impl Surfaces {
     pub(super) fn into_scene(self, scene: &Scene) -> Result<Scene> {
         let mut result = scene.clone();
         if self.textures.len() > self.first_counts.1 {
-            let textures = self.textures.into_iter().map(|image| Texture::new(image.width, image.height, image.texels));
-            result.textures = Arc::new(textures.collect::<Result<_>>()?);
+            let copy = |texture: &Texture| Texture::new(texture.width, texture.height, texture.texels.clone());
+            result.textures = Arc::new(self.textures.into_iter().map(copy).collect::<Result<_>>()?);
         }
         if self.materials.len() > self.first_counts.0 {
             result.materials = Arc::new(self.materials);

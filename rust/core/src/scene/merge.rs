@@ -6,9 +6,9 @@ use glam::{DAffine3, Vec3};
 use rayon::prelude::*;
 
 use super::instance::Instance;
-use super::mesh::{Mesh, TILE, flipped};
+use super::mesh::{Mesh, flipped};
 use super::normal::place_normals;
-use crate::base::mapped::{mapped, pieces, starts};
+use crate::base::mapped::{mapped, pieces, starts, write_mapped};
 use crate::base::{Error, FaceMap, Progress, Result};
 
 /// A mesh to be merged.
@@ -78,15 +78,11 @@ fn placed_positions(parts: &[PlacedMesh], progress: &Progress) -> Result<Vec<[f3
     let lengths = || parts.iter().map(|part| part.mesh.positions.len());
     let mut positions = vec![[0.0; 3]; lengths().sum()];
     parts.par_iter().zip(pieces(&mut positions, lengths())).try_for_each(|(part, slots)| {
+        if part.to_scene == DAffine3::IDENTITY {
+            return write_mapped(&part.mesh.positions, slots, |&position| position, progress);
+        }
         let place = |p: &[f32; 3]| part.to_scene.transform_point3(Vec3::from_array(*p).as_dvec3()).as_vec3().to_array();
-        slots.par_chunks_mut(TILE).zip(part.mesh.positions.par_chunks(TILE)).try_for_each(|(slots, positions)| {
-            if part.to_scene == DAffine3::IDENTITY {
-                slots.copy_from_slice(positions);
-            } else {
-                slots.iter_mut().zip(positions).for_each(|(slot, position)| *slot = place(position));
-            }
-            progress.check()
-        })
+        write_mapped(&part.mesh.positions, slots, place, progress)
     })?;
     Ok(positions)
 }
@@ -114,13 +110,10 @@ fn joined_faces(parts: &[PlacedMesh], counts: &[usize], progress: &Progress) -> 
     let firsts: Vec<usize> = starts(parts.iter().map(|part| part.mesh.positions.len())).collect();
     let slots = pieces(&mut faces, counts.iter().copied());
     parts.par_iter().zip(firsts).zip(slots).try_for_each(|((part, first), slots)| {
-        let mirrored = is_mirror(&part.to_scene);
-        slots.par_chunks_mut(TILE).zip(part.mesh.faces.par_chunks(TILE)).try_for_each(|(slots, faces)| {
-            for (slot, face) in slots.iter_mut().zip(faces) {
-                *slot = if mirrored { flipped(face) } else { *face }.map(|vertex| vertex + first as u32);
-            }
-            progress.check()
-        })
+        let is_mirrored = is_mirror(&part.to_scene);
+        let face =
+            |face: &[u32; 3]| if is_mirrored { flipped(face) } else { *face }.map(|vertex| vertex + first as u32);
+        write_mapped(&part.mesh.faces, slots, face, progress)
     })?;
     Ok(faces)
 }

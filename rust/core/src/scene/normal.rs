@@ -4,10 +4,9 @@
 //! scales. Placed normals have length 1, so a merged mesh is shaded like its instances.
 
 use glam::{DAffine3, DMat3, Vec3};
-use rayon::prelude::*;
 
 use super::instance::Instance;
-use super::mesh::TILE;
+use crate::base::mapped::write_mapped;
 use crate::base::{Progress, Result};
 
 /// Returns the matrix that transforms normals, up to length: the placement's cofactors, which exist for singular
@@ -31,15 +30,11 @@ pub(super) fn place_normals(
     slots: &mut [[f32; 3]],
     progress: &Progress,
 ) -> Result<()> {
-    let (stands, matrix) = (*to_scene == DAffine3::IDENTITY, normal_matrix(to_scene));
-    slots.par_chunks_mut(TILE).zip(normals.par_chunks(TILE)).try_for_each(|(slots, normals)| {
-        if stands {
-            slots.copy_from_slice(normals);
-        } else {
-            slots.iter_mut().zip(normals).for_each(|(slot, &normal)| *slot = place_normal(&matrix, normal).to_array());
-        }
-        progress.check()
-    })
+    if *to_scene == DAffine3::IDENTITY {
+        return write_mapped(normals, slots, |&normal| normal, progress);
+    }
+    let matrix = normal_matrix(to_scene);
+    write_mapped(normals, slots, |&normal| place_normal(&matrix, normal).to_array(), progress)
 }
 
 impl Instance {

@@ -2,12 +2,8 @@
 
 use std::sync::LazyLock;
 
-use rayon::prelude::*;
-
+use crate::base::mapped::write_mapped;
 use crate::base::{Progress, Result};
-
-/// Number of values per task.
-const TILE: usize = 1 << 16;
 
 /// Linear values of the 256 codes.
 static LINEAR: LazyLock<[f32; 256]> = LazyLock::new(|| {
@@ -52,12 +48,7 @@ fn fraction(short: u16) -> f32 {
 
 /// Writes `srgb_from_linear` of many values.
 pub fn srgb_from_all_linear(linear: &[f32], codes: &mut [u8], progress: &Progress) -> Result<()> {
-    linear.par_chunks(TILE).zip(codes.par_chunks_mut(TILE)).try_for_each(|(linear, codes)| {
-        for (&linear, code) in linear.iter().zip(codes) {
-            *code = srgb_from_linear(linear);
-        }
-        progress.check()
-    })
+    write_mapped(linear, codes, |&linear| srgb_from_linear(linear), progress)
 }
 
 /// Computes the code by the standard's formula. Its power function takes several times as long as the table.

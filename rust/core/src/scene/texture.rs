@@ -54,7 +54,13 @@ impl Texture {
         Ok(Self { width, height, texels, mips: OnceLock::new(), cutout_mips: OnceLock::new() })
     }
 
-    /// Returns the memory of the texels and of the levels made so far, bytes.
+    /// Returns whether another texture has the same size and texels.
+    pub(super) fn has_same_texels(&self, other: &Self) -> bool {
+        let has_same_size = self.width == other.width && self.height == other.height;
+        has_same_size && (self.texels.as_ptr() == other.texels.as_ptr() || *self.texels == *other.texels)
+    }
+
+    /// Returns the memory of the texels and of the levels built so far, bytes.
     pub fn bytes(&self) -> usize {
         let levels = [self.mips.get(), self.cutout_mips.get()].into_iter().flatten().flatten();
         size_of_val(&self.texels[..]) + levels.map(|level| size_of_val(&level.texels[..])).sum::<usize>()

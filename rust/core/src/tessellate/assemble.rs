@@ -15,7 +15,7 @@ use crate::base::{Error, Progress, Result, memory::room_for};
 /// Number of faces per task: fixed, so that the result does not depend on the number of threads.
 const TILE: usize = 1 << 12;
 /// Peak memory per piece, bytes: the piece, its face and its part of the new vertices.
-const BYTES: u64 = size_of::<Piece>() as u64 + 64;
+const BYTES_PER_PIECE: u64 = size_of::<Piece>() as u64 + 64;
 
 /// Numbers of triangles.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -58,20 +58,20 @@ pub fn tessellate_arrays(
     let mut counts = SplitCounts { before: faces.len() as u64, ..SplitCounts::default() };
     let corners = |face: u32| Some(faces[face as usize].map(|vertex| DVec3::from_array(vertices[vertex as usize])));
     progress.expect(faces.len() as u64);
-    let how = (rule, Precision::Double);
-    let made = assemble(faces, vertices.len(), corners, how, (&Budget::default(), &mut counts), progress)?;
-    let Some(made) = made else {
+    let limits = (&Budget::default(), &mut counts);
+    let split = assemble(faces, vertices.len(), corners, (rule, Precision::Double), limits, progress)?;
+    let Some(split) = split else {
         counts.after = counts.before;
         let sources = (0..faces.len() as u32).collect();
         return Ok(Arrays { faces: faces.to_vec(), sources, counts, ..Arrays::default() });
     };
-    counts.after = made.faces.len() as u64;
+    counts.after = split.faces.len() as u64;
     Ok(Arrays {
-        points: made.new.iter().map(|new| new.point.to_array()).collect(),
-        point_faces: made.new.iter().map(|new| new.face).collect(),
-        weights: made.new.iter().map(|new| new.weights).collect(),
-        faces: made.faces,
-        sources: made.sources,
+        points: split.new.iter().map(|new| new.point.to_array()).collect(),
+        point_faces: split.new.iter().map(|new| new.face).collect(),
+        weights: split.new.iter().map(|new| new.weights).collect(),
+        faces: split.faces,
+        sources: split.sources,
         counts,
     })
 }
@@ -105,14 +105,11 @@ impl Budget {
     pub fn add(&self, pieces: usize, progress: &Progress) -> Result<()> {
         let all = self.0.fetch_add(pieces as u64, Ordering::Relaxed) + pieces as u64;
         if all > u64::from(u32::MAX) {
-            return Err(Error::value(
-                "tolerance_px",
-                "a tolerance reached by fewer than 2^32 triangles",
-                format!("{all} triangles"),
-            ));
+            let expected = "a tolerance reached by fewer than 2^32 triangles";
+            return Err(Error::value("tolerance_px", expected, format!("{all} triangles")));
         }
         // Twice the memory, because the result is assembled while the pieces still exist.
-        room_for(2 * BYTES * all)?;
+        room_for(2 * BYTES_PER_PIECE * all)?;
         progress.check()
     }
 }
@@ -133,8 +130,8 @@ pub(super) fn assemble(
                 continue;
             };
             examined += 1;
-            let made = |pieces| budget.add(pieces, progress);
-            let pieces = Piece::whole(corners).split(rule, precision, |_| false, made)?;
+            let count = |pieces| budget.add(pieces, progress);
+            let pieces = Piece::whole(corners).split(rule, precision, |_| false, count)?;
             if pieces.len() > 1 {
                 split.push((face, pieces));
             }

@@ -26,7 +26,7 @@ const SHORTEST: f64 = 1.0 / 4096.0;
 const COARSEST: f64 = 1.0 / 64.0;
 
 /// Rule for one centre, region of users and tolerance.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct BlendRule {
     settings: Settings,
     /// Forms by distance from the axis, from r₁ outwards, and the spacing of these distances, metres.
@@ -55,7 +55,8 @@ impl BlendRule {
     pub fn new(settings: &Settings, precision: Precision) -> Self {
         let Settings { r1, r2, reach, tolerance, .. } = *settings;
         if r2 == 0.0 {
-            return Self::of_nothing_near(settings);
+            // Every point is shown as the centre sees it.
+            return Self { settings: *settings, harmless: f64::INFINITY, holds: true, ..Self::default() };
         }
         let width = r2 - r1;
         let zone = RadialZone { reach, width };
@@ -101,23 +102,6 @@ impl BlendRule {
             })
             .collect();
         rule
-    }
-
-    /// Creates the rule for r₂ = 0: every point is shown as the centre sees it.
-    fn of_nothing_near(settings: &Settings) -> Self {
-        Self {
-            settings: *settings,
-            forms: Vec::new(),
-            ring: 0.0,
-            longest: 0.0,
-            shortest: 0.0,
-            passing_r1: 0.0,
-            missing_r1: 0.0,
-            passing_r2: 0.0,
-            harmless: f64::INFINITY,
-            rounding: 0.0,
-            holds: true,
-        }
     }
 
     /// Returns the fraction of the way from a to b at which their edge is split, as `EdgeRule::cut` requires.

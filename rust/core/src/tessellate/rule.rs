@@ -13,7 +13,7 @@ use crate::base::Result;
 /// Rule for one centre, region of users and tolerance.
 #[derive(Clone, Debug)]
 pub struct Rule {
-    settings: Settings,
+    pub(super) settings: Settings,
     pub(super) edges: Arc<dyn EdgeRule>,
 }
 
@@ -77,7 +77,7 @@ impl Rule {
 
     /// Returns whether a triangle can be skipped: by its box and corners, no point of it lies where edges are split.
     pub(super) fn leaves_alone(&self, corners: &[DVec3; 3]) -> bool {
-        let p = corners.map(|corner| self.on_ground(corner));
+        let p = corners.map(|corner| self.settings.on_ground(corner));
         let (low, high) = (p[0].min(p[1]).min(p[2]), p[0].max(p[1]).max(p[2]));
         low.max(-high).max(DVec2::ZERO).length() >= self.edges.outer()
             || p.iter().all(|p| self.edges.is_within(p.length()))
@@ -86,7 +86,7 @@ impl Rule {
     /// Returns whether no point of a triangle is drawn, by a separating line.
     pub fn is_beyond(&self, corners: &[DVec3; 3]) -> bool {
         let drawn = self.settings.drawn;
-        let p = corners.map(|corner| self.on_ground(corner));
+        let p = corners.map(|corner| self.settings.on_ground(corner));
         let beyond = |axis: DVec2| p.iter().all(|p| p.dot(axis) > drawn);
         // Directions of the corners, and of the edges' normals.
         let normal = |a: DVec2, b: DVec2| {
@@ -95,10 +95,6 @@ impl Rule {
         };
         p.iter().any(|p| beyond(p.normalize_or_zero()))
             || [(p[0], p[1]), (p[1], p[2]), (p[2], p[0])].into_iter().any(|(a, b)| beyond(normal(a, b)))
-    }
-
-    pub(super) fn on_ground(&self, p: DVec3) -> DVec2 {
-        self.settings.on_ground(p)
     }
 }
 

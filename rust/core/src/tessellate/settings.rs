@@ -11,14 +11,10 @@ const MAX_BLEND_REACH: f64 = 0.59;
 const MAX_CYLINDER_REACH: f64 = 0.498;
 
 /// Reach and tolerance in steps of √2, so that one split serves all users at similar distances from the centre.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Steps {
-    reach: i32,
-    tolerance: i32,
-}
+pub type Steps = [i32; 2];
 
 /// Cylinders and region of users for which surfaces are split.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Settings {
     /// The centre O, in the frame of the points.
     pub center: DVec3,
@@ -37,9 +33,10 @@ pub struct Settings {
 }
 
 /// Kind of a morph, and the stages that a split serves.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Stages {
     /// `Kind::Blend` with these radii and full strength.
+    #[default]
     Blend,
     /// `Kind::Cylinder` while it grows.
     Cylinder {
@@ -114,7 +111,7 @@ impl Settings {
         let bounded = most * r1;
         let reach = if reach <= bounded { farther.min(bounded) } else { farther.max(reach) };
         let tolerance = (finer / 2.0).exp2().min(tolerance);
-        (Steps { reach: outwards as i32, tolerance: finer as i32 }, Self { reach, tolerance, ..self })
+        ([outwards as i32, finer as i32], Self { reach, tolerance, ..self })
     }
 
     /// Returns the metres by which a vertex placed on a radius may miss it.

@@ -13,9 +13,6 @@ pub fn touches(scene: &Scene, region: &Aabb) -> bool {
 fn set_touches(set: &InstanceSet, region: &Aabb) -> bool {
     let Some(tlas) = set.tlas() else { return false };
     let instances = set.instances();
-    if let [instance] = instances {
-        return instance_touches(instance, region);
-    }
     any_leaf(&tlas.wide, 0, region, &|leaf| {
         tlas.instance(leaf).is_some_and(|slot| instance_touches(&instances[slot as usize], region))
     })
