@@ -90,8 +90,8 @@ impl Least {
 
     fn take(&self, (object, rho): (i32, f32)) {
         let last = self.0.len() - 1;
-        let place = usize::try_from(object).map_or(last, |object| object.min(last));
-        self.0[place].fetch_min(rho.to_bits(), Ordering::Relaxed);
+        let index = usize::try_from(object).map_or(last, |object| object.min(last));
+        self.0[index].fetch_min(rho.to_bits(), Ordering::Relaxed);
     }
 }
 

@@ -56,9 +56,9 @@ impl Scene {
 
     fn subset_by_object(&self, stays: impl Fn(i32) -> bool + Sync, progress: &Progress) -> Result<Self> {
         let keep = |_, instance: &Instance| match instance.object {
-            Some(object) if stays(object) => Ok(Kept::All),
-            Some(_) => Ok(Kept::Faces(Vec::new())),
-            None => Kept::select(&instance.mesh, |face| stays(instance.mesh.objects.get(face)), progress),
+            Some(object) if stays(object) => Ok(RemainingFaces::All),
+            Some(_) => Ok(RemainingFaces::Faces(Vec::new())),
+            None => RemainingFaces::select(&instance.mesh, |face| stays(instance.mesh.objects.get(face)), progress),
         };
         self.subset(keep, progress)
     }
@@ -79,7 +79,7 @@ impl Scene {
         }
         let keep = |first: i64, instance: &Instance| {
             let flags = &chosen[first as usize..][..instance.mesh.faces.len()];
-            Kept::select(&instance.mesh, |face| flags[face as usize], progress)
+            RemainingFaces::select(&instance.mesh, |face| flags[face as usize], progress)
         };
         self.subset(keep, progress)
     }
@@ -102,17 +102,17 @@ impl Scene {
         merge(&parts.collect::<Result<Vec<_>>>()?, progress)
     }
 
-    fn subset(&self, keep: impl Fn(i64, &Instance) -> Result<Kept>, progress: &Progress) -> Result<Self> {
+    fn subset(&self, keep: impl Fn(i64, &Instance) -> Result<RemainingFaces>, progress: &Progress) -> Result<Self> {
         let mut first = 0;
         let mut of_set = |set: &InstanceSet| -> Result<Option<InstanceSet>> {
             let mut is_unchanged = true;
             let mut instances = Vec::new();
             for instance in set.instances() {
-                let kept = keep(first, instance)?;
+                let remaining = keep(first, instance)?;
                 first += instance.mesh.faces.len() as i64;
-                match kept {
-                    Kept::All => instances.push(instance.clone()),
-                    Kept::Faces(faces) => {
+                match remaining {
+                    RemainingFaces::All => instances.push(instance.clone()),
+                    RemainingFaces::Faces(faces) => {
                         is_unchanged = false;
                         if !faces.is_empty() {
                             let mesh = Arc::new(instance.mesh.selected(&faces, progress)?);
@@ -146,12 +146,12 @@ pub(super) fn holds(chosen: &[bool], object: i32) -> bool {
 }
 
 /// Faces of an instance that remain.
-enum Kept {
+enum RemainingFaces {
     All,
     Faces(Vec<u32>),
 }
 
-impl Kept {
+impl RemainingFaces {
     fn select(mesh: &Mesh, keeps: impl Fn(u32) -> bool + Sync, progress: &Progress) -> Result<Self> {
         let count = mesh.faces.len() as u32;
         let faces = filtered(count, keeps, progress)?;

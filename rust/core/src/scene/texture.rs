@@ -209,18 +209,18 @@ fn shrink(image: &[[f32; 4]], from: u32, to: u32) -> Vec<[f32; 4]> {
     if from == to {
         return image.to_vec();
     }
-    let share = f64::from(from) / f64::from(to);
-    let shares: Vec<(usize, Vec<f32>)> = (0..to)
+    let ratio = f64::from(from) / f64::from(to);
+    let weights: Vec<(usize, Vec<f32>)> = (0..to)
         .map(|texel| {
-            let (start, end) = (f64::from(texel) * share, f64::from(texel + 1) * share);
+            let (start, end) = (f64::from(texel) * ratio, f64::from(texel + 1) * ratio);
             let (first, last) = (start.floor() as u32, (end.ceil() as u32).min(from));
-            let part = |old: u32| (end.min(f64::from(old + 1)) - start.max(f64::from(old))).max(0.0) / share;
+            let part = |old: u32| (end.min(f64::from(old + 1)) - start.max(f64::from(old))).max(0.0) / ratio;
             (first as usize, (first..last).map(|old| part(old) as f32).collect())
         })
         .collect();
     let mut shrunk = Vec::with_capacity(image.len() / from as usize * to as usize);
     for row in image.chunks_exact(from as usize) {
-        shrunk.extend(shares.iter().map(|(first, parts)| {
+        shrunk.extend(weights.iter().map(|(first, parts)| {
             let mut sum = [0.0; 4];
             for (texel, part) in row[*first..].iter().zip(parts) {
                 (0..4).for_each(|i| sum[i] += texel[i] * part);

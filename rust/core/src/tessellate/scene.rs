@@ -73,7 +73,7 @@ pub fn needs_split(instance: &Instance, rule: &Rule) -> bool {
         };
         f64::from(faces.map(edge).reduce(|| 0.0, f32::max)).sqrt()
     };
-    touches(instance, rule) && longest() > rule.edges.harmless()
+    touches(instance, rule) && longest() > rule.edges.harmless_length()
 }
 
 /// Returns false if an instance's box alone proves that it has no point where edges are split.

@@ -64,8 +64,8 @@ impl Settings {
             }
             Kind::Blend => {
                 let from = bent_from(morph);
-                let share = if r2 > from { (r2 - r1) / (r2 - from) } else { 1.0 };
-                Self { center, r1: from, r2, drawn, reach, tolerance: tolerance * share, stages: Stages::Blend }
+                let fraction = if r2 > from { (r2 - r1) / (r2 - from) } else { 1.0 };
+                Self { center, r1: from, r2, drawn, reach, tolerance: tolerance * fraction, stages: Stages::Blend }
             }
         }
     }
@@ -107,9 +107,9 @@ impl Settings {
         let outwards = (2.0 * (reach / unit).log2()).ceil().clamp(-40.0, 40.0);
         let finer = (2.0 * tolerance.log2()).floor().clamp(-80.0, 80.0);
         let farther = unit * (outwards / 2.0).exp2();
-        let most = if self.stages == Stages::Blend { MAX_BLEND_REACH } else { MAX_CYLINDER_REACH };
-        let bounded = most * r1;
-        let reach = if reach <= bounded { farther.min(bounded) } else { farther.max(reach) };
+        let max_fraction = if self.stages == Stages::Blend { MAX_BLEND_REACH } else { MAX_CYLINDER_REACH };
+        let max_reach = max_fraction * r1;
+        let reach = if reach <= max_reach { farther.min(max_reach) } else { farther.max(reach) };
         let tolerance = (finer / 2.0).exp2().min(tolerance);
         ([outwards as i32, finer as i32], Self { reach, tolerance, ..self })
     }

@@ -119,11 +119,11 @@ proptest! {
     ) {
         let rule = Rule::new(&settings, Precision::Double).unwrap();
         prop_assert!(rule.holds());
-        let made = pieces([a, a + (b - a) * size, a + (c - a) * size], &rule);
-        prop_assert!(made.len() < 300_000);
-        let (users, points) = if made.len() > 5_000 { (3, 5) } else { (12, 10) };
+        let split = pieces([a, a + (b - a) * size, a + (c - a) * size], &rule);
+        prop_assert!(split.len() < 300_000);
+        let (users, points) = if split.len() > 5_000 { (3, 5) } else { (12, 10) };
         // Coordinates of up to 700 m are rounded to 1e-13 m.
-        prop_assert!(greatest_miss(&made, &settings, seed, users, points) <= settings.tolerance + 1e-12);
+        prop_assert!(greatest_miss(&split, &settings, seed, users, points) <= settings.tolerance + 1e-12);
     }
 
     #[test]

@@ -334,7 +334,7 @@ struct Entry {
     near: f32,
     child: u32,
     /// Index of its node and slot, from which its box is read.
-    place: u32,
+    box_index: u32,
 }
 
 /// Visits leaves whose boxes the beam intersects, nearest leaf first, until all its rays have hit something.
@@ -351,7 +351,7 @@ fn walk<I: Isa>(isa: I, tree: &Wide, packet: &mut Packet, leaves: &mut impl Beam
         heap = Box::new_uninit_slice(tree.stack);
         &mut heap[..]
     };
-    stack[0].write(Entry { near: 0.0, child: 0, place: 0 });
+    stack[0].write(Entry { near: 0.0, child: 0, box_index: 0 });
     let mut size = 1;
     while size > 0 {
         size -= 1;
@@ -372,12 +372,12 @@ fn walk<I: Isa>(isa: I, tree: &Wide, packet: &mut Packet, leaves: &mut impl Beam
             let base = size;
             let slot = mask.trailing_zeros() as usize;
             mask &= mask - 1;
-            entry = Entry { near: distances[slot], child: node.children[slot], place: number << 3 | slot as u32 };
+            entry = Entry { near: distances[slot], child: node.children[slot], box_index: number << 3 | slot as u32 };
             while mask != 0 {
                 let slot = mask.trailing_zeros() as usize;
                 mask &= mask - 1;
                 let mut other =
-                    Entry { near: distances[slot], child: node.children[slot], place: number << 3 | slot as u32 };
+                    Entry { near: distances[slot], child: node.children[slot], box_index: number << 3 | slot as u32 };
                 if other.near < entry.near {
                     std::mem::swap(&mut entry, &mut other);
                 }
@@ -396,7 +396,7 @@ fn walk<I: Isa>(isa: I, tree: &Wide, packet: &mut Packet, leaves: &mut impl Beam
             }
         }
         if entry.child & LEAF != 0 {
-            let (node, slot) = (&tree.nodes[(entry.place >> 3) as usize], (entry.place & 7) as usize);
+            let (node, slot) = (&tree.nodes[(entry.box_index >> 3) as usize], (entry.box_index & 7) as usize);
             let mut planes = [0.0; 6];
             for (plane, row) in planes.iter_mut().zip(&node.planes) {
                 *plane = row[slot];

@@ -47,11 +47,11 @@ pub fn nearest(scene: &Scene, points: Points<'_>, facing: Option<&[[f32; 3]]>, p
         .enumerate();
     tiles.try_for_each(|(tile, ((distance, triangle), weights))| {
         let mut stack = Vec::new();
-        let mut last = Found::NOTHING;
+        let mut last = Candidate::NOTHING;
         for row in 0..distance.len() {
             let at = tile * TILE + row;
             let facing = facing.map(|rows| Vec3::from_array(rows[at]).as_dvec3());
-            let search = NearestSearch { point: points.get(at) - scene.origin, facing, best: Found::NOTHING };
+            let search = NearestSearch { point: points.get(at) - scene.origin, facing, best: Candidate::NOTHING };
             last = search.run(scene, last, &mut stack);
             if last.instance == u32::MAX {
                 continue;
@@ -69,13 +69,13 @@ pub fn nearest(scene: &Scene, points: Points<'_>, facing: Option<&[[f32; 3]]>, p
 
 /// A triangle and its squared distance.
 #[derive(Clone, Copy)]
-struct Found {
+struct Candidate {
     square: f64,
     instance: u32,
     face: u32,
 }
 
-impl Found {
+impl Candidate {
     const NOTHING: Self = Self { square: f64::INFINITY, instance: u32::MAX, face: u32::MAX };
 
     /// Ties go to the lower (instance, face), so the result depends neither on the tree nor on the initial bound.
@@ -89,7 +89,7 @@ struct NearestSearch {
     /// The query point relative to the scene's origin.
     point: DVec3,
     facing: Option<DVec3>,
-    best: Found,
+    best: Candidate,
 }
 
 /// Stack of boxes still to be opened: lower bound of the squared distance, and reference.
@@ -129,7 +129,7 @@ impl TreeFrame {
 }
 
 impl NearestSearch {
-    fn run(mut self, scene: &Scene, start: Found, stack: &mut Stack) -> Found {
+    fn run(mut self, scene: &Scene, start: Candidate, stack: &mut Stack) -> Candidate {
         // Neighbours in the list are usually close together, so the previous point's triangle gives a good first
         // bound.
         if start.instance != u32::MAX {
@@ -219,7 +219,7 @@ impl NearestSearch {
         {
             return;
         }
-        let found = Found { square: square(corners), instance, face };
+        let found = Candidate { square: square(corners), instance, face };
         if found.is_before(&self.best) {
             self.best = found;
         }

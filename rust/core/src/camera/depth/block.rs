@@ -75,14 +75,14 @@ fn ranges_kernel<T: Depth>(row: &DepthRow, column: i32, depth: &[T; BLOCK], rang
     let mut refused = 0u64;
     for i in 0..BLOCK {
         let value: f64 = depth[i].into();
-        let along = low * (T::MAX - value) + high * value;
-        let range = if row.parallel { along } else { lengths.0[i] / along };
+        let axial = low * (T::MAX - value) + high * value;
+        let range = if row.parallel { axial } else { lengths.0[i] / axial };
         // Background, or a point beyond infinity: a matrix may place its far plane there.
-        let nothing = (value == background) | (along < 0.0);
-        let range = if nothing { f64::INFINITY } else { range };
-        let fits = (value >= 0.0) & (value <= T::MAX);
-        refused |= u64::from(!fits);
-        ranges[i] = T::Range::narrow(if fits { range } else { f64::NAN });
+        let is_background = (value == background) | (axial < 0.0);
+        let range = if is_background { f64::INFINITY } else { range };
+        let is_valid = (value >= 0.0) & (value <= T::MAX);
+        refused |= u64::from(!is_valid);
+        ranges[i] = T::Range::narrow(if is_valid { range } else { f64::NAN });
     }
     refused != 0
 }
@@ -100,16 +100,16 @@ fn depths_kernel<T: Ranged>(row: &DepthRow, column: i32, ranges: &[T; BLOCK], de
     let mut refused = 0u64;
     for i in 0..BLOCK {
         let range = ranges[i].wide();
-        let along = if row.parallel { range } else { lengths.0[i] / range };
-        let value = (along - row.ends[0]) * scale;
+        let axial = if row.parallel { range } else { lengths.0[i] / range };
+        let value = (axial - row.ends[0]) * scale;
         let behind = (value - near) * rise;
-        let fits = (range >= 0.0) & (behind >= -slack);
-        refused |= u64::from(!fits);
-        let inside = if value < 0.0 { 0.0 } else { value };
-        let inside = if inside > 1.0 { 1.0 } else { inside };
+        let is_valid = (range >= 0.0) & (behind >= -slack);
+        refused |= u64::from(!is_valid);
+        let clamped = if value < 0.0 { 0.0 } else { value };
+        let clamped = if clamped > 1.0 { 1.0 } else { clamped };
         let empty = (behind >= 1.0) | (range == f64::INFINITY);
-        let value = if empty { row.background } else { inside };
-        depth[i] = T::narrow(if fits { value } else { f64::NAN });
+        let value = if empty { row.background } else { clamped };
+        depth[i] = T::narrow(if is_valid { value } else { f64::NAN });
     }
     refused != 0
 }

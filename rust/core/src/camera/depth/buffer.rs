@@ -102,7 +102,7 @@ impl DepthBuffer {
             return refused("a matrix whose near plane lies before the eye and its far plane behind that");
         }
         // The inverse of the matrix's 2 × 2 part maps the image's corner and pixel steps to tangents.
-        let back = |p: [f64; 2]| [(e * p[0] - b * p[1]) / determinant, (a * p[1] - d * p[0]) / determinant];
+        let tangents_of = |p: [f64; 2]| [(e * p[0] - b * p[1]) / determinant, (a * p[1] - d * p[0]) / determinant];
         let middle = if parallel { [x0, y0] } else { [c / towards, f / towards] };
         let (right, down) = (2.0 / width as f64, -2.0 / height as f64);
         Ok(Self {
@@ -111,8 +111,8 @@ impl DepthBuffer {
             ends,
             background: 1 - near,
             parallel,
-            first: back([0.5 * right - 1.0 - middle[0], 1.0 + 0.5 * down - middle[1]]),
-            steps: [back([right, 0.0]), back([0.0, down])],
+            first: tangents_of([0.5 * right - 1.0 - middle[0], 1.0 + 0.5 * down - middle[1]]),
+            steps: [tangents_of([right, 0.0]), tangents_of([0.0, down])],
         })
     }
 
@@ -147,10 +147,10 @@ impl DepthBuffer {
             let mut refused = false;
             let pairs = values.chunks(self.width).zip(results.chunks_mut(self.width));
             for (row, (values, results)) in (n * rows..).zip(pairs) {
-                refused |= one_row(&self.depth_row(row % self.height), values, results, kernel);
+                refused |= run_row(&self.depth_row(row % self.height), values, results, kernel);
             }
-            let wrong = if refused { results.iter().position(|&result| result.into().is_nan()) } else { None };
-            wrong.map(|at| (n * rows * self.width + at, values[at].into()))
+            let refused_index = if refused { results.iter().position(|&result| result.into().is_nan()) } else { None };
+            refused_index.map(|at| (n * rows * self.width + at, values[at].into()))
         };
         let size = rows * self.width;
         let tasks = values.par_chunks(size).zip(results.par_chunks_mut(size)).enumerate();
@@ -177,21 +177,21 @@ impl DepthBuffer {
 }
 
 /// Runs a kernel over one row. Returns whether a value was refused; its result is NaN, which no valid value gives.
-fn one_row<T: Copy, U: Copy + Default>(row: &DepthRow, values: &[T], results: &mut [U], kernel: Kernel<T, U>) -> bool {
-    let (blocks, rest) = values.as_chunks::<BLOCK>();
-    let (block_results, rest_results) = results.as_chunks_mut::<BLOCK>();
+fn run_row<T: Copy, U: Copy + Default>(row: &DepthRow, values: &[T], results: &mut [U], kernel: Kernel<T, U>) -> bool {
+    let (blocks, remaining) = values.as_chunks::<BLOCK>();
+    let (block_results, remaining_results) = results.as_chunks_mut::<BLOCK>();
     let (mut column, mut refused) = (0, false);
     for (block, results) in blocks.iter().zip(block_results) {
         refused |= kernel(row, column, block, results);
         column += BLOCK as i32;
     }
-    if let Some(&last) = rest.last() {
+    if let Some(&last) = remaining.last() {
         // The rest is padded to a block. The kernel may refuse a padded column although it accepts the row's own
         // values.
         let (mut block, mut padded) = ([last; BLOCK], [U::default(); BLOCK]);
-        block[..rest.len()].copy_from_slice(rest);
+        block[..remaining.len()].copy_from_slice(remaining);
         refused |= kernel(row, column, &block, &mut padded);
-        rest_results.copy_from_slice(&padded[..rest.len()]);
+        remaining_results.copy_from_slice(&padded[..remaining.len()]);
     }
     refused
 }

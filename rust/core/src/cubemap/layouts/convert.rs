@@ -74,9 +74,9 @@ fn resample<T: Real, S: SampledPicture<T> + Sync>(
                 }
             }
             let is_mean = matches!(filter, TexelFilter::Linear | TexelFilter::Cubic);
-            let share = if is_mean { f64::from(rows.samples()) } else { 1.0 };
+            let divisor = if is_mean { f64::from(rows.samples()) } else { 1.0 };
             for (value, sum) in out.iter_mut().zip(&*sums) {
-                *value = T::narrow(sum / share);
+                *value = T::narrow(sum / divisor);
             }
             progress.report(1)?;
         }

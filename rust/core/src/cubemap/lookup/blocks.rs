@@ -118,7 +118,7 @@ fn pierce<D: Real>(directions: &[[D; 3]; BLOCK], out: &mut Pierced) -> u32 {
         d[1].0[i] = direction[1].wide();
         d[2].0[i] = direction[2].wide();
     }
-    let mut wrong = 0u64;
+    let mut invalid_count = 0u64;
     for i in 0..BLOCK {
         let (x, y, z) = (d[0].0[i], d[1].0[i], d[2].0[i]);
         let (ax, ay, az) = (x.abs(), y.abs(), z.abs());
@@ -138,9 +138,9 @@ fn pierce<D: Real>(directions: &[[D; 3]; BLOCK], out: &mut Pierced) -> u32 {
         out.v.0[i] = down / length;
         // 0 × ∞ and 0 × NaN are NaN, not 0.
         let finite = (x * 0.0 + y * 0.0) + z * 0.0 == 0.0;
-        wrong += u64::from(!(finite & (length > 0.0)));
+        invalid_count += u64::from(!(finite & (length > 0.0)));
     }
-    wrong as u32
+    invalid_count as u32
 }
 
 impl Pierced {
@@ -152,11 +152,11 @@ impl Pierced {
 
 /// Returns the integer part of `position`, clamped to `low..=high`; `low` for NaN.
 #[inline(always)]
-pub(in crate::cubemap) fn whole(position: f64, low: f64, high: f64) -> f64 {
-    let raised = if position > low { position } else { low };
-    let kept = if raised < high { raised } else { high };
-    let nearest = (kept + UNITS) - UNITS;
-    nearest - if nearest > kept { 1.0 } else { 0.0 }
+pub(in crate::cubemap) fn clamped_floor(position: f64, low: f64, high: f64) -> f64 {
+    let at_least_low = if position > low { position } else { low };
+    let clamped = if at_least_low < high { at_least_low } else { high };
+    let nearest = (clamped + UNITS) - UNITS;
+    nearest - if nearest > clamped { 1.0 } else { 0.0 }
 }
 
 /// Converts an integer below 2³² to u32; all texel numbers are below that limit.
@@ -169,14 +169,14 @@ pub(in crate::cubemap) fn index(number: f64) -> u32 {
 #[inline(always)]
 fn find_texels_kernel<D: Real>(directions: &[[D; 3]; BLOCK], size: u32, texel: &mut BlockValues<u32>) -> u32 {
     let mut at = Pierced::new();
-    let wrong = pierce(directions, &mut at);
+    let invalid_count = pierce(directions, &mut at);
     let edge = f64::from(size);
     for i in 0..BLOCK {
-        let column = whole((at.u.0[i] + 1.0) * 0.5 * edge, 0.0, edge - 1.0);
-        let row = whole((at.v.0[i] + 1.0) * 0.5 * edge, 0.0, edge - 1.0);
+        let column = clamped_floor((at.u.0[i] + 1.0) * 0.5 * edge, 0.0, edge - 1.0);
+        let row = clamped_floor((at.v.0[i] + 1.0) * 0.5 * edge, 0.0, edge - 1.0);
         texel.0[i] = index((at.face.0[i] * edge + row) * edge + column);
     }
-    wrong
+    invalid_count
 }
 
 /// Same as `Taps::new`, for directions whose texels lie on one face. Returns the number of directions that are zero or
@@ -184,14 +184,14 @@ fn find_texels_kernel<D: Real>(directions: &[[D; 3]; BLOCK], size: u32, texel: &
 #[inline(always)]
 fn find_places_kernel<D: Real>(directions: &[[D; 3]; BLOCK], size: u32, inner: Inner, out: &mut Placed) -> u32 {
     let mut at = Pierced::new();
-    let wrong = pierce(directions, &mut at);
+    let invalid_count = pierce(directions, &mut at);
     let edge = f64::from(size);
     let [low, high] = inner.rows;
     for i in 0..BLOCK {
         let (u, v) = (at.u.0[i], at.v.0[i]);
         let x = (u + 1.0) * 0.5 * edge - 0.5;
         let y = (v + 1.0) * 0.5 * edge - 0.5;
-        let (column, row) = (whole(x, low, high), whole(y, low, high));
+        let (column, row) = (clamped_floor(x, low, high), clamped_floor(y, low, high));
         let (s, t) = (x - column, y - row);
         // Clamped, because rounding may lead beyond the outermost centres.
         let (s, t) = (if s > 0.0 { s } else { 0.0 }, if t > 0.0 { t } else { 0.0 });
@@ -202,7 +202,7 @@ fn find_places_kernel<D: Real>(directions: &[[D; 3]; BLOCK], size: u32, inner: I
         let inside = (u.abs() <= inner.limit) & (v.abs() <= inner.limit);
         out.seam.0[i] = u8::from(!inside);
     }
-    wrong
+    invalid_count
 }
 
 #[inline(always)]
@@ -268,8 +268,8 @@ fn extreme<T: Real, const MAX: bool>(
         for k in 0..4 {
             let texel = texels[k].0[i];
             let before = if MAX { texel > chosen } else { texel < chosen };
-            let takes = (weights[k].0[i] > MIN_WEIGHT) & (!is_known(chosen) | before);
-            chosen = if takes { texel } else { chosen };
+            let is_preferred = (weights[k].0[i] > MIN_WEIGHT) & (!is_known(chosen) | before);
+            chosen = if is_preferred { texel } else { chosen };
         }
         out.0[i] = chosen;
     }

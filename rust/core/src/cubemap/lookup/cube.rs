@@ -96,11 +96,11 @@ pub fn nearest<T: Copy + Send + Sync, D: Real>(
         channels => {
             let mut texel = BlockValues([0; BLOCK]);
             in_blocks(directions, out, channels, |block, out| {
-                let wrong = blocks::find_texels(block, faces.size, &mut texel);
+                let invalid_count = blocks::find_texels(block, faces.size, &mut texel);
                 for (value, &number) in out.chunks_exact_mut(channels).zip(&texel.0) {
                     value.copy_from_slice(faces.texel(number));
                 }
-                wrong
+                invalid_count
             })
         }
     })
@@ -114,10 +114,10 @@ fn nearest_of<T: Copy, D: Real, const CHANNELS: usize>(
     let texels = faces.values.as_chunks::<CHANNELS>().0;
     let mut texel = BlockValues([0; BLOCK]);
     in_blocks(directions, out, CHANNELS, |block, out| {
-        let wrong = blocks::find_texels(block, faces.size, &mut texel);
+        let invalid_count = blocks::find_texels(block, faces.size, &mut texel);
         for (value, &number) in out.as_chunks_mut::<CHANNELS>().0.iter_mut().zip(&texel.0) {
             *value = texels[number as usize];
         }
-        wrong
+        invalid_count
     })
 }

@@ -190,9 +190,9 @@ fn coarsen(rows: &ConeRows, size: usize, blocks: &mut ConeRows) {
         None => (0, size),
     };
     for row in blocks.first..end {
-        let (one, other) = (columns(2 * row), columns(2 * row + 1));
-        let low = one.0.max(other.0).div_ceil(2);
-        let high = one.1.min(other.1);
+        let (upper, lower) = (columns(2 * row), columns(2 * row + 1));
+        let low = upper.0.max(lower.0).div_ceil(2);
+        let high = upper.1.min(lower.1);
         blocks.columns.push((low, if high == size { size.div_ceil(2) } else { high / 2 }));
     }
 }

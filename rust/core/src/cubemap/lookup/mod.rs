@@ -11,7 +11,7 @@ mod taps;
 mod tiles;
 
 pub(super) use blocks::{
-    BLOCK, BlockValues, MIN_WEIGHT, Placed, find_texels, halve, halve_greatest, halve_least, index, keys, whole,
+    BLOCK, BlockValues, MIN_WEIGHT, Placed, clamped_floor, find_texels, halve, halve_greatest, halve_least, index, keys,
 };
 pub(super) use cube::cube_sampler;
 pub use cube::{lookup, nearest};

@@ -73,14 +73,14 @@ impl<'a, T: Real, S: SampledPicture<T>> Sampler<'a, T, S> {
     pub(in crate::cubemap) fn sample<D: Real>(&self, directions: &[[D; 3]], out: &mut [T]) -> Option<usize> {
         let mut placed = Placed::new();
         in_blocks(directions, out, self.texels.channels, |block, out| {
-            let wrong = self.surface.find_places(block, self.texels.filter.reach(), &mut placed);
-            if wrong == 0 {
+            let invalid_count = self.surface.find_places(block, self.texels.filter.reach(), &mut placed);
+            if invalid_count == 0 {
                 if self.has_inside {
                     self.texels.sample_inside(&placed, out);
                 }
                 self.at_seams(block, &placed.seam, out);
             }
-            wrong
+            invalid_count
         })
     }
 

@@ -34,17 +34,17 @@ pub fn read(bytes: &[u8], offsets: &[i64], progress: &Progress) -> Result<Outlin
     let count = offsets.len() - 1;
     progress.expect(count as u64);
     let parts = in_ranges(count, ROWS_PER_TASK, |rows| {
-        let (mut found, size) = (Outlines::default(), rows.len() as u64);
+        let (mut outlines, size) = (Outlines::default(), rows.len() as u64);
         for row in rows {
             let range = offsets[row] as usize..offsets[row + 1] as usize;
             if !range.is_empty() {
-                let mut reader = Reader { rest: &bytes[range], found: &mut found };
+                let mut reader = Reader { bytes_left: &bytes[range], outlines: &mut outlines };
                 reader.row().map_err(|flaw| Error::Scene(format!("row {row}: {flaw}")))?;
             }
-            found.rows.push(found.polygons.len() as i64);
+            outlines.rows.push(outlines.polygons.len() as i64);
         }
         progress.report(size)?;
-        Ok(found)
+        Ok(outlines)
     })?;
     Ok(concat(&parts))
 }
@@ -75,8 +75,8 @@ struct Header {
 }
 
 struct Reader<'a, 'f> {
-    rest: &'a [u8],
-    found: &'f mut Outlines,
+    bytes_left: &'a [u8],
+    outlines: &'f mut Outlines,
 }
 
 type Parsed<T> = std::result::Result<T, String>;
@@ -84,9 +84,9 @@ type Parsed<T> = std::result::Result<T, String>;
 impl<'a> Reader<'a, '_> {
     fn row(&mut self) -> Parsed<()> {
         self.geometry(0)?;
-        match self.rest.len() {
+        match self.bytes_left.len() {
             0 => Ok(()),
-            left => Err(format!("{left} bytes follow its geometry")),
+            count => Err(format!("{count} bytes follow its geometry")),
         }
     }
 
@@ -106,7 +106,7 @@ impl<'a> Reader<'a, '_> {
             4..=7 => return Err(format!("its geometries are nested deeper than {MAX_DEPTH}")),
             kind => return Err(format!("geometry type {kind} is not read, only points, lines and polygons are")),
         }?;
-        self.found.skipped += 1;
+        self.outlines.skipped += 1;
         Ok(())
     }
 
@@ -116,17 +116,17 @@ impl<'a> Reader<'a, '_> {
             [1] => true,
             other => return Err(format!("its byte order is {}, not 0 or 1", other[0])),
         };
-        let stated = self.number(is_little)?;
-        let plain = stated & !(HAS_Z | HAS_M | HAS_SRID);
-        let (dimensions, kind) = (plain / 1000, plain % 1000);
+        let type_field = self.number(is_little)?;
+        let type_code = type_field & !(HAS_Z | HAS_M | HAS_SRID);
+        let (dimensions, kind) = (type_code / 1000, type_code % 1000);
         if dimensions > 3 {
-            return Err(format!("geometry type {plain} is not known"));
+            return Err(format!("geometry type {type_code} is not known"));
         }
-        if stated & HAS_SRID != 0 {
+        if type_field & HAS_SRID != 0 {
             self.number(is_little)?;
         }
-        let has_z = stated & HAS_Z != 0 || dimensions & 1 != 0;
-        let has_m = stated & HAS_M != 0 || dimensions & 2 != 0;
+        let has_z = type_field & HAS_Z != 0 || dimensions & 1 != 0;
+        let has_m = type_field & HAS_M != 0 || dimensions & 2 != 0;
         Ok(Header { is_little, kind, columns: 2 + usize::from(has_z) + usize::from(has_m) })
     }
 
@@ -134,21 +134,21 @@ impl<'a> Reader<'a, '_> {
         for _ in 0..self.count(header, 4)? {
             let (is_little, columns) = (header.is_little, header.columns);
             let run = self.point_run(header)?;
-            let start = self.found.points.len();
-            self.found.points.extend(run.chunks_exact(8 * columns).map(|row| {
+            let start = self.outlines.points.len();
+            self.outlines.points.extend(run.chunks_exact(8 * columns).map(|row| {
                 let value = |at: usize| {
                     let bytes: [u8; 8] = std::array::from_fn(|byte| row[at + byte]);
                     if is_little { f64::from_le_bytes(bytes) } else { f64::from_be_bytes(bytes) }
                 };
                 [value(0), value(8)]
             }));
-            let points = &mut self.found.points;
+            let points = &mut self.outlines.points;
             if points.len() > start + 1 && points.last() == points.get(start) {
                 points.pop();
             }
-            self.found.rings.push(points.len() as i64);
+            self.outlines.rings.push(points.len() as i64);
         }
-        self.found.polygons.push(self.found.rings.len() as i64);
+        self.outlines.polygons.push(self.outlines.rings.len() as i64);
         Ok(())
     }
 
@@ -161,7 +161,7 @@ impl<'a> Reader<'a, '_> {
     /// Reads a count of items of at least `least` bytes each; fails if the remaining bytes cannot hold them.
     fn count(&mut self, header: &Header, least: usize) -> Parsed<usize> {
         let count = self.number(header.is_little)? as usize;
-        if count > self.rest.len() / least {
+        if count > self.bytes_left.len() / least {
             return Err(format!("it claims {count} parts, more than its bytes can hold"));
         }
         Ok(count)
@@ -174,8 +174,8 @@ impl<'a> Reader<'a, '_> {
     }
 
     fn take(&mut self, size: usize) -> Parsed<&'a [u8]> {
-        let (taken, rest) = self.rest.split_at_checked(size).ok_or_else(|| "it is cut off".to_owned())?;
-        self.rest = rest;
+        let (taken, bytes_left) = self.bytes_left.split_at_checked(size).ok_or_else(|| "it is cut off".to_owned())?;
+        self.bytes_left = bytes_left;
         Ok(taken)
     }
 }
