@@ -56,7 +56,6 @@ impl<'a, T: Copy> CubeFaces<'a, T> {
     }
 }
 
-/// Fails unless `out` has the expected number of values.
 pub(super) fn check_out<T>(out: &[T], expected: usize) -> Result<()> {
     if out.len() == expected {
         return Ok(());

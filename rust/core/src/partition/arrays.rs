@@ -2,9 +2,9 @@
 
 use rayon::prelude::*;
 
+use super::classify::{Class, TriangleSet, Zone};
 use super::divide::Partition;
 use super::radii::{Indexed, Soup, TILE, TriangleSource, measure};
-use super::zone::{Class, TriangleSet, Zone};
 use crate::base::{Error, Progress, Real, Result};
 
 /// Writes the minimum and maximum ρ of each triangle about an axis at (x, z). The error is float64's rounding of the

@@ -5,9 +5,8 @@ use std::collections::BTreeSet;
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;
 
-use super::classify::Ruler;
+use super::classify::{ChosenFaces, Class, Ruler, Zone};
 use super::radii::axis_in;
-use super::zone::{ChosenFaces, Class, Zone};
 use crate::base::{Error, Progress, Result};
 use crate::scene::Scene;
 

@@ -4,14 +4,11 @@ use std::ops::Range;
 
 use rayon::prelude::*;
 
-use super::classify::Ruler;
+use super::classify::{Class, Ruler, Zone};
 use super::divide::Partition;
-use super::radii::radii_of;
-use super::zone::{Class, Zone};
+use super::radii::{TILE, radii_of};
+use crate::base::mapped::in_ranges;
 use crate::base::{Error, Progress, Result};
-
-/// Number of faces in one task.
-const TILE: u32 = 1 << 14;
 
 impl Partition {
     /// Measures every triangle again, without boxes and thresholds, and compares. An error is a bug in nearfar.
@@ -26,12 +23,11 @@ impl Partition {
             {
                 return Err(Error::Scene(format!("partition: the faces of instance {number} are out of order")));
             }
-            let count = instance.mesh.faces.len() as u32;
-            (0..count.div_ceil(TILE)).into_par_iter().try_for_each(|tile| {
-                let faces = tile * TILE..count.min((tile + 1) * TILE);
+            let task = |faces: Range<usize>| {
                 self.validate_faces(number, faces.clone(), &ruler, axis)?;
                 progress.report(faces.len() as u64)
-            })
+            };
+            in_ranges(instance.mesh.faces.len(), TILE, task).map(drop)
         })?;
         let counts = &self.counts;
         let by_zone = counts.near + counts.intermediate + counts.far;
@@ -42,9 +38,9 @@ impl Partition {
         Ok(())
     }
 
-    fn validate_faces(&self, number: u32, faces: Range<u32>, ruler: &Ruler, axis: [f64; 2]) -> Result<()> {
+    fn validate_faces(&self, number: u32, faces: Range<usize>, ruler: &Ruler, axis: [f64; 2]) -> Result<()> {
         let instance = self.scene.instance(number);
-        for face in faces {
+        for face in faces.start as u32..faces.end as u32 {
             let [a, b, c] = instance.corners(face).map(|corner| [f64::from(corner.x), f64::from(corner.z)]);
             let radii = radii_of(a, b, c, axis).map(|radius| radius as f32);
             let expected = ruler.zone(radii).unwrap_or(Zone::Far);

@@ -145,7 +145,6 @@ pub(super) fn holds(chosen: &[bool], object: i32) -> bool {
     usize::try_from(object).is_ok_and(|object| chosen.get(object) == Some(&true))
 }
 
-/// Faces of an instance that remain.
 enum RemainingFaces {
     All,
     Faces(Vec<u32>),

@@ -63,7 +63,6 @@ impl Mesh {
         Self::unchecked(positions, faces, uvs, colors, objects, materials).within_reach()
     }
 
-    /// Fails if the mesh exceeds the reach of rays.
     pub(super) fn within_reach(self) -> Result<Self> {
         if self.bounds.reach() > REACH as f32 {
             let got = format!("{:e} m", self.bounds.reach());
@@ -253,7 +252,6 @@ pub(super) fn flipped(face: &[u32; 3]) -> [u32; 3] {
     [face[0], face[2], face[1]]
 }
 
-/// Fails unless an attribute has one row per vertex.
 fn check_rows<T>(argument: &'static str, rows: Option<&[T]>, vertex_count: usize) -> Result<()> {
     match rows.map(<[T]>::len).filter(|&length| length != vertex_count) {
         Some(length) => Err(Error::value(argument, format!("one row for each of {vertex_count} vertices"), length)),

@@ -218,7 +218,6 @@ struct Run {
     end: u32,
 }
 
-/// Appends ascending faces to runs.
 #[inline]
 fn append(runs: &mut Vec<Run>, faces: impl Iterator<Item = u32>) {
     for face in faces {
@@ -229,7 +228,6 @@ fn append(runs: &mut Vec<Run>, faces: impl Iterator<Item = u32>) {
     }
 }
 
-/// A search for the triangles of one instance.
 struct Search<'a> {
     instance: &'a Instance,
     bvh: &'a Bvh,

@@ -86,7 +86,6 @@ struct Scan {
     numbers: HashMap<(Option<u32>, Option<u32>), usize>,
     /// Index of the part that faces are added to; `None` after a change of object or material.
     part: Option<usize>,
-    /// Corners of the triangles of each part.
     corners: Vec<Vec<[u32; 3]>>,
 }
 
@@ -262,7 +261,6 @@ fn out_of_range(line: u64, kind: &str, index: &str, count: u64) -> Error {
     Error::Scene(format!("line {line}: a face names {kind} {index} of {count}"))
 }
 
-/// Shortens a word for a message.
 fn shorten(word: &[u8]) -> String {
     let text = String::from_utf8_lossy(word);
     match text.char_indices().nth(MAX_QUOTED) {

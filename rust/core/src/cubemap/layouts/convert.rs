@@ -5,8 +5,8 @@ use rayon::prelude::*;
 
 use super::super::faces::{CubeFaces, check_out};
 use super::super::lookup::{
-    BLOCK, BlockValues, SampledPicture, Sampler, TexelFilter, cube_sampler, find_texels, in_blocks, in_tiles,
-    is_zero_or_not_finite,
+    BLOCK, BlockValues, SampledPicture, Sampler, TexelFilter, copy_texels, cube_sampler, find_texels, in_blocks,
+    in_tiles, is_zero_or_not_finite,
 };
 use super::flat;
 use super::layout::{Grid, GridRows, Layout};
@@ -109,9 +109,7 @@ pub fn convert_nearest<T: Copy + Send + Sync>(
                     Layout::Cube => drop(find_texels(block, picture.grid.width, &mut texels)),
                     _ => flat::find_texels(block, picture.grid, &mut texels),
                 }
-                for (value, &number) in out.chunks_exact_mut(channels).zip(&texels.0) {
-                    value.copy_from_slice(&picture.values[number as usize * channels..][..channels]);
-                }
+                copy_texels(picture.values, channels, &texels, out);
                 0
             });
         }

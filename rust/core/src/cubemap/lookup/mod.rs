@@ -13,7 +13,7 @@ mod tiles;
 pub(super) use blocks::{
     BLOCK, BlockValues, MIN_WEIGHT, Placed, clamped_floor, find_texels, halve, halve_greatest, halve_least, index, keys,
 };
-pub(super) use cube::cube_sampler;
+pub(super) use cube::{copy_texels, cube_sampler};
 pub use cube::{lookup, nearest};
 pub use footprint::footprint;
 pub use sampler::TexelFilter;

@@ -114,7 +114,6 @@ impl StoredMeshes {
     }
 }
 
-/// Returns the first row of each piece.
 pub(super) fn pieces_of(count: usize) -> impl IndexedParallelIterator<Item = usize> {
     (0..count.div_ceil(ROWS_PER_PIECE)).into_par_iter().with_min_len(64).map(|piece| piece * ROWS_PER_PIECE)
 }
