@@ -40,6 +40,18 @@ impl Error {
     }
 }
 
+/// Returns `Error::value` with the last three arguments from the function unless a condition holds.
+macro_rules! ensure {
+    ($holds:expr, $argument:expr, $expected:expr, $got:expr $(,)?) => {
+        if $holds {
+        } else {
+            return Err($crate::base::Error::value($argument, $expected, $got));
+        }
+    };
+}
+
+pub(crate) use ensure;
+
 /// Formats a number for a message; uses an exponent where plain digits would contain a long row of zeros.
 pub fn number(value: f64) -> String {
     let size = value.abs();

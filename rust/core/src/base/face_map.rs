@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 
 use super::mapped::mapped;
-use super::{Buffer, Error, Progress, Result};
+use super::{Buffer, Error, Progress, Result, ensure};
 
 /// Minimum mean length of a run, in faces, at which `Ranges` replaces `PerFace`. A look-up is a binary search in
 /// ranges, one load in `PerFace`. The 4 bytes per face that ranges save are a small part of a face's memory: 12 bytes
@@ -148,7 +148,7 @@ impl FaceMap {
 
     /// Checks that each of `face_count` faces has a value below `limit`.
     pub fn validate(&self, argument: &'static str, face_count: usize, limit: i32) -> Result<()> {
-        let (values, well_formed) = match self {
+        let (values, is_well_formed) = match self {
             Self::Uniform(value) => (std::slice::from_ref(value), true),
             Self::Ranges { starts, values } => (
                 &values[..],
@@ -159,9 +159,7 @@ impl FaceMap {
             ),
             Self::PerFace(values) => (&values[..], values.len() == face_count),
         };
-        if !well_formed {
-            return Err(Error::value(argument, format!("one value for each of {face_count} faces"), "another layout"));
-        }
+        ensure!(is_well_formed, argument, format!("one value for each of {face_count} faces"), "another layout");
         match values.par_iter().with_min_len(1 << 16).find_any(|&&value| value < -1 || value >= limit) {
             Some(value) => Err(Error::value(argument, format!("numbers from -1 to {}", limit - 1), value)),
             None => Ok(()),

@@ -6,7 +6,7 @@ use rayon::prelude::*;
 use super::cube_face::direction_from_face;
 use super::rays::Rays;
 use crate::base::mapped::write_mapped;
-use crate::base::{Error, Progress, Result, memory::room_for};
+use crate::base::{Progress, Result, ensure, memory::room_for};
 
 /// Bounds of a view: tangents of half angles for a perspective view, metres for an orthographic view. They need not be
 /// symmetric; in the symmetric case left and down are negative.
@@ -56,10 +56,9 @@ impl Fov {
 
     pub(super) fn validate(&self) -> Result<()> {
         let finite = [self.left, self.right, self.down, self.up].iter().all(|x| x.is_finite() && x.abs() < 1e9);
-        if finite && self.left < self.right && self.down < self.up {
-            return Ok(());
-        }
-        Err(Error::value("fov", "bounds within ±1e9 with left < right and down < up", format!("{self:?}")))
+        let is_valid = finite && self.left < self.right && self.down < self.up;
+        ensure!(is_valid, "fov", "bounds within ±1e9 with left < right and down < up", format!("{self:?}"));
+        Ok(())
     }
 }
 
@@ -84,20 +83,13 @@ pub const MAX_SIZE: u32 = 1 << 16;
 impl Camera {
     /// Checks a view: the position is finite, the quaternion has length 1, and image and bounds are not empty.
     pub fn new(position: DVec3, orientation: DQuat, projection: Projection, width: u32, height: u32) -> Result<Self> {
-        if !position.is_finite() {
-            return Err(Error::value("position", "three finite numbers", position));
-        }
-        if !orientation.is_finite() || (orientation.length() - 1.0).abs() > 1e-6 {
-            return Err(Error::value("orientation", "a unit quaternion (x, y, z, w)", orientation));
-        }
-        if !(1..=MAX_SIZE).contains(&width) || !(1..=MAX_SIZE).contains(&height) {
-            let expected = format!("1 to {MAX_SIZE} pixels each way");
-            return Err(Error::value("size", expected, format!("({width}, {height})")));
-        }
-        if let Projection::CubeFace(face) = projection
-            && (face > 5 || width != height)
-        {
-            return Err(Error::value("fov", "a cube face 0 to 5 with a square image", face));
+        ensure!(position.is_finite(), "position", "three finite numbers", position);
+        let is_unit = orientation.is_finite() && (orientation.length() - 1.0).abs() <= 1e-6;
+        ensure!(is_unit, "orientation", "a unit quaternion (x, y, z, w)", orientation);
+        let has_pixels = [width, height].iter().all(|size| (1..=MAX_SIZE).contains(size));
+        ensure!(has_pixels, "size", format!("1 to {MAX_SIZE} pixels each way"), format!("({width}, {height})"));
+        if let Projection::CubeFace(face) = projection {
+            ensure!(face <= 5 && width == height, "fov", "a cube face 0 to 5 with a square image", face);
         }
         projection.fov().validate()?;
         Ok(Self { position, orientation: orientation.normalize(), projection, width, height })

@@ -3,7 +3,7 @@
 
 use glam::DVec3;
 
-use crate::base::{Error, Result};
+use crate::base::{Result, ensure};
 use crate::camera::{direction_from_face, face_from_direction};
 
 /// Maximum width of a face, texels: 6 × 16384² texels have numbers below 2³².
@@ -44,9 +44,7 @@ impl<'a, T: Copy> CubeFaces<'a, T> {
     pub fn new(values: &'a [T], size: u32, channels: usize) -> Result<Self> {
         check_size(size)?;
         let expected = 6 * size as usize * size as usize * channels;
-        if values.len() != expected {
-            return Err(Error::value("faces", format!("{expected} values for size {size}"), values.len()));
-        }
+        ensure!(values.len() == expected, "faces", format!("{expected} values for size {size}"), values.len());
         Ok(Self { values, size, channels })
     }
 
@@ -57,18 +55,14 @@ impl<'a, T: Copy> CubeFaces<'a, T> {
 }
 
 pub(super) fn check_out<T>(out: &[T], expected: usize) -> Result<()> {
-    if out.len() == expected {
-        return Ok(());
-    }
-    Err(Error::value("out", format!("{expected} values"), out.len()))
+    ensure!(out.len() == expected, "out", format!("{expected} values"), out.len());
+    Ok(())
 }
 
 /// Fails for faces without texels, or with more texels than texel numbers can address.
 pub(super) fn check_size(size: u32) -> Result<()> {
-    if (1..=MAX_SIZE).contains(&size) {
-        return Ok(());
-    }
-    Err(Error::value("faces", format!("1 to {MAX_SIZE} texels across a face"), size))
+    ensure!((1..=MAX_SIZE).contains(&size), "faces", format!("1 to {MAX_SIZE} texels across a face"), size);
+    Ok(())
 }
 
 /// Returns whether a number is not NaN. Minima and maxima skip NaN, which marks an unknown value.

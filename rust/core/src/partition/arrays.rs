@@ -5,7 +5,7 @@ use rayon::prelude::*;
 use super::classify::{Class, TriangleSet, Zone};
 use super::divide::Partition;
 use super::radii::{Indexed, Soup, TILE, TriangleSource, measure};
-use crate::base::{Error, Progress, Real, Result};
+use crate::base::{Progress, Real, Result, ensure};
 
 /// Writes the minimum and maximum ρ of each triangle about an axis at (x, z). The error is float64's rounding of the
 /// maximum ρ, plus one rounding to the type of the coordinates. Without faces, every three vertices form a triangle.
@@ -16,13 +16,11 @@ pub fn triangle_radii<T: Real>(
     radii: &mut [[T; 2]],
     progress: &Progress,
 ) -> Result<()> {
-    if !(axis[0].is_finite() && axis[1].is_finite()) {
-        return Err(Error::value("center", "three finite numbers", format!("x {}, z {}", axis[0], axis[1])));
-    }
+    let [x, z] = axis;
+    ensure!(x.is_finite() && z.is_finite(), "center", "three finite numbers", format!("x {x}, z {z}"));
     let expected = faces.map_or(vertices.len() / 3, <[_]>::len);
-    if radii.len() != expected || faces.is_none() && !vertices.len().is_multiple_of(3) {
-        return Err(Error::value("vertices", "three corners for each triangle", vertices.len()));
-    }
+    let is_whole = radii.len() == expected && (faces.is_some() || vertices.len().is_multiple_of(3));
+    ensure!(is_whole, "vertices", "three corners for each triangle", vertices.len());
     progress.expect(expected as u64);
     radii.par_chunks_mut(TILE).enumerate().try_for_each(|(tile, radii)| {
         let range = tile * TILE..tile * TILE + radii.len();
@@ -39,10 +37,9 @@ pub fn triangle_radii<T: Real>(
 
 fn check_faces(faces: &[[u32; 3]], vertex_count: usize) -> Result<()> {
     let greatest = faces.as_flattened().iter().fold(0, |greatest, &vertex| greatest.max(vertex));
-    if faces.is_empty() || (greatest as usize) < vertex_count {
-        return Ok(());
-    }
-    Err(Error::value("faces", format!("vertex indices below {vertex_count}"), greatest))
+    let is_valid = faces.is_empty() || (greatest as usize) < vertex_count;
+    ensure!(is_valid, "faces", format!("vertex indices below {vertex_count}"), greatest);
+    Ok(())
 }
 
 #[inline(always)]
@@ -55,10 +52,9 @@ fn fill<T: Real>(triangles: &impl TriangleSource<T>, axis: [f64; 2], radii: &mut
         |first, block| radii[first..first + block.len()].copy_from_slice(block),
     );
     // A NaN or infinite corner makes the radii NaN or infinite.
-    if radii.as_flattened().iter().all(|&radius| radius.is_finite()) {
-        return Ok(());
-    }
-    Err(Error::value("vertices", "finite coordinates", "NaN, infinity or numbers whose squares overflow"))
+    let are_finite = radii.as_flattened().iter().all(|&radius| radius.is_finite());
+    ensure!(are_finite, "vertices", "finite coordinates", "NaN, infinity or numbers whose squares overflow");
+    Ok(())
 }
 
 impl Partition {

@@ -7,7 +7,7 @@ use rayon::prelude::*;
 
 use super::classify::{ChosenFaces, Class, Ruler, Zone};
 use super::radii::axis_in;
-use crate::base::{Error, Progress, Result};
+use crate::base::{Progress, Result, ensure};
 use crate::scene::Scene;
 
 /// Tolerance, relative to r₂, within which a point counts as lying on a radius. It exceeds the rounding of edge
@@ -70,12 +70,8 @@ impl Partition {
     /// Partitions a scene about a centre in world coordinates; 0 ≤ r₁ < r₂.
     pub fn new(scene: &Scene, center: DVec3, r1: f64, r2: f64, progress: &Progress) -> Result<Self> {
         let axis = axis_in(scene, center)?;
-        if !(r1.is_finite() && r1 >= 0.0) {
-            return Err(Error::value("r1", "a finite radius of at least 0", r1));
-        }
-        if !(r2.is_finite() && r2 > r1) {
-            return Err(Error::value("r2", format!("a finite radius greater than r1 = {r1}"), r2));
-        }
+        ensure!(r1.is_finite() && r1 >= 0.0, "r1", "a finite radius of at least 0", r1);
+        ensure!(r2.is_finite() && r2 > r1, "r2", format!("a finite radius greater than r1 = {r1}"), r2);
         let ruler = Ruler::new(axis, r1, r2);
         progress.expect(scene.triangle_count() as u64);
         let classes = (0..scene.instance_count() as u32)

@@ -8,7 +8,7 @@ use rayon::prelude::*;
 use super::radii::{TILE, axis_in, measure_faces};
 use crate::base::mapped::{in_ranges, pieces};
 use crate::base::sort::sort_by_key;
-use crate::base::{Error, Progress, Result};
+use crate::base::{Error, Progress, Result, ensure};
 use crate::scene::Scene;
 
 /// Minimum ρ of every static triangle, sorted once; a query is then a binary search.
@@ -64,9 +64,7 @@ impl LoadCurve {
     /// Returns the number of triangles that stay geometry at r₂, equal to that of `Partition`. Fails for NaN or r₂ <
     /// 0.
     pub fn count(&self, r2: f64) -> Result<i64> {
-        if r2.is_nan() || r2 < 0.0 {
-            return Err(Error::value("r2", "a radius of at least 0", r2));
-        }
+        ensure!(r2 >= 0.0, "r2", "a radius of at least 0", r2);
         Ok(self.sorted.partition_point(|&bits| f64::from(f32::from_bits(bits)) <= r2) as i64 + self.moving)
     }
 

@@ -7,7 +7,7 @@ use rayon::prelude::*;
 
 use super::classify::{lies_beyond, secure_bounds};
 use super::radii::{TILE, axis_in, measure_faces};
-use crate::base::{Error, Progress, Result};
+use crate::base::{Progress, Result, ensure};
 use crate::scene::{Instance, Scene};
 
 /// Points of an object whose distances count.
@@ -39,9 +39,7 @@ pub fn object_radii(
     progress: &Progress,
 ) -> Result<ObjectRadii> {
     let axis = axis_in(scene, center)?;
-    if reach.is_nan() || reach < 0.0 {
-        return Err(Error::value("reach", "a radius of at least 0", reach));
-    }
+    ensure!(reach >= 0.0, "reach", "a radius of at least 0", reach);
     let instances = scene.standing.instances();
     let near: Vec<&Instance> =
         instances.iter().filter(|instance| !lies_beyond(&secure_bounds(instance), axis, reach)).collect();

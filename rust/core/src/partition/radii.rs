@@ -9,7 +9,7 @@ use std::ops::Range;
 use glam::DVec3;
 
 use crate::base::simd::{greater, lesser, vectorized};
-use crate::base::{Error, Real, Result};
+use crate::base::{Real, Result, ensure};
 use crate::scene::{Instance, Scene};
 
 /// Number of triangles in one task.
@@ -98,9 +98,7 @@ fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
 /// Returns (x, z) of the vertical axis through a centre, relative to the scene's origin. Fails for a centre that is not
 /// finite.
 pub(super) fn axis_in(scene: &Scene, center: DVec3) -> Result<[f64; 2]> {
-    if !center.is_finite() {
-        return Err(Error::value("center", "three finite numbers", center));
-    }
+    ensure!(center.is_finite(), "center", "three finite numbers", center);
     let local = center - scene.origin;
     Ok([local.x, local.z])
 }

@@ -11,7 +11,7 @@ use super::mesh::Mesh;
 use super::world::Scene;
 use crate::base::mapped::filtered;
 use crate::base::sort::sort_by_key;
-use crate::base::{Error, FaceMap, Progress, Result};
+use crate::base::{FaceMap, Progress, Result, ensure};
 
 impl Scene {
     /// Returns the scene with the objects of `chosen` (a flag per object) moving as well. Faces of merged meshes
@@ -73,10 +73,9 @@ impl Scene {
 
     /// Returns a scene with only the triangles of `chosen`, a flag per triangle.
     pub fn subset_of_triangles(&self, chosen: &[bool], progress: &Progress) -> Result<Self> {
-        if chosen.len() as i64 != self.triangle_count() {
-            let expected = format!("a flag for each of {} triangles", self.triangle_count());
-            return Err(Error::value("triangles", expected, chosen.len()));
-        }
+        let count = self.triangle_count();
+        let is_complete = chosen.len() as i64 == count;
+        ensure!(is_complete, "triangles", format!("a flag for each of {count} triangles"), chosen.len());
         let keep = |first: i64, instance: &Instance| {
             let flags = &chosen[first as usize..][..instance.mesh.faces.len()];
             RemainingFaces::select(&instance.mesh, |face| flags[face as usize], progress)
@@ -87,9 +86,7 @@ impl Scene {
     /// Returns one mesh of the given faces (instance, face), relative to the scene's origin. The faces of an instance
     /// must be consecutive. The object of each face is its index in the list.
     pub fn gathered(&self, chosen: &[(u32, u32)], progress: &Progress) -> Result<Mesh> {
-        if chosen.len() > i32::MAX as usize {
-            return Err(Error::value("triangles", "fewer than 2^31 in one mesh", chosen.len()));
-        }
+        ensure!(chosen.len() <= i32::MAX as usize, "triangles", "fewer than 2^31 in one mesh", chosen.len());
         let mut first = 0;
         let parts = chosen.chunk_by(|a, b| a.0 == b.0).map(|run| {
             let instance = self.instance(run[0].0);

@@ -5,7 +5,7 @@ use std::sync::{Arc, OnceLock};
 use glam::{DAffine3, Vec3};
 
 use super::mesh::Mesh;
-use crate::base::{Aabb, Error, Progress, REACH, Result};
+use crate::base::{Aabb, Progress, REACH, Result, ensure};
 use crate::bvh::Tlas;
 
 /// A placed mesh. Positions are relative to the scene's origin.
@@ -29,13 +29,10 @@ impl Instance {
     /// Places a mesh. The transform must be finite and invertible.
     pub fn new(mesh: Arc<Mesh>, to_scene: DAffine3, object: Option<i32>) -> Result<Self> {
         let to_object = to_scene.inverse();
-        if !to_scene.is_finite() || !to_object.is_finite() {
-            return Err(Error::value("transform", "a finite, invertible 4x4 matrix", to_scene));
-        }
+        let is_valid = to_scene.is_finite() && to_object.is_finite();
+        ensure!(is_valid, "transform", "a finite, invertible 4x4 matrix", to_scene);
         let bounds = mesh.bounds().transformed(&to_scene);
-        if bounds.reach() > REACH as f32 {
-            return Err(Error::value("transform", format!("a placement within ±{REACH:e} m"), to_scene));
-        }
+        ensure!(bounds.reach() <= REACH as f32, "transform", format!("a placement within ±{REACH:e} m"), to_scene);
         Ok(Self { in_place: to_scene == DAffine3::IDENTITY, mesh, to_scene, to_object, object, bounds })
     }
 

@@ -12,7 +12,7 @@ use super::merge::{PlacedMesh, merge};
 use super::mesh::Mesh;
 use super::texture::Texture;
 use super::world::Scene;
-use crate::base::{Error, Progress, Result};
+use crate::base::{Error, Progress, Result, ensure};
 
 /// Marks an object without a model, and a level that is not drawn.
 const NONE: i32 = -1;
@@ -58,9 +58,8 @@ impl Scene {
     /// Returns the scene with its objects at levels. Per object, `models` holds the index of its model in `meshes` (−1
     /// for none) and `chosen` the level to draw (−1 to omit the object).
     pub fn at_levels(&self, meshes: &LevelMeshes, models: &[i32], chosen: &[i32]) -> Result<Self> {
-        if models.len() != chosen.len() {
-            return Err(Error::value("levels", format!("one for each of {} objects", models.len()), chosen.len()));
-        }
+        let is_paired = models.len() == chosen.len();
+        ensure!(is_paired, "levels", format!("one for each of {} objects", models.len()), chosen.len());
         let [standing, moving] = self.sets().map(|set| set.at_levels(meshes, models, chosen));
         Ok(self.with_sets(standing?, moving?))
     }

@@ -9,7 +9,7 @@ use super::instance::Instance;
 use super::mesh::{Mesh, flipped};
 use super::normal::place_normals;
 use crate::base::mapped::{mapped, pieces, starts, write_mapped};
-use crate::base::{Error, FaceMap, Progress, Result};
+use crate::base::{FaceMap, Progress, Result, ensure};
 
 /// A mesh to be merged.
 #[derive(Clone, Debug)]
@@ -37,9 +37,7 @@ pub(super) fn is_mirror(to_scene: &DAffine3) -> bool {
 
 /// Merges placed meshes into one mesh. A single part keeps the arrays that its placement does not change.
 pub fn merge(parts: &[PlacedMesh], progress: &Progress) -> Result<Mesh> {
-    if parts.iter().any(|part| !part.to_scene.is_finite()) {
-        return Err(Error::value("transform", "finite numbers", "NaN or infinity"));
-    }
+    ensure!(parts.iter().all(|part| part.to_scene.is_finite()), "transform", "finite numbers", "NaN or infinity");
     let face_counts: Vec<usize> = parts.iter().map(|part| part.mesh.faces.len()).collect();
     let (uvs, colors, faces) = match parts {
         [only] => (
@@ -103,9 +101,7 @@ fn placed_normals(parts: &[PlacedMesh], progress: &Progress) -> Result<Option<Ve
 
 fn joined_faces(parts: &[PlacedMesh], counts: &[usize], progress: &Progress) -> Result<Vec<[u32; 3]>> {
     let vertex_count: usize = parts.iter().map(|part| part.mesh.positions.len()).sum();
-    if vertex_count > u32::MAX as usize {
-        return Err(Error::value("meshes", "fewer than 2^32 vertices in one merged mesh", vertex_count));
-    }
+    ensure!(vertex_count <= u32::MAX as usize, "meshes", "fewer than 2^32 vertices in one merged mesh", vertex_count);
     let mut faces = vec![[0; 3]; counts.iter().sum()];
     let firsts: Vec<usize> = starts(parts.iter().map(|part| part.mesh.positions.len())).collect();
     let slots = pieces(&mut faces, counts.iter().copied());

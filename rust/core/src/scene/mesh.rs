@@ -7,7 +7,7 @@ use rayon::prelude::*;
 
 use crate::base::mapped::mapped;
 use crate::base::sort::sort_by_key;
-use crate::base::{Aabb, Buffer, Error, FaceMap, Progress, REACH, Result};
+use crate::base::{Aabb, Buffer, Error, FaceMap, Progress, REACH, Result, ensure};
 use crate::bvh::{Bvh, MeshArrays};
 
 /// Number of faces or vertices per task: fixed, so that reductions do not depend on the number of threads.
@@ -64,10 +64,8 @@ impl Mesh {
     }
 
     pub(super) fn within_reach(self) -> Result<Self> {
-        if self.bounds.reach() > REACH as f32 {
-            let got = format!("{:e} m", self.bounds.reach());
-            return Err(Error::value("vertices", format!("coordinates within ±{REACH:e} m"), got));
-        }
+        let reach = self.bounds.reach();
+        ensure!(reach <= REACH as f32, "vertices", format!("coordinates within ±{REACH:e} m"), format!("{reach:e} m"));
         Ok(self)
     }
 

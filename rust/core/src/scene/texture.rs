@@ -7,7 +7,7 @@
 use std::sync::OnceLock;
 
 use super::srgb::{linear_from_srgb, srgb_from_linear};
-use crate::base::{Buffer, Error, Progress, Result};
+use crate::base::{Buffer, Progress, Result, ensure};
 
 /// An sRGB image with linear alpha, row 0 on top; it repeats in both directions.
 #[derive(Debug)]
@@ -48,9 +48,8 @@ struct TextureTaps {
 impl Texture {
     /// Creates a texture; checks that the texels fill the image.
     pub fn new(width: u32, height: u32, texels: Buffer<[u8; 4]>) -> Result<Self> {
-        if width == 0 || height == 0 || texels.len() as u64 != u64::from(width) * u64::from(height) {
-            return Err(Error::value("texture", format!("{width} x {height} texels"), texels.len()));
-        }
+        let is_filled = width > 0 && height > 0 && texels.len() as u64 == u64::from(width) * u64::from(height);
+        ensure!(is_filled, "texture", format!("{width} x {height} texels"), texels.len());
         Ok(Self { width, height, texels, mips: OnceLock::new(), cutout_mips: OnceLock::new() })
     }
 

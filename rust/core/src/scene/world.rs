@@ -11,7 +11,7 @@ use super::material::Material;
 use super::mesh::{self, Mesh};
 use super::texture::Texture;
 use crate::base::mapped::pieces;
-use crate::base::{Aabb, Error, Progress, Result, memory::room_for};
+use crate::base::{Aabb, Error, Progress, Result, ensure, memory::room_for};
 
 /// An immutable scene. Copies share meshes, textures and trees; only instance lists differ.
 ///
@@ -39,9 +39,7 @@ impl Scene {
         materials: Arc<Vec<Material>>,
         textures: Arc<Vec<Texture>>,
     ) -> Result<Self> {
-        if !origin.is_finite() {
-            return Err(Error::value("origin", "three finite numbers", origin));
-        }
+        ensure!(origin.is_finite(), "origin", "three finite numbers", origin);
         let texture_count = textures.len();
         if let Some(wrong) = materials.iter().flat_map(Material::textures).find(|&t| t as usize >= texture_count) {
             return Err(Error::value("materials", format!("texture numbers below {texture_count}"), wrong));
@@ -54,9 +52,8 @@ impl Scene {
         for mesh in distinct_meshes(standing.iter().chain(&moving)) {
             mesh.materials.validate("materials", mesh.faces.len(), materials.len() as i32)?;
         }
-        if standing.len() + moving.len() > u32::MAX as usize - 1 {
-            return Err(Error::value("instances", "fewer than 2^32 - 1", standing.len() + moving.len()));
-        }
+        let count = standing.len() + moving.len();
+        ensure!(count < u32::MAX as usize, "instances", "fewer than 2^32 - 1", count);
         let (standing, moving) = (Arc::new(InstanceSet::new(standing)), Arc::new(InstanceSet::new(moving)));
         Ok(Self { origin, standing, moving, materials, textures })
     }

@@ -10,7 +10,7 @@ use rayon::prelude::*;
 use super::rule::Rule;
 use super::settings::Precision;
 use super::split::Piece;
-use crate::base::{Error, Progress, Result, memory::room_for};
+use crate::base::{Progress, Result, ensure, memory::room_for};
 
 /// Number of faces per task: fixed, so that the result does not depend on the number of threads.
 const TILE: usize = 1 << 12;
@@ -104,10 +104,8 @@ impl Budget {
     /// Adds a number of created pieces.
     pub fn add(&self, pieces: usize, progress: &Progress) -> Result<()> {
         let all = self.0.fetch_add(pieces as u64, Ordering::Relaxed) + pieces as u64;
-        if all > u64::from(u32::MAX) {
-            let expected = "a tolerance reached by fewer than 2^32 triangles";
-            return Err(Error::value("tolerance_px", expected, format!("{all} triangles")));
-        }
+        let expected = "a tolerance reached by fewer than 2^32 triangles";
+        ensure!(all <= u64::from(u32::MAX), "tolerance_px", expected, format!("{all} triangles"));
         // Twice the memory, because the result is assembled while the pieces still exist.
         room_for(2 * BYTES_PER_PIECE * all)?;
         progress.check()
@@ -183,9 +181,8 @@ fn join(source: &[[u32; 3]], vertex_count: usize, split: &[Split], progress: &Pr
             all.faces.push(numbers);
             all.sources.push(*face);
         }
-        if vertex_count + all.new.len() > u32::MAX as usize {
-            return Err(Error::value("tolerance_px", "a tolerance reached by fewer than 2^32 vertices", "more"));
-        }
+        let is_numbered = vertex_count + all.new.len() <= u32::MAX as usize;
+        ensure!(is_numbered, "tolerance_px", "a tolerance reached by fewer than 2^32 vertices", "more");
     }
     all.faces.extend_from_slice(&source[next..]);
     all.sources.extend(next as u32..source.len() as u32);

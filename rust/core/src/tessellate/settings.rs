@@ -2,7 +2,7 @@
 
 use glam::{DVec2, DVec3};
 
-use crate::base::{Error, Result};
+use crate::base::{Result, ensure};
 use crate::morph::{Kind, Morph};
 
 /// Fraction of r₁ within which a user's error has a bound, reduced by how far triangles may pass r₁: 0.6 for a blend,
@@ -72,25 +72,14 @@ impl Settings {
 
     pub(super) fn check(&self) -> Result<()> {
         let Self { center, r1, r2, reach, tolerance, .. } = *self;
-        if !center.is_finite() {
-            return Err(Error::value("center", "three finite numbers", center));
-        }
-        if !(r1.is_finite() && r1 >= 0.0) {
-            return Err(Error::value("r1", "a finite radius of at least 0", r1));
-        }
-        if !(r2.is_finite() && r2 >= r1) {
-            return Err(Error::value("r2", format!("a finite radius of at least r1 = {r1}"), r2));
-        }
-        if !(reach.is_finite() && reach >= 0.0) {
-            return Err(Error::value("user_region", "a finite distance from the centre", reach));
-        }
-        if !(tolerance.is_finite() && tolerance > 0.0) {
-            return Err(Error::value("tolerance_px", "a number above 0", tolerance));
-        }
-        if let Stages::Cylinder { least, .. } = self.stages
-            && !(least <= r2 && (least > 0.0 || r2 == 0.0))
-        {
-            return Err(Error::value("radius", format!("a radius above 0 and up to r2 = {r2}"), least));
+        ensure!(center.is_finite(), "center", "three finite numbers", center);
+        ensure!(r1.is_finite() && r1 >= 0.0, "r1", "a finite radius of at least 0", r1);
+        ensure!(r2.is_finite() && r2 >= r1, "r2", format!("a finite radius of at least r1 = {r1}"), r2);
+        ensure!(reach.is_finite() && reach >= 0.0, "user_region", "a finite distance from the centre", reach);
+        ensure!(tolerance.is_finite() && tolerance > 0.0, "tolerance_px", "a number above 0", tolerance);
+        if let Stages::Cylinder { least, .. } = self.stages {
+            let is_radius = least <= r2 && (least > 0.0 || r2 == 0.0);
+            ensure!(is_radius, "radius", format!("a radius above 0 and up to r2 = {r2}"), least);
         }
         Ok(())
     }

@@ -5,7 +5,7 @@ use rayon::prelude::*;
 
 use super::dispatch::closest_hits;
 use super::ray::{All, AlphaFilter, Hit, Ray};
-use crate::base::{Error, Progress, REACH, Result};
+use crate::base::{Error, Progress, REACH, Result, ensure};
 use crate::scene::Scene;
 
 /// Number of rays per task: fixed, so that packets do not depend on the number of threads.
@@ -81,12 +81,9 @@ pub fn cast(
     progress: &Progress,
 ) -> Result<Hits> {
     let count = directions.len();
-    if origins.len() != 1 && origins.len() != count {
-        return Err(Error::value("origins", format!("one row, or {count} as directions has"), origins.len()));
-    }
-    if t_max.is_nan() || t_max <= 0.0 {
-        return Err(Error::value("t_max", "a positive number of metres", t_max));
-    }
+    let is_paired = origins.len() == 1 || origins.len() == count;
+    ensure!(is_paired, "origins", format!("one row, or {count} as directions has"), origins.len());
+    ensure!(t_max > 0.0, "t_max", "a positive number of metres", t_max);
     origins.check_reach("origins", scene)?;
     directions.check("directions", "finite coordinates", DVec3::is_finite)?;
     directions.check("directions", "a length above zero", |d| d != DVec3::ZERO)?;

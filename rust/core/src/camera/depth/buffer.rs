@@ -4,7 +4,7 @@ use rayon::prelude::*;
 
 use super::super::view::Projection;
 use super::block::{self, BLOCK, Depth, DepthRow, Ranged};
-use crate::base::{Error, Progress, Result, number};
+use crate::base::{Error, Progress, Result, ensure, number};
 
 /// Kernel over one block: (row, first column, values, results). It returns true if it refused a value, whose result is
 /// then NaN.
@@ -46,13 +46,11 @@ impl DepthBuffer {
         let Planes { near, far, reverse } = planes;
         let parallel = matches!(projection, Projection::Orthographic(_));
         let least = if parallel { 0.0 } else { f64::MIN_POSITIVE };
-        if !(near >= least && near.is_finite()) {
-            return Err(Error::value("near", "a finite number above 0 (or 0 for parallel rays)", number(near)));
-        }
-        if far.is_nan() || far <= near || (parallel && far.is_infinite()) {
-            let expected = if parallel { "a finite number above near" } else { "a number above near, or infinity" };
-            return Err(Error::value("far", expected, number(far)));
-        }
+        let is_valid = near >= least && near.is_finite();
+        ensure!(is_valid, "near", "a finite number above 0 (or 0 for parallel rays)", number(near));
+        let is_valid = far > near && (!parallel || far.is_finite());
+        let expected = if parallel { "a finite number above near" } else { "a number above near, or infinity" };
+        ensure!(is_valid, "far", expected, number(far));
         let fov = projection.fov();
         fov.validate()?;
         let [w, h] = [width as f64, height as f64];

@@ -11,7 +11,7 @@ use super::super::lookup::{
 use super::flat;
 use super::layout::{Grid, GridRows, Layout};
 use super::picture::{Panorama, flat_sampler};
-use crate::base::{Error, Progress, Real, Result, memory::room_for};
+use crate::base::{Progress, Real, Result, ensure, memory::room_for};
 
 /// Number of texels whose directions are computed and looked up together.
 const SEGMENT: usize = 512;
@@ -119,9 +119,7 @@ pub fn convert_nearest<T: Copy + Send + Sync>(
 
 /// Writes the number of the texel that each direction hits.
 pub fn grid_texels<D: Real>(grid: Grid, directions: &[[D; 3]], out: &mut [i64], progress: &Progress) -> Result<()> {
-    if out.len() != directions.len() {
-        return Err(Error::value("out", format!("{} numbers", directions.len()), out.len()));
-    }
+    ensure!(out.len() == directions.len(), "out", format!("{} numbers", directions.len()), out.len());
     in_tiles(directions, out, 1, progress, |directions, out| {
         for (d, number) in directions.iter().zip(out) {
             if !is_zero_or_not_finite(d) {

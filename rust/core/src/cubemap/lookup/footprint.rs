@@ -1,5 +1,7 @@
 //! Minimum or maximum of the texels touched by cones.
 
+use std::f64::consts::FRAC_PI_2;
+
 use glam::DVec3;
 use rayon::prelude::*;
 
@@ -8,7 +10,7 @@ use super::blocks::{halve_greatest, halve_least};
 use super::cone::{Cone, ConeRows};
 use super::sampler::TexelFilter;
 use super::tiles::{check_first_invalid, is_zero_or_not_finite};
-use crate::base::{Error, Progress, Real, Result, memory::room_for};
+use crate::base::{Error, Progress, Real, Result, ensure, memory::room_for};
 
 /// Diameter of a cone, in texels, above which a level of half the size saves time.
 const WIDE_CONE: f64 = 8.0;
@@ -26,9 +28,7 @@ pub fn footprint<T: Real, D: Real>(
     out: &mut [T],
     progress: &Progress,
 ) -> Result<()> {
-    if !(0.0..std::f64::consts::FRAC_PI_2).contains(&radius) {
-        return Err(Error::value("radius", "an angle of at least 0 and below 90°", radius));
-    }
+    ensure!((0.0..FRAC_PI_2).contains(&radius), "radius", "an angle of at least 0 and below 90°", radius);
     check_out(out, directions.len() * faces.channels)?;
     check_first_invalid(
         directions.par_iter().with_min_len(1 << 13).position_first(is_zero_or_not_finite).unwrap_or(usize::MAX),

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use crate::base::error::number;
-use crate::base::{Error, Result};
+use crate::base::{Error, Result, ensure};
 
 /// Maximum absolute coordinate, so that products of four coordinates stay finite.
 const MAX_COORDINATE: f64 = 1e30;
@@ -21,9 +21,7 @@ impl<'a> Polygons<'a> {
     /// Creates polygons: ring r is `points[rings[r]..rings[r + 1]]`, and polygon p has the rings
     /// `polygons[p]..polygons[p + 1]`.
     pub fn new(points: &'a [[f64; 2]], rings: &'a [i64], polygons: &'a [i64]) -> Result<Self> {
-        if points.len() > u32::MAX as usize {
-            return Err(Error::value("points", "fewer than 2^32", points.len()));
-        }
+        ensure!(points.len() <= u32::MAX as usize, "points", "fewer than 2^32", points.len());
         check_offsets("rings", rings, points.len())?;
         check_offsets("polygons", polygons, rings.len() - 1)?;
         let far = |value: &&f64| value.is_nan() || value.abs() > MAX_COORDINATE;
@@ -54,10 +52,9 @@ pub(super) fn check_offsets(argument: &'static str, offsets: &[i64], count: usiz
     let is_run = offsets.first() == Some(&0)
         && offsets.last() == i64::try_from(count).ok().as_ref()
         && offsets.windows(2).all(|pair| pair[0] <= pair[1]);
-    if is_run {
-        return Ok(());
-    }
-    Err(Error::value(argument, format!("numbers that rise from 0 to {count}"), format!("{} others", offsets.len())))
+    let got = || format!("{} others", offsets.len());
+    ensure!(is_run, argument, format!("numbers that rise from 0 to {count}"), got());
+    Ok(())
 }
 
 #[cfg(test)]

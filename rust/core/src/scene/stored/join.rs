@@ -6,7 +6,7 @@ use rayon::prelude::*;
 use super::meshes::{FaceSet, StoredMesh, StoredMeshes, VertexSet};
 use super::rows::Number;
 use crate::base::mapped::{pieces, starts};
-use crate::base::{Buffer, Error, FaceMap, Progress, Result};
+use crate::base::{Buffer, FaceMap, Progress, Result, ensure};
 use crate::scene::merge::is_mirror;
 use crate::scene::mesh::{Mesh, TILE, check_finite, flipped};
 use crate::scene::normal::{normal_matrix, place_normal};
@@ -39,14 +39,11 @@ impl StoredMeshes {
     /// Joins meshes in order. Vertices without an attribute that others have get a neutral value: white, no normal,
     /// texture coordinates 0.
     pub fn join(&self, parts: &[StoredPart], progress: &Progress) -> Result<Mesh> {
-        if parts.iter().any(|part| !part.to_scene.is_finite()) {
-            return Err(Error::value("transform", "finite numbers", "NaN or infinity"));
-        }
+        ensure!(parts.iter().all(|part| part.to_scene.is_finite()), "transform", "finite numbers", "NaN or infinity");
         let vertex_count: usize = parts.iter().map(|part| self.vertex_count(part.mesh)).sum();
         let face_count: usize = parts.iter().map(|part| self.face_count(part.mesh)).sum();
-        if vertex_count.max(face_count) >= u32::MAX as usize {
-            return Err(Error::value("meshes", "fewer than 2^32 vertices in one merged mesh", vertex_count));
-        }
+        let is_numbered = vertex_count.max(face_count) < u32::MAX as usize;
+        ensure!(is_numbered, "meshes", "fewer than 2^32 vertices in one merged mesh", vertex_count);
         let sets = || parts.iter().flat_map(|part| &self.meshes[part.mesh].vertices);
         let positions = match self.borrowed_positions(parts) {
             Some(positions) => positions,

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use super::rows::{Number, Rows, Table};
-use crate::base::{Aabb, Buffer, Error, Progress, Result};
+use crate::base::{Aabb, Buffer, Error, Progress, Result, ensure};
 
 /// Row numbers of a vertex set's attributes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -79,9 +79,7 @@ impl StoredMeshes {
         for row in &rows {
             let length = blocks.get(row.block).map(|block| block.len());
             let fits = row.step >= row.size() && row.end().zip(length).is_some_and(|(end, length)| end <= length);
-            if !fits {
-                return Err(Error::value("rows", "rows within their blocks", format!("{row:?}")));
-            }
+            ensure!(fits, "rows", "rows within their blocks", format!("{row:?}"));
         }
         let mut stored = Self { blocks, rows, meshes: Vec::new(), scale: 1.0 };
         let mut known = HashMap::new();
@@ -118,9 +116,8 @@ impl StoredMeshes {
     /// Adds faces to their mesh; `known` maps attributes to vertex sets of the last mesh.
     fn add(&mut self, part: &StoredFaces, known: &mut HashMap<Attributes, usize>) -> Result<()> {
         let count = self.check_faces(part)?;
-        if part.mesh.saturating_add(1) < self.meshes.len() || part.mesh > self.meshes.len() {
-            return Err(Error::value("faces", "meshes that ascend without gaps", part.mesh));
-        }
+        let is_next = part.mesh.saturating_add(1) >= self.meshes.len() && part.mesh <= self.meshes.len();
+        ensure!(is_next, "faces", "meshes that ascend without gaps", part.mesh);
         if part.mesh == self.meshes.len() {
             let (vertices, faces) = (Vec::new(), Vec::new());
             self.meshes.push(StoredMesh { vertices, faces, is_fit: false, bounds: Aabb::EMPTY });
