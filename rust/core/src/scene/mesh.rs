@@ -308,18 +308,17 @@ pub(super) fn gathered<T: Copy + Send + Sync>(values: &[T], rows: &[u32], progre
 }
 
 #[cfg(test)]
-impl Mesh {
-    /// Returns a mesh of triangles without shared vertices and without materials.
-    pub(crate) fn of_triangles(triangles: &[[[f32; 3]; 3]], objects: FaceMap) -> std::sync::Arc<Self> {
-        let faces = (0..triangles.len() as u32).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
-        let positions = triangles.as_flattened().to_vec().into();
-        Self::new(positions, faces, None, None, objects, FaceMap::Uniform(-1)).unwrap().into()
-    }
-}
-
-#[cfg(test)]
 mod tests {
     use super::*;
+
+    impl Mesh {
+        /// Returns a mesh of triangles without shared vertices and without materials.
+        pub(crate) fn of_triangles(triangles: &[[[f32; 3]; 3]], objects: FaceMap) -> std::sync::Arc<Self> {
+            let faces = (0..triangles.len() as u32).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
+            let positions = triangles.as_flattened().to_vec().into();
+            Self::new(positions, faces, None, None, objects, FaceMap::Uniform(-1)).unwrap().into()
+        }
+    }
 
     #[test]
     fn a_large_mesh_has_the_box_of_its_faces_with_and_without_strays() {

@@ -3,7 +3,7 @@
 use glam::{DVec2, DVec3};
 
 use super::bound::{Form, MIN_CLEARANCE, RadialZone};
-use super::rule::{Cut, EdgeRule, crossing, segment_distance, weights_of_axis};
+use super::edge::{Cut, EdgeRule, crossing, segment_distance, weights_of_axis};
 use super::settings::{Precision, Settings};
 use crate::base::{Error, Result};
 

@@ -2,10 +2,10 @@
 
 use glam::{DVec2, DVec3};
 
+use super::edge::{Cut, EdgeRule, crossing, segment_distance, weights_of_axis};
 use super::grown_bound::{
     MAX_FAR_LENGTH, MAX_FAR_SPREAD, MAX_LENGTH, MAX_RATIO, MAX_SPREAD, Measure, Region, allowed_error,
 };
-use super::rule::{Cut, EdgeRule, crossing, segment_distance, weights_of_axis};
 use super::settings::{Precision, Settings};
 use crate::base::{Error, Result};
 

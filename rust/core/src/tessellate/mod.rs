@@ -10,6 +10,7 @@
 mod assemble;
 mod blend;
 mod bound;
+mod edge;
 mod grown;
 mod grown_bound;
 mod rule;

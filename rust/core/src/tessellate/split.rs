@@ -2,7 +2,8 @@
 
 use glam::DVec3;
 
-use super::rule::{Cut, Rule};
+use super::edge::Cut;
+use super::rule::Rule;
 use super::settings::Precision;
 use crate::base::Result;
 

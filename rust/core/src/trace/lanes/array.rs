@@ -2,7 +2,7 @@
 
 use std::array::from_fn;
 
-use super::{Isa, Lanes};
+use super::isa::{Isa, Lanes};
 
 /// Baseline instruction set of the target.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -3,7 +3,7 @@
 use std::arch::is_x86_feature_detected;
 use std::arch::x86_64::*;
 
-use super::{Isa, Lanes};
+use super::isa::{Isa, Lanes};
 
 /// Proof that the processor supports AVX2.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
