@@ -47,7 +47,7 @@ def main() -> None:
     scene = nf.datasets.city(blocks=3, detail=1)
     with tempfile.TemporaryDirectory() as folder, started() as chromium:
         bundle = nf.stream.export(scene, Path(folder) / "city", center=CENTER, radii=RADII, speed=SPEED)
-        with Server.of_bundle(bundle._reader.place) as server, open_page(chromium, *SIZE) as page:
+        with Server.of_bundle(bundle._reader.location) as server, open_page(chromium, *SIZE) as page:
             page.goto(server.url)
             assert wait_for_ring(page, 0) == ""
             frames = shown_while_it_loads(page, bundle)

@@ -34,20 +34,21 @@ def bisect(rays: Array, points: int) -> Array:
     center, user = np.array(RADII["center"]), np.array(USER)
     v = center - user
     side = v - (rays @ v)[:, None] * rays
-    most = np.linalg.norm(side, axis=1)[:, None]
-    e = side / most
+    max_offset = np.linalg.norm(side, axis=1)[:, None]
+    e = side / max_offset
     # The curve bends between the horizontal distances r1 and r2; a margin on both sides covers all of it.
-    flat = np.linalg.norm(rays[:, [0, 2]], axis=1)[:, None]
+    horizontal = np.linalg.norm(rays[:, [0, 2]], axis=1)[:, None]
     reach = np.linalg.norm(v)
-    steps = np.linspace(RADII["r1"] - reach, RADII["r2"] + reach, points)[None] / flat
-    low, high = np.zeros_like(steps), np.broadcast_to(most, steps.shape).copy()
+    steps = np.linspace(RADII["r1"] - reach, RADII["r2"] + reach, points)[None] / horizontal
+    low, high = np.zeros_like(steps), np.broadcast_to(max_offset, steps.shape).copy()
     for _ in range(HALVINGS):
         y = 0.5 * (low + high)
         p = user + steps[..., None] * rays[:, None] + y[..., None] * e[:, None]
         from_center = p - center
         rho = np.hypot(from_center[..., 0], from_center[..., 2])
         w = np.clip((RADII["r2"] - rho) / (RADII["r2"] - RADII["r1"]), 0.0, 1.0)
-        value = w * y / np.linalg.norm(p - user, axis=-1) + (1 - w) * (y - most) / np.linalg.norm(from_center, axis=-1)
+        ranges = np.linalg.norm(p - user, axis=-1), np.linalg.norm(from_center, axis=-1)
+        value = w * y / ranges[0] + (1 - w) * (y - max_offset) / ranges[1]
         low, high = np.where(value < 0, y, low), np.where(value < 0, high, y)
     return np.asarray(p)
 
@@ -57,9 +58,9 @@ def error(lines: Array, rays: Array) -> float:
     rows = slice(0, len(rays), 20)
     chords = 0.5 * (lines[rows, 1:-1] + lines[rows, 2:])
     defined = np.isfinite(chords[..., 0])
-    shown = nf.morph(chords[defined], user=USER, **RADII) - np.array(USER)
+    morphed = nf.morph(chords[defined], user=USER, **RADII) - np.array(USER)
     ray = np.broadcast_to(rays[rows, None], chords.shape)[defined]
-    return float(np.arctan2(np.linalg.norm(np.cross(shown, ray), axis=1), (shown * ray).sum(axis=1)).max())
+    return float(np.arctan2(np.linalg.norm(np.cross(morphed, ray), axis=1), (morphed * ray).sum(axis=1)).max())
 
 
 def peer(rays: Array, count: int) -> Array:
@@ -70,7 +71,7 @@ def peer(rays: Array, count: int) -> Array:
 
 def margins() -> str:
     """Table of fold margins at several distances from O."""
-    rows = [(away, nf.fold_margin((away, 1.7, 0.0), **RADII)) for away in (0.0, 5.0, 10.0, 15.0, 19.0)]
+    rows = [(distance, nf.fold_margin((distance, 1.7, 0.0), **RADII)) for distance in (0.0, 5.0, 10.0, 15.0, 19.0)]
     return table("Metres left before the picture folds, r1 = 30 m, r2 = 50 m", "|U−O|, m {:g} | margin, m {:.3f}", rows)
 
 
@@ -80,12 +81,12 @@ def main() -> None:
     rays = directions(COUNT)
     # Nearly vertical rays bend kilometres away, where the peer's equal steps are too coarse.
     rays = rays[np.abs(rays[:, 1]) < 0.9]
-    of, cases = functools.partial(error, rays=rays), []
+    error_of, cases = functools.partial(error, rays=rays), []
     for tolerance in (1e-2, 1e-3, 1e-4, 1e-5):
         job = functools.partial(nf.bend_rays, rays, user=USER, tolerance=tolerance, **RADII)
         points = np.isfinite(job()[..., 0]).sum(axis=1).mean()
-        cases.append(Case(f"{OURS}, tolerance {tolerance:g}, {points:.1f} points a ray", job, of))
-    cases += [Case(f"NumPy, {count} points a ray", functools.partial(peer, rays, count), of) for count in (8, 32)]
+        cases.append(Case(f"{OURS}, tolerance {tolerance:g}, {points:.1f} points a ray", job, error_of))
+    cases += [Case(f"NumPy, {count} points a ray", functools.partial(peer, rays, count), error_of) for count in (8, 32)]
     print(compare(f"{len(rays):,} bent rays, r1 = 30 m, r2 = 50 m, |U−O| = 7.8 m", cases, unit="rad"))
     print(margins())
     print(compare("One fold margin", [Case(OURS, lambda: nf.fold_margin(USER, **RADII))]))

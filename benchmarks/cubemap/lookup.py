@@ -65,8 +65,8 @@ def scipy_spline(faces: Array, d: Array, order: int) -> Array:
     """Spline interpolation of stacked faces; positions within half a texel of an edge are clamped to their face."""
     size = faces.shape[1]
     face, x, y = addresses(d, size)
-    places = [face * size + np.clip(y, 0, size - 1), np.clip(x, 0, size - 1)]
-    return np.asarray(map_coordinates(faces.reshape(6 * size, size), places, order=order, mode="nearest"))
+    positions = [face * size + np.clip(y, 0, size - 1), np.clip(x, 0, size - 1)]
+    return np.asarray(map_coordinates(faces.reshape(6 * size, size), positions, order=order, mode="nearest"))
 
 
 def cv2_remap(faces: Array, d: Array, interpolation: int) -> Array:
@@ -104,8 +104,8 @@ def lookups(title: str, d: Array, *, channels: int = 1) -> str:
     def error(result: Array) -> float:
         return float(np.sqrt(np.mean((result - truth) ** 2)))
 
-    chosen = {name: job for name, job in LOOKUPS.items() if channels == 1 or "scipy" not in name}
-    cases = [Case(name, partial(job, faces, d), error) for name, job in chosen.items()]
+    jobs = {name: job for name, job in LOOKUPS.items() if channels == 1 or "scipy" not in name}
+    cases = [Case(name, partial(job, faces, d), error) for name, job in jobs.items()]
     return compare(title, cases, work=Work(bytes=d.nbytes + truth.size * 4), unit="rms")
 
 
@@ -115,26 +115,35 @@ def seams() -> str:
     for size in (64, SIZE):
         faces = smooth(nf.envmap_directions(size)).astype(np.float32)
         d = np.random.default_rng(1).uniform(-1, 1, (400_000, 3))
-        near = np.sign(d) + d / size
-        d[::4], d[1::4, :2] = near[::4], near[1::4, :2]
+        near_corners = np.sign(d) + d / size
+        d[::4], d[1::4, :2] = near_corners[::4], near_corners[1::4, :2]
         ordered = np.sort(np.abs(d), axis=1) / np.abs(d).max(1, keepdims=True)
         corner = ordered[:, 0] > 1 - 1 / size
         edge = (ordered[:, 1] > 1 - 1 / size) & ~corner
         truth = smooth(d)
         for name, job in LOOKUPS.items():
             error = job(faces, d) - truth
-            inside, *seam = (float(np.sqrt(np.mean(error[part] ** 2))) for part in (~(edge | corner), edge, corner))
+            inside, *seam = (float(np.sqrt(np.mean(error[mask] ** 2))) for mask in (~(edge | corner), edge, corner))
             rows.append([f"{size}²", name, inside, *seam, max(seam) / inside])
     header = "faces | lookup | inside {:.1e} | edges {:.1e} | corners {:.1e} | worst seam / inside {:.2f}"
     return table("Errors (rms) of lookups by where they are", header, rows)
 
 
-def numpy_mips(faces: Array) -> list[Array]:
-    """Mip levels by plain means of 2 × 2 texels, which change the mean over the sphere."""
+def peer_mips(faces: Array, halve: Callable[[Array, int], Array]) -> list[Array]:
+    """Mip levels, each from the one before and half its size."""
     levels = [faces]
-    while (size := levels[-1].shape[1]) > 1:
-        levels.append(levels[-1].reshape(6, size // 2, 2, size // 2, 2).mean((2, 4)))
+    while (size := levels[-1].shape[1] // 2) > 0:
+        levels.append(halve(levels[-1], size))
     return levels
+
+
+def numpy_halve(faces: Array, size: int) -> Array:
+    """Plain means of 2 × 2 texels, which change the mean over the sphere."""
+    return np.asarray(faces.reshape(6, size, 2, size, 2).mean((2, 4)))
+
+
+def cv2_halve(faces: Array, size: int) -> Array:
+    return np.stack([cv2.resize(face, (size, size), interpolation=cv2.INTER_AREA) for face in faces])
 
 
 def mips() -> str:
@@ -147,20 +156,10 @@ def mips() -> str:
 
     cases = [
         Case(f"{OURS} cube_mips", lambda: nf.cube_mips(faces), error),
-        Case("NumPy, 2 × 2", lambda: numpy_mips(faces), error),
-        Case("cv2.resize", lambda: cv2_mips(faces), error),
+        Case("NumPy, 2 × 2", lambda: peer_mips(faces, numpy_halve), error),
+        Case("cv2.resize", lambda: peer_mips(faces, cv2_halve), error),
     ]
     return compare("Mip chains of 6 × 1024²", cases, work=Work(bytes=faces.nbytes * 4 / 3))
-
-
-def cv2_mips(faces: Array) -> list[Array]:
-    levels = [faces]
-    while (size := levels[-1].shape[1]) > 1:
-        half = (size // 2, size // 2)
-        levels.append(
-            np.stack([cv2.resize(face, half, interpolation=cv2.INTER_AREA) for face in levels[-1]]).reshape(6, *half)
-        )
-    return levels
 
 
 def cones() -> str:
@@ -191,9 +190,9 @@ def peer_back(values: Array, size: int) -> Array:
     x, y, z = np.moveaxis(nf.envmap_directions(size), -1, 0)
     columns = (np.arctan2(x, -z) / (2 * np.pi) + 0.5) * width + 0.5
     rows = (0.5 - np.arctan2(y, np.hypot(x, z)) / np.pi) * height - 0.5
-    wide = np.pad(values, ((0, 0), (1, 1)), mode="wrap")
+    padded = np.pad(values, ((0, 0), (1, 1)), mode="wrap")
     columns, rows = (p.reshape(6 * size, size).astype(np.float32) for p in (columns, rows))
-    return np.asarray(cv2.remap(wide, columns, rows, cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE)).reshape(
+    return np.asarray(cv2.remap(padded, columns, rows, cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE)).reshape(
         6, size, size
     )
 
@@ -202,17 +201,19 @@ def conversions() -> str:
     """Table of conversions with greatest errors; peers break at seams and poles."""
     cube = smooth(nf.envmap_directions(SIZE)).astype(np.float32)
     shape = (1024, 2048)
-    around = smooth(nf.envmap_directions(shape, layout="equirectangular")).astype(np.float32)
+    flat = smooth(nf.envmap_directions(shape, layout="equirectangular")).astype(np.float32)
 
     def cases(values: Array, truth: Array, peer: Callable[[], Array], **how: Any) -> list[Case]:
         error = greatest_error(truth)
         ours = [Case(f"{OURS} {n}", partial(nf.convert_envmap, values, **how, filter=n), error) for n in FILTERS]
         return [*ours, Case("NumPy and cv2.remap", peer, error)]
 
-    there = cases(cube, around, lambda: peer_convert(cube, 2048), source="cube", target="equirectangular", size=shape)
-    back = cases(around, cube, lambda: peer_back(around, SIZE), source="equirectangular", target="cube", size=SIZE)
-    first = compare("Cube of 6 × 512² to equirectangular of 2048 × 1024", there, unit="greatest")
-    return f"{first}\n{compare('Equirectangular of 2048 × 1024 to cube of 6 × 512²', back, unit='greatest')}"
+    layouts: dict[str, Any] = {"source": "cube", "target": "equirectangular"}
+    from_cube = cases(cube, flat, lambda: peer_convert(cube, 2048), **layouts, size=shape)
+    layouts = {"source": "equirectangular", "target": "cube"}
+    to_cube = cases(flat, cube, lambda: peer_back(flat, SIZE), **layouts, size=SIZE)
+    first_table = compare("Cube of 6 × 512² to equirectangular of 2048 × 1024", from_cube, unit="greatest")
+    return f"{first_table}\n{compare('Equirectangular of 2048 × 1024 to cube of 6 × 512²', to_cube, unit='greatest')}"
 
 
 def main() -> None:
@@ -229,8 +230,8 @@ def main() -> None:
     print(mips(), flush=True)
     print(cones(), flush=True)
     print(conversions())
-    chosen = ("10⁶ random directions in faces of 512², float32", "Cube of 6 × 512² to equirectangular of 2048 × 1024")
-    draw([comparisons[title] for title in chosen], "cube maps")
+    titles = ("10⁶ random directions in faces of 512², float32", "Cube of 6 × 512² to equirectangular of 2048 × 1024")
+    draw([comparisons[title] for title in titles], "cube maps")
 
 
 if __name__ == "__main__":

@@ -54,13 +54,13 @@ def drawn_by_pyrender(scene: nf.Scene, camera: nf.Camera) -> list[Case]:
     normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-20)
     mesh = peer.Mesh([peer.Primitive(positions=corners.reshape(-1, 3), normals=np.repeat(normals, 3, axis=0))])
-    whole = opengl.scene_of(mesh, camera, origin=scene.origin, ambient_light=(0.3, 0.3, 0.3))
-    whole.add(peer.DirectionalLight(intensity=3.0), pose=opengl.pose_of(camera, scene.origin))
+    peer_scene = opengl.scene_of(mesh, camera, origin=scene.origin, ambient_light=(0.3, 0.3, 0.3))
+    peer_scene.add(peer.DirectionalLight(intensity=3.0), pose=opengl.pose_of(camera, scene.origin))
     renderer = peer.OffscreenRenderer(*SIZE)
     both_sides = peer.RenderFlags.SKIP_CULL_FACES
-    ways = {"lit": both_sides, "flat": both_sides | peer.RenderFlags.FLAT}
-    ways["depth alone"] = both_sides | peer.RenderFlags.DEPTH_ONLY
-    return [Case(f"pyrender, {name}", partial(renderer.render, whole, flags)) for name, flags in ways.items()]
+    flags_of = {"lit": both_sides, "flat": both_sides | peer.RenderFlags.FLAT}
+    flags_of["depth alone"] = both_sides | peer.RenderFlags.DEPTH_ONLY
+    return [Case(f"pyrender, {name}", partial(renderer.render, peer_scene, flags)) for name, flags in flags_of.items()]
 
 
 def frames(scene: nf.Scene, camera: nf.Camera, plots: Path | None) -> str:
@@ -68,9 +68,9 @@ def frames(scene: nf.Scene, camera: nf.Camera, plots: Path | None) -> str:
     exact = nf.render(scene, camera, channels=("range", "face_id"), backend="cpu")
 
     def error(frame: nf.Frame) -> float:
-        other = nf.render(scene, camera, channels=("range", "face_id"), backend="gpu")
-        same = (exact.require("face_id") == other.require("face_id")) & np.isfinite(exact.require("range"))
-        expected, got = exact.require("range")[same], frame.require("range")[same]
+        drawn = nf.render(scene, camera, channels=("range", "face_id"), backend="gpu")
+        has_same_face = (exact.require("face_id") == drawn.require("face_id")) & np.isfinite(exact.require("range"))
+        expected, got = exact.require("range")[has_same_face], frame.require("range")[has_same_face]
         return float(np.percentile(np.abs(got - expected) / expected, 99.9))
 
     job = partial(nf.render, scene, camera, channels=CHANNELS)
@@ -141,10 +141,10 @@ def path(scene: nf.Scene, camera: nf.Camera, count: int = 20) -> str:
         nf.gpu.select(name)
         alone = best(partial(one_by_one, scene, cameras), repeat=2)
         walk(scene, cameras)
-        before = nf.gpu.stats()
-        ahead = best(partial(walk, scene, cameras), repeat=2)
-        made, sent = (nf.gpu.stats()[key] - before[key] for key in ("allocations", "uploaded_bytes"))
-        rows.append([name, alone.ms / count, ahead.ms / count, made, sent / (3 * count)])
+        old_stats = nf.gpu.stats()
+        in_path = best(partial(walk, scene, cameras), repeat=2)
+        buffers, sent = (nf.gpu.stats()[key] - old_stats[key] for key in ("allocations", "uploaded_bytes"))
+        rows.append([name, alone.ms / count, in_path.ms / count, buffers, sent / (3 * count)])
     header = f"adapter | ms a frame {{:.0f}} | ms in a path {{:.0f}} | buffers made in {3 * count} frames"
     return table(f"Paths of {scene.triangle_count:,} triangles", header + " | bytes sent a frame {:.0f}", rows)
 
@@ -172,10 +172,10 @@ def headset(scene: nf.Scene) -> str:
     bake = partial(nf.reduce, scene, center=center, r1=NEAR, r2=FAR, face_size=2048, backend="gpu")
     rows = []
     for name, source in (("full", scene), ("reduced", bake())):
-        both = best(partial(walk, source, 10 * eyes), repeat=3).wall / 10
+        seconds = best(partial(walk, source, 10 * eyes), repeat=3).wall / 10
         frame = nf.gpu.render(source, eyes[0], channels=("color",))
         read = 2 * best(frame.read, repeat=3).wall
-        rows.append([name, 1e3 * both, 1 / both, 1e3 * (both - read), 1e3 * read])
+        rows.append([name, 1e3 * seconds, 1 / seconds, 1e3 * (seconds - read), 1e3 * read])
     title = f"2 x {EYE[0]} x {EYE[1]} of {scene.triangle_count:,} triangles on {hardware[0].name}"
     header = " | ms {:.1f} | frames a second {:.0f} | of it drawing {:.1f} | of it reading {:.1f}"
     baked = best(bake, repeat=3).wall

@@ -17,23 +17,23 @@ SIZE = (1920, 1080)
 PLACE: dict[str, Any] = {"user": (3.0, 1.0, 2.0), "center": (0.0, 1.7, 0.0), "r1": 30.0, "r2": 50.0}
 
 
-def greatest(result: NDArray[Any], expected: NDArray[Any]) -> float:
+def greatest_difference(result: NDArray[Any], expected: NDArray[Any]) -> float:
     """Greatest difference of values that are defined in both arrays."""
-    apart = np.abs(result.astype(np.float64) - expected)
-    return float(np.nanmax(np.where(result == expected, 0.0, apart)))
+    differences = np.abs(result.astype(np.float64) - expected)
+    return float(np.nanmax(np.where(result == expected, 0.0, differences)))
 
 
-FEW = slice(100_000)
+FIRST_ROWS = slice(100_000)
 
 
-def of_first(result: NDArray[Any], expected: NDArray[Any]) -> float:
+def greatest_of_first(result: NDArray[Any], expected: NDArray[Any]) -> float:
     """Greatest difference of the first rows."""
-    return greatest(result[FEW], expected)
+    return greatest_difference(result[FIRST_ROWS], expected)
 
 
-def share(result: NDArray[Any], expected: NDArray[Any]) -> float:
+def share_that_differs(result: NDArray[Any], expected: NDArray[Any]) -> float:
     """Share of the first rows that differ."""
-    return float((result[FEW] != expected).mean())
+    return float((result[FIRST_ROWS] != expected).mean())
 
 
 def frames(label: str) -> None:
@@ -41,28 +41,28 @@ def frames(label: str) -> None:
     scene = nf.datasets.city(blocks=4, seed=0)
     fov = nf.Fov.symmetric(90, SIZE[0] / SIZE[1])
     views = [nf.Camera.look_at((x, 12, 0), (60, 5, 20), fov=fov, size=SIZE) for x in (0.0, 0.5)]
-    one, other = (gpu.render(scene, view, channels=("color", "position")) for view in views)
-    read = one.read(), other.read()
+    first_frame, second_frame = (gpu.render(scene, view, channels=("color", "position")) for view in views)
+    read = first_frame.read(), second_frame.read()
     mean, similarities = nf.ssim(*read, full=True)
 
     off = greatest_error(mean)
 
     def map_off(result: Any) -> float:
-        return greatest(result[1], similarities)
+        return greatest_difference(result[1], similarities)
 
     cases = [
-        Case(f"{OURS}, on the device", lambda: gpu.ssim(one, other), off),
-        Case(f"{OURS}, on the device, with map", lambda: gpu.ssim(one, other, full=True), map_off),
-        Case("read back, then CPU", lambda: nf.ssim(one.read(), other.read()), off),
+        Case(f"{OURS}, on the device", lambda: gpu.ssim(first_frame, second_frame), off),
+        Case(f"{OURS}, on the device, with map", lambda: gpu.ssim(first_frame, second_frame, full=True), map_off),
+        Case("read back, then CPU", lambda: nf.ssim(first_frame.read(), second_frame.read()), off),
         Case("CPU alone", lambda: nf.ssim(*read), off),
-        Case("reading both back alone", lambda: (one.read(), other.read())),
+        Case("reading both back alone", lambda: (first_frame.read(), second_frame.read())),
     ]
     print(compare(f"SSIM of two frames of {SIZE[0]} × {SIZE[1]} pixels, {label}", cases))
-    of = partial(greatest, expected=nf.metrics.discontinuity(read[0], views[1]))
+    error_of = partial(greatest_difference, expected=nf.metrics.discontinuity(read[0], views[1]))
     cases = [
-        Case(f"{OURS}, on the device", lambda: gpu.discontinuity(one, views[1]), of),
-        Case("read back, then CPU", lambda: nf.metrics.discontinuity(one.read(), views[1]), of),
-        Case("CPU alone", lambda: nf.metrics.discontinuity(read[0], views[1]), of),
+        Case(f"{OURS}, on the device", lambda: gpu.discontinuity(first_frame, views[1]), error_of),
+        Case("read back, then CPU", lambda: nf.metrics.discontinuity(first_frame.read(), views[1]), error_of),
+        Case("CPU alone", lambda: nf.metrics.discontinuity(read[0], views[1]), error_of),
     ]
     print(compare(f"Discontinuity of a frame of {SIZE[0]} × {SIZE[1]} pixels, ε = 17, {label}", cases))
 
@@ -72,16 +72,17 @@ def arrays(label: str) -> None:
     random = np.random.default_rng(0)
     points = (random.random((10_000_000, 3), np.float32) - np.float32(0.5)) * np.float32(150)
     for kind in ("blend", "cylinder"):
-        of = partial(of_first, expected=nf.morph(points[FEW].astype(np.float64), **PLACE, kind=kind))
-        cases = [Case(f"{OURS}, device", partial(gpu.morph, points, **PLACE, kind=kind), of)]
-        cases += [Case("CPU", partial(nf.morph, points, **PLACE, kind=kind), of)]
+        exact = nf.morph(points[FIRST_ROWS].astype(np.float64), **PLACE, kind=kind)
+        error_of = partial(greatest_of_first, expected=exact)
+        cases = [Case(f"{OURS}, device", partial(gpu.morph, points, **PLACE, kind=kind), error_of)]
+        cases += [Case("CPU", partial(nf.morph, points, **PLACE, kind=kind), error_of)]
         print(compare(f"Morph ({kind}) of 10⁷ float32 points, sent and read back, {label}", cases, repeat=3, unit="m"))
     faces = random.random((6, 1024, 1024), np.float32)
-    for chosen in ("nearest", "max"):
-        of = partial(share, expected=nf.cube_lookup(faces, points[FEW], filter=chosen))
-        cases = [Case(f"{OURS}, device", partial(gpu.cube_lookup, faces, points, filter=chosen), of)]
-        cases += [Case("CPU", partial(nf.cube_lookup, faces, points, filter=chosen))]
-        title = f"Lookup ({chosen}) of 10⁷ directions in faces of 1024 texels, sent and read back, {label}"
+    for filter_name in ("nearest", "max"):
+        error_of = partial(share_that_differs, expected=nf.cube_lookup(faces, points[FIRST_ROWS], filter=filter_name))
+        cases = [Case(f"{OURS}, device", partial(gpu.cube_lookup, faces, points, filter=filter_name), error_of)]
+        cases += [Case("CPU", partial(nf.cube_lookup, faces, points, filter=filter_name))]
+        title = f"Lookup ({filter_name}) of 10⁷ directions in faces of 1024 texels, sent and read back, {label}"
         print(compare(title, cases, repeat=3, unit="share that differ"))
 
 

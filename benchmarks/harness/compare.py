@@ -75,27 +75,27 @@ def limits() -> Limits:
     """Measure the machine's limits once."""
     rates, side = {}, 1536
     for double in (False, True):
-        one = np.ones((side, side), np.float64 if double else np.float32)
-        rates[double] = side**3 / best(functools.partial(np.matmul, one, one), warm=False).wall
+        matrix = np.ones((side, side), np.float64 if double else np.float32)
+        rates[double] = side**3 / best(functools.partial(np.matmul, matrix, matrix), warm=False).wall
     cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
-    parts = [np.zeros(1 << 24, np.float32) for _ in range(cores)]
+    arrays = [np.zeros(1 << 24, np.float32) for _ in range(cores)]
 
     def read() -> None:
-        threads = [threading.Thread(target=part.max) for part in parts]
+        threads = [threading.Thread(target=part.max) for part in arrays]
         for thread in threads:
             thread.start()
         for thread in threads:
             thread.join()
 
-    return Limits(rates, sum(part.nbytes for part in parts) / best(read, warm=False).wall)
+    return Limits(rates, sum(part.nbytes for part in arrays) / best(read, warm=False).wall)
 
 
 def print_limits() -> None:
     """Print the machine's limits in one line."""
-    here = limits()
+    limit = limits()
     print(
-        f"limits of this machine, measured: {here.multiply_adds[False] / 1e9:.0f} · 10⁹ multiply-adds a second in "
-        f"float32, {here.multiply_adds[True] / 1e9:.0f} · 10⁹ in float64, {here.read / 1e9:.0f} GB/s read\n",
+        f"limits of this machine, measured: {limit.multiply_adds[False] / 1e9:.0f} · 10⁹ multiply-adds a second in "
+        f"float32, {limit.multiply_adds[True] / 1e9:.0f} · 10⁹ in float64, {limit.read / 1e9:.0f} GB/s read\n",
         flush=True,
     )
 
@@ -103,18 +103,9 @@ def print_limits() -> None:
 def compare(title: str, cases: Sequence[Case], *, work: Work | None = None, repeat: int = 7, unit: str = "") -> str:
     """Time cases alternately, because machines are noisy; returns a table, and saves a plot of time against error.
 
-    Parameters
-    ----------
-    title
-        Title of the table and of the plot.
-    cases
-        The cases; the first one is nearfar's, and ratios are relative to it.
-    work
-        Least work of the job; the table lists each case's time relative to the machine's limit for it.
-    repeat
-        Number of rounds, of which the least time counts. Cases that take seconds run fewer times.
-    unit
-        Unit of errors.
+    The first case is nearfar's, and ratios are relative to it. With the least work of the job the table lists each
+    case's time relative to the machine's limit for it. Of `repeat` rounds the least time counts; cases that take
+    seconds run fewer times. `unit` is that of the errors.
     """
     outcomes, first_times = zip(*(timed(case.job) for case in cases), strict=True)
     errors = [case.error(outcome) if case.error else None for case, outcome in zip(cases, outcomes, strict=True)]
@@ -158,7 +149,7 @@ class Comparison:
 
     title: str
     results: Sequence[Result]
-    least: float | None
+    min_seconds: float | None
     """Least time in seconds that the work takes on this machine."""
     unit: str
 
@@ -170,7 +161,7 @@ comparisons: dict[str, Comparison] = {}
 def draw(comparisons: Sequence[Comparison], title: str) -> str | None:
     """Save a plot of time against error and return its name; None if no folder is set or no case has an error."""
     folder = os.environ.get(FOLDER)
-    if not folder or not all(any(result.error for result in shown.results) for shown in comparisons):
+    if not folder or not all(any(result.error for result in comparison.results) for comparison in comparisons):
         return None
     figure, grid = subplots(1, len(comparisons), figsize=(6.5 * len(comparisons), 4.2), squeeze=False)
     for axes, shown in zip(grid[0], comparisons, strict=True):
@@ -182,28 +173,28 @@ def draw(comparisons: Sequence[Comparison], title: str) -> str | None:
     return name
 
 
-def _panel(axes: Any, shown: Comparison) -> None:
+def _panel(axes: Any, comparison: Comparison) -> None:
     """Draw cases by time and error, nearfar's in red, with the Pareto front and the machine's limit."""
-    measured = [(result, result.error) for result in shown.results if result.error is not None]
+    errors = [(result, result.error) for result in comparison.results if result.error is not None]
     # Zero errors have no place on a logarithmic axis and are drawn below all others.
-    floor = min(error for _, error in measured if error) / 10
-    points = [(result.timing.wall * 1e3, max(error, floor)) for result, error in measured]
-    placed: list[tuple[float, float]] = []
-    for (x, y), (result, error) in zip(points, measured, strict=True):
+    floor = min(error for _, error in errors if error) / 10
+    points = [(result.timing.wall * 1e3, max(error, floor)) for result, error in errors]
+    label_positions: list[tuple[float, float]] = []
+    for (x, y), (result, error) in zip(points, errors, strict=True):
         axes.scatter(x, y, s=60, color="#c8102e" if result.name.startswith(OURS) else "#888888", zorder=3)
         label = result.name if error else f"{result.name} (0)"
         # Labels of close points are stacked.
-        at = (np.log10(x), np.log10(y))
-        above = sum(abs(at[0] - other[0]) < 0.8 and abs(at[1] - other[1]) < 0.6 for other in placed)
-        placed.append(at)
-        axes.annotate(label, (x, y), xytext=(6, 5 + 11 * above), textcoords="offset points", fontsize=8)
+        position = (np.log10(x), np.log10(y))
+        level = sum(abs(position[0] - a) < 0.8 and abs(position[1] - b) < 0.6 for a, b in label_positions)
+        label_positions.append(position)
+        axes.annotate(label, (x, y), xytext=(6, 5 + 11 * level), textcoords="offset points", fontsize=8)
     front = sorted(point for point in points if not any(_better(other, point) for other in points))
     axes.step([x for x, _ in front], [y for _, y in front], where="post", color="#c8102e", alpha=0.4)
-    if shown.least:
-        axes.axvline(shown.least * 1e3, linestyle=":", color="black")
-        axes.text(shown.least * 1e3, 0.03, " limit", fontsize=8, transform=axes.get_xaxis_transform())
-    label = f"error{', ' + shown.unit if shown.unit else ''}"
-    axes.set(xscale="log", yscale="log", xlabel="milliseconds", ylabel=label, title=shown.title)
+    if comparison.min_seconds:
+        axes.axvline(comparison.min_seconds * 1e3, linestyle=":", color="black")
+        axes.text(comparison.min_seconds * 1e3, 0.03, " limit", fontsize=8, transform=axes.get_xaxis_transform())
+    label = f"error{', ' + comparison.unit if comparison.unit else ''}"
+    axes.set(xscale="log", yscale="log", xlabel="milliseconds", ylabel=label, title=comparison.title)
     axes.margins(0.35, 0.2)
     axes.grid(alpha=0.3)
 

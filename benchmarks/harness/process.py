@@ -11,10 +11,7 @@ from typing import Any
 def run_module(module: str, *arguments: object, seconds: float | None = None) -> Any:
     """Run a module with arguments; return the JSON of the last line that it prints.
 
-    Raises
-    ------
-    RuntimeError
-        The process failed, with its last message, or did not end within `seconds`.
+    RuntimeError if the process failed, with its last message, or did not end within `seconds`.
     """
     command = [sys.executable, "-m", module, *map(str, arguments)]
     try:

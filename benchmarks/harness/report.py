@@ -37,16 +37,10 @@ SHARED: dict[str, dict[str, Any]] = {
 def start(doc: str | None, *shared: str, **own: Any) -> argparse.Namespace:
     """Read the options of a benchmark from the command line, and print the machine.
 
-    Parameters
-    ----------
-    doc
-        The module's description.
-    shared
-        Names of `SHARED`.
-    own
-        Further options by name: the default, whose type is that of the option; a pair of it and a help text, where a
-        type stands for no default; or the settings of `ArgumentParser.add_argument`, where "nargs" makes the argument
-        positional unless it has a default or is optional itself.
+    `doc` is the module's description; `shared` are names of `SHARED`; `own` are further options by name: the default,
+    whose type is that of the option; a pair of it and a help text, where a type stands for no default; or the settings
+    of `ArgumentParser.add_argument`, where "nargs" makes the argument positional unless it has a default or is optional
+    itself.
     """
     own_name = getattr(sys.modules["__main__"].__spec__, "name", None)
     parser = argparse.ArgumentParser(
@@ -56,8 +50,8 @@ def start(doc: str | None, *shared: str, **own: Any) -> argparse.Namespace:
         parser.add_argument(name, **SHARED[name])
     if "--plots" in shared or "--out" in shared:
         parser.set_defaults(plots=os.environ.get(FOLDER), out=os.environ.get(FOLDER))
-    for name, given in own.items():
-        settings = given if isinstance(given, dict) else _settings(*(given if isinstance(given, tuple) else (given,)))
+    for name, value in own.items():
+        settings = value if isinstance(value, dict) else _settings(*(value if isinstance(value, tuple) else (value,)))
         is_option = "default" in settings or "type" in settings
         parser.add_argument(f"--{name.replace('_', '-')}" if is_option else name, **settings)
     options = parser.parse_args()
@@ -85,15 +79,9 @@ def machine() -> str:
 def table(title: str, header: str | Sequence[str], rows: Iterable[Iterable[Any]]) -> str:
     """Format a Markdown table under a title.
 
-    Parameters
-    ----------
-    title
-        Title of the table.
-    header
-        Titles of the columns, or one text with " | " between them. A format in braces may end a title: the values of
-        "seconds {:.2f}" have two decimals.
-    rows
-        Values of each row. Texts stay as they are, None is an empty cell, and a tuple fills several braces.
+    The header is the titles of the columns, or one text with " | " between them. A format in braces may end a title:
+    the values of "seconds {:.2f}" have two decimals. Of the rows' values texts stay as they are, None is an empty cell,
+    and a tuple fills several braces.
     """
     columns = [title.partition(" {") for title in (header.split(" | ") if isinstance(header, str) else header)]
     titles, formats = [name for name, _, _ in columns], [brace.strip() + rest for _, brace, rest in columns]

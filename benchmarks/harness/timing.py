@@ -60,7 +60,7 @@ def in_turns(
 ) -> dict[str, Timing]:
     """Run jobs alternately, because machines are noisy; return the least times of each."""
     rounds = [{name: timed(job, clock=clock)[1] for name, job in jobs.items()} for _ in range(repeat)]
-    return {name: functools.reduce(least, (each[name] for each in rounds)) for name in jobs}
+    return {name: functools.reduce(least, (round_times[name] for round_times in rounds)) for name in jobs}
 
 
 @contextmanager

@@ -14,7 +14,7 @@ import nearfar as nf
 from nearfar._base import cache, data
 
 
-def whole() -> tuple[NDArray[np.float32], NDArray[np.uint32]] | None:
+def load_arrays() -> tuple[NDArray[np.float32], NDArray[np.uint32]] | None:
     """Load vertices and faces of 29.8 million triangles, or None without the tool. The first call takes a minute."""
     stored = _stored()
     return None if stored is None else (stored["vertices"], stored["faces"])

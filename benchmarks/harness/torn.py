@@ -9,19 +9,19 @@ import nearfar as nf
 
 Array = NDArray[np.float64]
 
-WIDE = nf.Camera((3, 2, 1), fov=nf.Fov.symmetric(90), size=(160, 160))
-MIDDLE = 80.2
+DEFAULT_VIEW = nf.Camera((3, 2, 1), fov=nf.Fov.symmetric(90), size=(160, 160))
+LINE_POSITION = 80.2
 """Position of the line, which runs between pixel centres at any angle."""
 KINDS = ("opening", "sliding", "overlap")
 """Names of the motions of both halves."""
 
 
-def pixels(view: nf.Camera = WIDE) -> Array:
+def pixels(view: nf.Camera = DEFAULT_VIEW) -> Array:
     """Middles of the picture's pixels (H, W, 2)."""
     return np.stack(np.meshgrid(np.arange(view.width) + 0.5, np.arange(view.height) + 0.5), axis=-1)
 
 
-def picture(truth: Array, view: nf.Camera = WIDE) -> nf.Frame:
+def picture(truth: Array, view: nf.Camera = DEFAULT_VIEW) -> nf.Frame:
     """Make the frame whose pixels show points at given places (H, W, 2) of the truth."""
     fov = view.fov
     assert isinstance(fov, nf.Fov)
@@ -40,30 +40,30 @@ def torn(
     each other, or "overlap", where one hides the other. A curvature c shows a point that is x pixels from the middle,
     across the line, at x + c x².
     """
-    across = np.array([np.cos(direction), np.sin(direction)])
-    along = np.array([-across[1], across[0]])
-    offset = pixels() - MIDDLE
-    away = offset @ across
-    side = np.sign(away)
+    normal = np.array([np.cos(direction), np.sin(direction)])
+    tangent = np.array([-normal[1], normal[0]])
+    offset = pixels() - LINE_POSITION
+    distances = offset @ normal
+    side = np.sign(distances)
     if kind == "sliding":
-        back = offset - (side * tear / 2.0)[..., None] * along
+        truth = offset - (side * tear / 2.0)[..., None] * tangent
     else:
-        back = offset - (side * (tear / 2.0 if kind == "opening" else -tear / 2.0))[..., None] * across
+        truth = offset - (side * (tear / 2.0 if kind == "opening" else -tear / 2.0))[..., None] * normal
     if curvature:
         # The inverse of x + c x², for |c x| small.
-        x = back @ across
-        flat = 2.0 * x / (1.0 + np.sqrt(np.maximum(1.0 + 4.0 * curvature * x, 1e-3)))
-        back += (flat - x)[..., None] * across
-    back[..., 0] -= shear * back[..., 1]
+        x = truth @ normal
+        uncurved = 2.0 * x / (1.0 + np.sqrt(np.maximum(1.0 + 4.0 * curvature * x, 1e-3)))
+        truth += (uncurved - x)[..., None] * normal
+    truth[..., 0] -= shear * truth[..., 1]
     if kind == "opening":
-        back[np.abs(away) < tear / 2.0] = np.nan
-    return picture(back + MIDDLE)
+        truth[np.abs(distances) < tear / 2.0] = np.nan
+    return picture(truth + LINE_POSITION)
 
 
-def at_the_line(found: NDArray[np.float32], tear: float, direction: float, *, kind: str = "opening") -> Array:
+def at_the_line(values: NDArray[np.float32], tear: float, direction: float, *, kind: str = "opening") -> Array:
     """Values of the pixels along the line, away from the picture's edges."""
-    offset = pixels() - MIDDLE
-    apart = tear / 2.0 if kind == "opening" else 0.0
-    away = np.abs(offset @ (np.cos(direction), np.sin(direction))) - apart
-    beside = (np.abs(away) < 1) & (np.linalg.norm(offset, axis=-1) < 40) & ~np.isnan(found)
-    return np.asarray(found[beside], np.float64)
+    offset = pixels() - LINE_POSITION
+    half_gap = tear / 2.0 if kind == "opening" else 0.0
+    distances = np.abs(offset @ (np.cos(direction), np.sin(direction))) - half_gap
+    beside = (np.abs(distances) < 1) & (np.linalg.norm(offset, axis=-1) < 40) & ~np.isnan(values)
+    return np.asarray(values[beside], np.float64)

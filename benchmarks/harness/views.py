@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
+from nearfar._trace.rays import surface_heights
 
 GOLDEN = 0.381966
 """Golden angle as a share of a turn; its multiples give directions that never repeat."""
@@ -26,16 +27,14 @@ def center_for(scene: nf.Scene, radius: float, *, grid: int = 38, reach: float =
     """
     low, high = scene.bounds
     axis = np.linspace(-1.0, 1.0, grid)
-    half = np.minimum(0.35 * (high - low), reach)[[0, 2]]
-    x, z = (np.stack(np.meshgrid(axis, axis), axis=-1).reshape(-1, 2) * half + (0.5 * (low + high))[[0, 2]]).T
-    above = np.column_stack([x, np.full(len(x), high[1] + 1.0), z])
-    down = nf.cast_rays(scene, above, np.tile([0.0, -1.0, 0.0], (len(x), 1))).t_hit
-    ground = np.where(np.isfinite(down), high[1] + 1.0 - down, low[1])
+    half_size = np.minimum(0.35 * (high - low), reach)[[0, 2]]
+    x, z = (np.stack(np.meshgrid(axis, axis), axis=-1).reshape(-1, 2) * half_size + (0.5 * (low + high))[[0, 2]]).T
+    ground = np.nan_to_num(surface_heights(scene, np.column_stack([x, z]), from_above=True), nan=low[1])
     eyes = np.column_stack([x, ground + 1.7, z])[ground <= np.percentile(ground, 10.0) + 2.0]
     distances = _distances_around(scene, eyes)
     ends = ((distances > 0.9 * radius) & (distances < 1.1 * radius)).sum(axis=1)
-    best = eyes[np.argmax(ends * (distances.min(axis=1) >= _FARTHEST + 1.0))]
-    return float(best[0]), float(best[1]), float(best[2])
+    best_eye = eyes[np.argmax(ends * (distances.min(axis=1) >= _FARTHEST + 1.0))]
+    return float(best_eye[0]), float(best_eye[1]), float(best_eye[2])
 
 
 def views(
@@ -48,11 +47,12 @@ def views(
     center, count_so_far = np.array(reduced.center), 0
     for k in range(100):
         turn = 2.0 * np.pi * GOLDEN * k
-        away = np.array([np.cos(turn), 0.0, np.sin(turn)])
-        across = np.array([-np.sin(turn), -0.02, np.cos(turn)]) * (1 if k % 2 else -1)
-        user = center + away * (_NEAREST + (_FARTHEST - _NEAREST) * count_so_far / (count - 1))
-        camera = nf.Camera.look_at(user, user + across, fov=nf.Fov.symmetric(90, size[0] / size[1]), size=size)
-        if _is_free(reduced.scene, center, user, away, across) and boundary_length(reduced, camera) >= least_boundary:
+        direction = np.array([np.cos(turn), 0.0, np.sin(turn)])
+        sideways = np.array([-np.sin(turn), -0.02, np.cos(turn)]) * (1 if k % 2 else -1)
+        user = center + direction * (_NEAREST + (_FARTHEST - _NEAREST) * count_so_far / (count - 1))
+        camera = nf.Camera.look_at(user, user + sideways, fov=nf.Fov.symmetric(90, size[0] / size[1]), size=size)
+        is_free = _is_free(reduced.scene, center, user, direction, sideways)
+        if is_free and boundary_length(reduced, camera) >= least_boundary:
             count_so_far += 1
             yield camera
         if count_so_far == count:
@@ -69,14 +69,14 @@ def _is_free(
     scene: nf.Scene,
     center: NDArray[np.float64],
     user: NDArray[np.float64],
-    away: NDArray[np.float64],
-    across: NDArray[np.float64],
+    direction: NDArray[np.float64],
+    sideways: NDArray[np.float64],
 ) -> bool:
     """Whether nothing lies within 2 m of the user, nor between the centre and the user."""
-    around = np.stack([away, -away, across, -across])
-    room = float(nf.cast_rays(scene, np.tile(user, (4, 1)), around).t_hit.min())
-    way = float(nf.cast_rays(scene, center[None], away[None]).t_hit[0])
-    return room > 2.0 and way > float(np.linalg.norm(user - center))
+    directions = np.stack([direction, -direction, sideways, -sideways])
+    free_distance = float(nf.cast_rays(scene, np.tile(user, (4, 1)), directions).t_hit.min())
+    distance = float(nf.cast_rays(scene, center[None], direction[None]).t_hit[0])
+    return free_distance > 2.0 and distance > float(np.linalg.norm(user - center))
 
 
 def _distances_around(scene: nf.Scene, eyes: NDArray[np.float64]) -> NDArray[np.float32]:

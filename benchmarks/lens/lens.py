@@ -22,12 +22,12 @@ RIFT_S = nf.RadialLens((0.22, 0.24))
 COUNT = 1_000_000
 
 
-def inverse(title: str, end: float) -> str:
-    """Table for radii spread evenly up to `end`; the error is the difference after the way back."""
-    radii = np.random.default_rng(0).random(COUNT) * end
-    shown = RIFT_S.distort(radii)
+def inverse(title: str, max_radius: float) -> str:
+    """Table for radii spread evenly up to `max_radius`; the error is the difference after the way back."""
+    radii = np.random.default_rng(0).random(COUNT) * max_radius
+    distorted = RIFT_S.distort(radii)
     points = np.zeros((COUNT, 1, 2))
-    points[:, 0, 0] = shown
+    points[:, 0, 0] = distorted
     k1, k2 = RIFT_S.k
     coefficients = np.array([k1, k2, 0.0, 0.0])
 
@@ -36,27 +36,27 @@ def inverse(title: str, end: float) -> str:
         return np.asarray(result, np.float64)[:, 0, 0]
 
     def newton() -> Array:
-        square = shown * shown
-        r = shown / np.cbrt(1 + k1 * square + k2 * square * square)
+        square = distorted * distorted
+        r = distorted / np.cbrt(1 + k1 * square + k2 * square * square)
         for _ in range(4):
             square = r * r
             slope = 1 + square * (3 * k1 + 5 * k2 * square)
-            r = r - (r * (1 + square * (k1 + k2 * square)) - shown) / slope
+            r = r - (r * (1 + square * (k1 + k2 * square)) - distorted) / slope
         return np.asarray(r)
 
-    nodes = np.linspace(0, end, 4096)
+    nodes = np.linspace(0, max_radius, 4096)
     images = RIFT_S.distort(nodes)
-    error, ours = greatest_error(radii), functools.partial(RIFT_S.undistort, shown)
+    error, undistort = greatest_error(radii), functools.partial(RIFT_S.undistort, distorted)
     cases = [
-        Case(f"{OURS}, newton", ours, error),
-        Case(f"{OURS}, lut", functools.partial(ours, method="lut"), error),
-        Case(f"{OURS}, fixed_point, 5 steps", functools.partial(ours, method="fixed_point"), error),
+        Case(f"{OURS}, newton", undistort, error),
+        Case(f"{OURS}, lut", functools.partial(undistort, method="lut"), error),
+        Case(f"{OURS}, fixed_point, 5 steps", functools.partial(undistort, method="fixed_point"), error),
         Case(f"{OURS}, newton, points", lambda: RIFT_S.undistort_points(points[:, 0])[:, 0], error),
         Case("OpenCV, undistortPoints", opencv, error),
         Case("NumPy, 4 steps of Newton", newton, error),
-        Case("NumPy, interp over 4,096", lambda: np.interp(shown, images, nodes), error),
+        Case("NumPy, interp over 4,096", lambda: np.interp(distorted, images, nodes), error),
     ]
-    return compare(title, cases, work=Work(bytes=shown.nbytes * 2))
+    return compare(title, cases, work=Work(bytes=distorted.nbytes * 2))
 
 
 def warps() -> str:
@@ -67,31 +67,32 @@ def warps() -> str:
     exact = 127.5 + 100 * np.stack(waves, axis=-1)
     image = exact.astype(np.uint8)
     fov = nf.Fov(-1.0, 1.0, -height / width, height / width)
-    places = (np.stack(np.meshgrid(np.arange(width), np.arange(height)), axis=-1) + 0.5) / width * 2 - 1
-    places[..., 1] -= height / width - 1
-    best = RIFT_S.warp(exact, True, fov=fov, filter="cubic")
+    tangents = (np.stack(np.meshgrid(np.arange(width), np.arange(height)), axis=-1) + 0.5) / width * 2 - 1
+    tangents[..., 1] -= height / width - 1
+    exact_warp = RIFT_S.warp(exact, True, fov=fov, filter="cubic")
 
     def error(result: NDArray[np.uint8]) -> float:
         # Filters treat the picture's edge differently.
-        inside = np.hypot(places[..., 0], places[..., 1]) < 0.7
-        return float(np.sqrt(np.mean((result[inside].astype(np.float64) - best[inside]) ** 2)))
+        is_inside = np.hypot(tangents[..., 0], tangents[..., 1]) < 0.7
+        return float(np.sqrt(np.mean((result[is_inside].astype(np.float64) - exact_warp[is_inside]) ** 2)))
 
     def maps() -> list[NDArray[np.float32]]:
-        scale = RIFT_S.distort(np.hypot(places[..., 0], places[..., 1])) / np.hypot(places[..., 0], places[..., 1])
-        place = ((places * scale[..., None] + (1, height / width)) * width / 2 - 0.5).astype(np.float32)
-        return [np.ascontiguousarray(place[..., 0]), np.ascontiguousarray(place[..., 1])]
+        r = np.hypot(tangents[..., 0], tangents[..., 1])
+        scale = RIFT_S.distort(r) / r
+        pixels = ((tangents * scale[..., None] + (1, height / width)) * width / 2 - 0.5).astype(np.float32)
+        return [np.ascontiguousarray(pixels[..., 0]), np.ascontiguousarray(pixels[..., 1])]
 
-    def opencv(code: int, at: list[NDArray[np.float32]] | None) -> NDArray[np.uint8]:
-        across, down = at or maps()
-        return np.asarray(cv2.remap(image, across, down, code), np.uint8)
+    def opencv(code: int, prepared: list[NDArray[np.float32]] | None) -> NDArray[np.uint8]:
+        columns, rows = prepared or maps()
+        return np.asarray(cv2.remap(image, columns, rows, code), np.uint8)
 
-    ready = maps()
+    prepared = maps()
     cases = []
     codes: dict[Any, int] = {"linear": cv2.INTER_LINEAR, "cubic": cv2.INTER_CUBIC}
     for name, code in codes.items():
-        ours = functools.partial(RIFT_S.warp, image, True, fov=fov, filter=name)
-        cases += [Case(f"{OURS}, {name}", ours, error)]
-        cases += [Case(f"OpenCV, {name}, maps at hand", functools.partial(opencv, code, ready), error)]
+        warp = functools.partial(RIFT_S.warp, image, True, fov=fov, filter=name)
+        cases += [Case(f"{OURS}, {name}", warp, error)]
+        cases += [Case(f"OpenCV, {name}, maps at hand", functools.partial(opencv, code, prepared), error)]
         cases += [Case(f"OpenCV, {name}, maps by NumPy", functools.partial(opencv, code, None), error)]
     return compare("A picture of 1832 × 1920 warped", cases, repeat=3, unit="levels, rms")
 
@@ -103,26 +104,26 @@ def sizes() -> str:
     radii = random.random(len(centers)) + 0.1
     view = nf.Camera((0, 0, 0), fov=nf.Fov.symmetric(92), size=(1648, 1776))
     scale = view.fov.right if isinstance(view.fov, nf.Fov) else 1.0
-    ahead = -centers[:, 2] > 2 * np.linalg.norm(centers, axis=1) * 0.3
+    is_ahead = -centers[:, 2] > 2 * np.linalg.norm(centers, axis=1) * 0.3
 
     def numpy() -> Array:
         distance = np.linalg.norm(centers, axis=1)
         mu = np.arcsin(radii / distance)
         alpha = np.arccos(-centers[:, 2] / distance)
         sigma = 4 * np.pi * np.sin(mu / 2) ** 2
-        shown = [np.arctan(scale * RIFT_S.undistort(np.tan(angle) / scale)) for angle in (alpha + mu, alpha - mu)]
-        return np.asarray(np.where(alpha + mu < np.pi / 2, sigma * (shown[0] - shown[1]) / (2 * mu), sigma))
+        angles = [np.arctan(scale * RIFT_S.undistort(np.tan(angle) / scale)) for angle in (alpha + mu, alpha - mu)]
+        return np.asarray(np.where(alpha + mu < np.pi / 2, sigma * (angles[0] - angles[1]) / (2 * mu), sigma))
 
     expected = numpy()
 
     def error(result: Array) -> float:
-        return float(np.abs(result / expected - 1)[ahead].max())
+        return float(np.abs(result / expected - 1)[is_ahead].max())
 
-    ours = functools.partial(nf.corrected_solid_angle, centers, radii, camera=view, lens=RIFT_S)
+    solid_angle = functools.partial(nf.corrected_solid_angle, centers, radii, camera=view, lens=RIFT_S)
     cases = [
-        Case(f"{OURS}, as published", ours, error),
+        Case(f"{OURS}, as published", solid_angle, error),
         Case("NumPy, as published (with our inverse)", numpy),
-        Case(f"{OURS}, exact area", functools.partial(ours, exact=True)),
+        Case(f"{OURS}, exact area", functools.partial(solid_angle, exact=True)),
         Case(f"{OURS}, no lens", lambda: nf.solid_angle(centers, radii, eye=(0, 0, 0))),
     ]
     return compare("Solid angles of 10⁵ spheres through a lens", cases)
@@ -147,7 +148,7 @@ def draw_lens(lens: nf.RadialLens, frame: nf.Frame, path: Path) -> None:
 def _draw_inverses(lens: nf.RadialLens, axis: Any) -> None:
     """Draw the residual between a radius and the image of its root."""
     r = np.linspace(0.01, 1.6, 800)
-    shown = lens.distort(r)
+    images = lens.distort(r)
     inverses: tuple[tuple[str, Any, int, str], ...] = (
         ("published iteration, 5 steps (OpenCV's default)", "fixed_point", 5, "#999999"),
         ("published iteration, 50 steps", "fixed_point", 50, "#555555"),
@@ -155,7 +156,7 @@ def _draw_inverses(lens: nf.RadialLens, axis: Any) -> None:
         ("Newton (0)", "newton", 0, "#c8102e"),
     )
     for label, method, steps, color in inverses:
-        residual = np.abs(lens.distort(lens.undistort(shown, method=method, iterations=steps)) - shown)
+        residual = np.abs(lens.distort(lens.undistort(images, method=method, iterations=steps)) - images)
         axis.semilogy(r, np.maximum(residual, 1e-17), label=label, color=color)
     axis.axvline(1.0, linestyle=":", color="black")
     axis.set(xlabel="r (the screen's edge is 1)", ylabel="residual |f(r̂) − f(r)|", title="inverses of a strong lens")

@@ -5,10 +5,8 @@ from __future__ import annotations
 import gzip
 import io
 import itertools
-import zipfile
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -17,6 +15,7 @@ from numpy.typing import NDArray
 import nearfar as nf
 from benchmarks.harness import scenes
 from benchmarks.lod._material import FINER, NEUTRAL, Material, Shape, look, shade
+from benchmarks.lod._objects import spot_mesh
 from nearfar._base import data
 
 Array = NDArray[np.float64]
@@ -85,9 +84,11 @@ def rock(detail: int = 5) -> Shape:
     import trimesh
 
     ball = trimesh.creation.icosphere(subdivisions=detail)
-    at = np.asarray(ball.vertices)
-    bumps = sum(np.sin(2**n * (at @ turn)).prod(axis=1) / 2**n for n, turn in enumerate(_turns(4), start=1))
-    return unit(at * (1 + 0.35 * np.asarray(bumps))[:, None], ball.faces)
+    points, bumps = np.asarray(ball.vertices), np.zeros(len(ball.vertices))
+    for n in range(1, 5):
+        turn = np.linalg.qr(np.sin(np.arange(9.0).reshape(3, 3) * (n + 0.7)))[0]
+        bumps += np.sin(2**n * (points @ turn)).prod(axis=1) / 2**n
+    return unit(points * (1 + 0.35 * bumps)[:, None], ball.faces)
 
 
 def knot(around: int = 240, across: int = 40) -> Shape:
@@ -104,7 +105,11 @@ def knot(around: int = 240, across: int = 40) -> Shape:
         0.45 * wave[None, :, None] * vectors[:, None]
         for wave, vectors in zip((np.cos(turn), np.sin(turn)), directions, strict=True)
     )
-    return unit((path[:, None] + np.asarray(tube)).reshape(-1, 3), _rings(around, across))
+    # Two faces for each cell of a grid that is closed in both directions.
+    i, j = (axis.ravel() for axis in np.mgrid[:around, :across])
+    corners = [(i + di) % around * across + (j + dj) % across for di, dj in ((0, 0), (1, 0), (1, 1), (0, 1))]
+    faces = np.concatenate([np.stack([corners[n] for n in face], axis=1) for face in ((0, 1, 2), (0, 2, 3))])
+    return unit((path[:, None] + np.asarray(tube)).reshape(-1, 3), faces)
 
 
 def fluted(detail: int = 5) -> Shape:
@@ -113,19 +118,8 @@ def fluted(detail: int = 5) -> Shape:
 
     ball = trimesh.creation.icosphere(subdivisions=detail)
     x, y, z = np.asarray(ball.vertices).T
-    wide = 1 - 0.15 * np.abs(np.sin(6 * np.arctan2(z, x)))
-    return unit(np.stack([wide * x, 1.3 * y, wide * z], axis=1), ball.faces)
-
-
-def _turns(count: int) -> list[Array]:
-    return [np.linalg.qr(np.sin(np.arange(9.0).reshape(3, 3) * (n + 1.7)))[0] for n in range(count)]
-
-
-def _rings(rows: int, columns: int) -> NDArray[np.int64]:
-    """Make two faces for each cell of a grid that is closed in both directions."""
-    i, j = (axis.ravel() for axis in np.mgrid[:rows, :columns])
-    corners = [(i + di) % rows * columns + (j + dj) % columns for di, dj in ((0, 0), (1, 0), (1, 1), (0, 1))]
-    return np.concatenate([np.stack([corners[n] for n in face], axis=1) for face in ((0, 1, 2), (0, 2, 3))])
+    flutes = 1 - 0.15 * np.abs(np.sin(6 * np.arctan2(z, x)))
+    return unit(np.stack([flutes * x, 1.3 * y, flutes * z], axis=1), ball.faces)
 
 
 PROCEDURAL: dict[str, Callable[[], Shape]] = {"rock": rock, "knot": knot, "fluted": fluted}
@@ -147,26 +141,19 @@ def scanned(name: str) -> Shape | None:
     path = data.find(SCANNED[name])
     if path is None:
         return None
-    if path.suffix in (".zip", ".gz"):
-        source, kind = _unpacked(path)
-        mesh = trimesh.load(source, file_type=kind, process=False)
-    else:
-        mesh = trimesh.load(path, process=False)
-    whole = mesh.to_mesh() if isinstance(mesh, trimesh.Scene) else mesh
-    bare = trimesh.Trimesh(np.asarray(whole.vertices), np.asarray(whole.faces), process=False)
-    bare.merge_vertices()
-    bare.update_faces(bare.nondegenerate_faces())
-    bare.remove_unreferenced_vertices()
-    return unit(np.asarray(bare.vertices), bare.faces)
-
-
-def _unpacked(path: Path) -> tuple[io.BytesIO, str]:
-    """Return the mesh in an archive, and its kind."""
-    if path.suffix == ".gz":
-        return io.BytesIO(gzip.decompress(path.read_bytes())), "ply"
-    with zipfile.ZipFile(path) as archive:
-        inside = next(file for file in archive.namelist() if file.endswith("triangulated.obj"))
-        return io.BytesIO(archive.read(inside)), "obj"
+    match path.suffix:
+        case ".gz":
+            mesh = trimesh.load(io.BytesIO(gzip.decompress(path.read_bytes())), file_type="ply", process=False)
+        case ".zip":
+            mesh = spot_mesh(path)
+        case _:
+            mesh = trimesh.load(path, process=False)
+    mesh = mesh.to_mesh() if isinstance(mesh, trimesh.Scene) else mesh
+    welded = trimesh.Trimesh(np.asarray(mesh.vertices), np.asarray(mesh.faces), process=False)
+    welded.merge_vertices()
+    welded.update_faces(welded.nondegenerate_faces())
+    welded.remove_unreferenced_vertices()
+    return unit(np.asarray(welded.vertices), welded.faces)
 
 
 def simplified(shape: Shape, ratios: Sequence[float]) -> list[Shape]:
@@ -178,14 +165,8 @@ def simplified(shape: Shape, ratios: Sequence[float]) -> list[Shape]:
         levels = nf.lod.simplify(scene, ratios, method="meshopt")
     if len(levels) <= len(ratios):
         raise ValueError(f"ratios: expected some that can be reached, got {ratios}: {levels}")
-    return [shape, *(_welded(level.scene) for level in levels[1:])]
-
-
-def _welded(scene: nf.Scene) -> Shape:
-    """Return a scene's triangles with shared vertices."""
-    corners = scene.triangles().reshape(-1, 3)
-    vertices, faces = np.unique(corners, axis=0, return_inverse=True)
-    return Shape(vertices, faces.reshape(-1, 3))
+    welded = (np.unique(level.scene.triangles().reshape(-1, 3), axis=0, return_inverse=True) for level in levels[1:])
+    return [shape, *(Shape(vertices, faces.reshape(-1, 3)) for vertices, faces in welded)]
 
 
 # scores ---------------------------------------------------------------------------------------------------------------

@@ -46,7 +46,7 @@ class Samples:
     material: NDArray[np.int64]
     neutral: Array
     """1 − SSIM in the neutral material."""
-    far: Array
+    dissimilarity: Array
     """1 − SSIM in the sample's material."""
     objects: tuple[str, ...]
     materials: tuple[Material, ...]
@@ -54,26 +54,31 @@ class Samples:
     @property
     def logarithm(self) -> Array:
         """Logarithm of the factor."""
-        return np.log(self.far / self.neutral)
+        return np.log(self.dissimilarity / self.neutral)
 
     def is_kind(self, kind: str) -> NDArray[np.bool_]:
         """Whether each sample is of a kind of `KINDS`."""
         return np.array([KINDS[kind](one) for one in self.materials])[self.material]
 
     def where(self, mask: NDArray[np.bool_]) -> Samples:
-        """Select samples by a mask."""
-        return replace(self, **{name: getattr(self, name)[mask] for name in ("object", "material", "neutral", "far")})
+        return replace(
+            self, **{name: getattr(self, name)[mask] for name in ("object", "material", "neutral", "dissimilarity")}
+        )
 
 
 def collect(scores: Mapping[str, Array], materials: Sequence[Material]) -> Samples:
     """Collect samples from scores (L, S, M) by object name."""
     neutral = materials.index(NEUTRAL)
-    others = [n for n, material in enumerate(materials) if material != NEUTRAL]
+    other_materials = [n for n, material in enumerate(materials) if material != NEUTRAL]
     rows = []
     for number, of_object in enumerate(scores.values()):
-        far = 1 - of_object.reshape(-1, len(materials))
-        for one in far[(far[:, neutral] >= MIN) & (far[:, neutral] <= MAX) & (far[:, others] > 0).all(axis=1)]:
-            rows += [(number, n, one[neutral], one[n]) for n in others]
+        dissimilarities = 1 - of_object.reshape(-1, len(materials))
+        for one in dissimilarities[
+            (dissimilarities[:, neutral] >= MIN)
+            & (dissimilarities[:, neutral] <= MAX)
+            & (dissimilarities[:, other_materials] > 0).all(axis=1)
+        ]:
+            rows += [(number, n, one[neutral], one[n]) for n in other_materials]
     if not rows:
         raise ValueError(f"scores: expected some from {1 - MAX} to {1 - MIN} in the neutral material, got none")
     table = np.array(rows)
@@ -112,11 +117,11 @@ def intervals(samples: Samples) -> tuple[Array, Array, Array]:
     Samples of one object are similar, so that only objects count as independent.
     """
     count = len(samples.objects)
-    every = fit(samples)
+    coefficients = fit(samples)
     without = np.array([fit(samples.where(samples.object != number)) for number in range(count)])
     error = np.sqrt((count - 1) / count * ((without - without.mean(axis=0)) ** 2).sum(axis=0))
-    half = stats.t.ppf(0.975, count - 1) * error
-    return every, every - half, every + half
+    half_width = stats.t.ppf(0.975, count - 1) * error
+    return coefficients, coefficients - half_width, coefficients + half_width
 
 
 # validity for other objects -------------------------------------------------------------------------------------------
@@ -159,7 +164,7 @@ def by_material(train: Samples, test: Samples) -> Array:
 
 def uncorrected(train: Samples, test: Samples) -> Array:
     """Predict zero: every material is scored as the neutral one."""
-    return np.zeros(len(test.far) + 0 * len(train.far))
+    return np.zeros(len(test.dissimilarity) + 0 * len(train.dissimilarity))
 
 
 MODELS = {"no correction": uncorrected, "coefficients": by_coefficients, "a number for each material": by_material}
@@ -167,7 +172,7 @@ MODELS = {"no correction": uncorrected, "coefficients": by_coefficients, "a numb
 
 def cross_validated(samples: Samples, name: str) -> Array:
     """Predict the logarithm of each sample by the fit to all other objects."""
-    predicted = np.empty(len(samples.far))
+    predicted = np.empty(len(samples.dissimilarity))
     for number in range(len(samples.objects)):
         inside = samples.object == number
         predicted[inside] = MODELS[name](samples.where(~inside), samples.where(inside))
@@ -175,9 +180,8 @@ def cross_validated(samples: Samples, name: str) -> Array:
 
 
 def validity(samples: Samples, predicted: Array) -> Validity:
-    """Compute the errors of predicted logarithms."""
     off = samples.logarithm - predicted
     # 1 − SSIM is at most 1, for pictures that have nothing in common.
-    ssim = samples.far - np.minimum(samples.neutral * np.exp(predicted), 1.0)
+    ssim = samples.dissimilarity - np.minimum(samples.neutral * np.exp(predicted), 1.0)
     explained = 1 - float((off**2).sum() / (samples.logarithm**2).sum())
     return Validity(float(np.sqrt((off**2).mean())), float(np.sqrt((ssim**2).mean())), explained)

@@ -112,24 +112,17 @@ class Shape:
 
     @functools.cached_property
     def scene(self) -> nf.Scene:
-        """Scene for casting rays."""
         return nf.Scene.from_arrays(self.vertices, self.faces, copy=True)
 
     @functools.cached_property
     def normals(self) -> Array:
-        """Normal of each vertex (V, 3)."""
-        return vertex_normals(self.vertices, self.faces)
-
-
-def vertex_normals(vertices: Array, faces: NDArray[np.int64]) -> Array:
-    """Area-weighted mean of the normals of the faces around each vertex (V, 3)."""
-    corners = vertices[faces]
-    across = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    sums = np.stack(
-        [np.bincount(faces.ravel(), np.repeat(across[:, axis], 3), len(vertices)) for axis in range(3)], axis=1
-    )
-    length = np.linalg.norm(sums, axis=1, keepdims=True)
-    return (sums / np.where(length > 0, length, 1)).astype(np.float32)
+        """Area-weighted mean of the normals of the faces around each vertex (V, 3)."""
+        corners = self.vertices[self.faces]
+        scaled = np.repeat(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), 3, axis=0)
+        count = len(self.vertices)
+        sums = np.stack([np.bincount(self.faces.ravel(), part, count) for part in scaled.T], axis=1)
+        length = np.linalg.norm(sums, axis=1, keepdims=True)
+        return (sums / np.where(length > 0, length, 1)).astype(np.float32)
 
 
 def look(shape: Shape, camera: nf.Camera) -> Surface:
@@ -141,13 +134,15 @@ def look(shape: Shape, camera: nf.Camera) -> Surface:
     faces = shape.faces[numbers[hit]]
     parts = shape.vertices[faces]
     # Barycentric coordinates by areas: computed from edges they would lose digits in slivers.
-    one, two, three = (parts[:, n] - position for n in range(3))
-    weights = np.stack([_length(np.cross(*pair)) for pair in ((two, three), (three, one), (one, two))], axis=1)
+    to_corners = parts - position[:, None]
+    areas = np.cross(np.roll(to_corners, -1, axis=1), np.roll(to_corners, -2, axis=1))
+    weights = np.sqrt(np.einsum("nck,nck->nc", areas, areas))
     weights /= np.maximum(weights.sum(axis=1, keepdims=True), np.finfo(np.float32).tiny)
     normal = _unit(np.einsum("nc,nck->nk", weights, shape.normals[faces]))
     mapped = np.einsum("nc,nck->nk", weights, _unit(shape.vertices)[faces])
     eye = np.asarray(camera.position, np.float32)
-    return Surface(hit, position, normal, mapped, _unit(eye - position), _axes(camera))
+    axes = rotation(camera.orientation).T.astype(np.float32)
+    return Surface(hit, position, normal, mapped, _unit(eye - position), axes)
 
 
 def shade(surface: Surface, materials: Sequence[Material]) -> Image:
@@ -157,15 +152,15 @@ def shade(surface: Surface, materials: Sequence[Material]) -> Image:
     waves = {one: _pattern(surface.mapped if one[1] else surface.position, one[0]) for one in patterns}
     height, width = (side // FINER for side in surface.hit.shape)
     pictures = np.empty((len(materials), height, width), np.uint8)
-    whole = np.empty(surface.hit.shape, np.float32)
+    fine_picture = np.empty(surface.hit.shape, np.float32)
     for picture, material in zip(pictures, materials, strict=True):
         base: Array | np.float32 = np.float32(BASE)
         if material.contrast:
             base = base * (1 + np.float32(material.contrast) * waves[material.frequency, material.mapped])
-        whole.fill(BACKGROUND)
-        whole[surface.hit] = np.minimum(colors(light[material.roughness], base, material.metallic), 1.0)
+        fine_picture.fill(BACKGROUND)
+        fine_picture[surface.hit] = np.minimum(colors(light[material.roughness], base, material.metallic), 1.0)
         # Summing slices is many times as fast as summing axes of length two.
-        rows = functools.reduce(np.add, (whole[n::FINER] for n in range(FINER)))
+        rows = functools.reduce(np.add, (fine_picture[n::FINER] for n in range(FINER)))
         mean = functools.reduce(np.add, (rows[:, n::FINER] for n in range(FINER))) / FINER**2
         picture[:] = _CODES[np.round(mean * ((1 << 16) - 1)).astype(np.uint16)]
     return pictures
@@ -189,11 +184,11 @@ def _light(surface: Surface, roughness: Iterable[float]) -> dict[float, Light]:
     mirrors = {rough: (np.zeros(len(nv), np.float32), np.zeros(len(nv), np.float32)) for rough in roughness}
     for direction, bright in LIGHTS:
         towards = _unit(np.asarray(direction, np.float32) @ surface.axes)
-        half = _unit(surface.view + towards)
+        half_vector = _unit(surface.view + towards)
         nl = np.clip(surface.normal @ towards, 0.001, 1)
-        nh = np.clip(_dot(surface.normal, half), 0, 1)
-        away = 1 - np.clip(_dot(surface.view, half), 0, 1)
-        s = away * away * away * away * away
+        nh = np.clip(_dot(surface.normal, half_vector), 0, 1)
+        grazing_cosine = 1 - np.clip(_dot(surface.view, half_vector), 0, 1)
+        s = grazing_cosine * grazing_cosine * grazing_cosine * grazing_cosine * grazing_cosine
         diffuse += nl * (1 - s) * np.float32(bright / np.pi)
         # The factor of nl D G / (4 nl nv) common to all roughnesses, with a small term against division by zero.
         shared = nl * nl * nv / (4 * nl * nv + 0.001) * np.float32(bright / np.pi)
@@ -213,16 +208,8 @@ def _pattern(at: Array, frequency: float) -> Array:
     return np.asarray((waves[0] + waves[1] + waves[2]) / 3)
 
 
-def _axes(camera: nf.Camera) -> Array:
-    return rotation(camera.orientation).T.astype(np.float32)
-
-
 def _dot(one: Array, other: Array) -> Array:
     return np.asarray(np.einsum("nk,nk->n", one, other))
-
-
-def _length(vectors: Array) -> Array:
-    return np.asarray(np.sqrt(_dot(vectors, vectors)))
 
 
 def _unit(vectors: Array) -> Array:

@@ -16,11 +16,12 @@ from PIL import Image
 
 import nearfar as nf
 from benchmarks.harness import scenes
-from benchmarks.lod._dense import densify
 from benchmarks.lod._printed_turns import RIFT_S as PRINTED_RIFT_S, VIVE_PRO as PRINTED_VIVE_PRO, PrintedTurn
 from nearfar._base import data
+from nearfar.lod._measure.views import Directions
 from nearfar.lod._select.kernel_inputs import on_panel
 from nearfar.lod._simplify.simplify import Method
+from nearfar.lod._simplify.surface import Base, Surface
 
 RATIOS = (1, 0.5, 0.25, 0.12, 0.06, 0.03, 0.015, 0.007, 0.003, 0.0015, 0.0007, 0.0003)
 
@@ -31,6 +32,14 @@ FILES = {
     "duck": scenes.FILES["Duck"],
     "FlightHelmet": scenes.FILES["FlightHelmet"],
 }
+
+
+MIN_TRIANGLES = 500_000
+"""Least number of triangles of an object; since each round quadruples them, most have less than 1.6 million."""
+ROUGHNESS = 0.05
+"""Maximum displacement of a midpoint along each axis, as a share of its edge's length."""
+_MIX = np.array([0x9E3779B1, 0x85EBCA77, 0xC2B2AE3D], np.uint32)
+"""Odd multipliers, so that no bit of a coordinate is lost."""
 
 
 @dataclass(frozen=True)
@@ -50,7 +59,6 @@ class Headset:
 
     @property
     def fov(self) -> nf.Fov:
-        """Symmetric tangents."""
         x, y = (float(np.tan(np.radians(angle) / 2)) for angle in self.degrees)
         return nf.Fov(-x, x, -y, y)
 
@@ -64,24 +72,24 @@ class Headset:
         turned = (0.0, float(np.sin(yaw / 2)), 0.0, float(np.cos(yaw / 2)))
         return nf.Camera(position, turned, fov=self.fov, size=self.size)
 
+    @classmethod
+    def from_profile(
+        cls,
+        hmd: nf.Hmd,
+        name: str,
+        degrees: tuple[float, float],
+        lens: nf.RadialLens,
+        printed: dict[int, PrintedTurn],
+    ) -> Headset:
+        """Take the numbers of pixels from a profile."""
+        if hmd.panel_size is None:
+            raise RuntimeError(f"expected a profile with the pixels of the panel: {hmd.name}")
+        return cls(name, degrees, lens, hmd.render_size, hmd.panel_size, printed)
 
-def _panel(hmd: nf.Hmd) -> tuple[int, int]:
-    """Panel size in pixels stated by a profile."""
-    if hmd.panel_size is None:
-        raise RuntimeError(f"expected a profile with the pixels of the panel: {hmd.name}")
-    return hmd.panel_size
 
-
-RIFT_S = Headset(
-    "Rift S", (87, 90), nf.RadialLens((0.22, 0.24)), nf.hmd.RIFT_S.render_size, _panel(nf.hmd.RIFT_S), PRINTED_RIFT_S
-)
-VIVE_PRO = Headset(
-    "Vive Pro",
-    (95, 95),
-    nf.RadialLens((0.2063, 0.0576)),
-    nf.hmd.VIVE_PRO.render_size,
-    _panel(nf.hmd.VIVE_PRO),
-    PRINTED_VIVE_PRO,
+RIFT_S = Headset.from_profile(nf.hmd.RIFT_S, "Rift S", (87, 90), nf.RadialLens((0.22, 0.24)), PRINTED_RIFT_S)
+VIVE_PRO = Headset.from_profile(
+    nf.hmd.VIVE_PRO, "Vive Pro", (95, 95), nf.RadialLens((0.2063, 0.0576)), PRINTED_VIVE_PRO
 )
 
 
@@ -119,7 +127,7 @@ def measured(
     step: float | None = 0.05,
     wider: int = 1,
     views: int = VIEWS,
-    directions: str = "even",
+    directions: Directions = "even",
     dense: bool = False,
 ) -> list[nf.lod.LodModel]:
     """Measure the levels of the objects for a headset, or read them from nearfar's cache.
@@ -128,10 +136,17 @@ def measured(
     makes curves begin at larger sizes.
     """
     levels = [simplified(name, dense=dense) for name in names or sources()]
-    fov = nf.Fov(*(wider * side for side in (headset.fov.left, headset.fov.right, headset.fov.down, headset.fov.up)))
-    size = wider * headset.size[0], wider * headset.size[1]
-    how = functools.partial(nf.lod.measure, fov=fov, size=size, distances=16 * wider)
-    return [how(each, views=views, directions=directions, percentile=percentile, step=step) for each in levels]
+    width, height = headset.size
+    settings = nf.lod.MeasureSettings(
+        fov=nf.Fov(*(wider * side for side in headset.fov._sides)),
+        size=(wider * width, wider * height),
+        distances=16 * wider,
+        views=views,
+        directions=directions,
+        percentile=percentile,
+        step=step,
+    )
+    return nf.lod.measure(levels, settings=settings)
 
 
 @dataclass(frozen=True)
@@ -151,9 +166,9 @@ def crowd(
     """Scatter `count` objects of one radius, all within `size` metres."""
     random = np.random.default_rng(seed)
     index = random.integers(len(models), size=count)
-    ways = random.normal(size=(count, 3))
-    ways /= np.linalg.norm(ways, axis=1, keepdims=True)
-    centers = ways * (size * random.random((count, 1)) ** (1 / 3))
+    directions = random.normal(size=(count, 3))
+    directions /= np.linalg.norm(directions, axis=1, keepdims=True)
+    centers = directions * (size * random.random((count, 1)) ** (1 / 3))
     transforms = np.tile(np.eye(4), (count, 1, 1))
     for n, turn in enumerate(random.normal(size=(count, 4))):
         model = models[index[n]]
@@ -164,29 +179,36 @@ def crowd(
 
 
 def _spot(packed: Path) -> nf.Scene:
-    """Load Spot and assign its texture, since the file names no material."""
+    mesh = spot_mesh(packed)
     with zipfile.ZipFile(packed) as archive:
-        mesh = trimesh.load(io.BytesIO(archive.read("spot/spot_triangulated.obj")), file_type="obj", process=False)
         image = Image.open(io.BytesIO(archive.read("spot/spot_texture.png"))).convert("RGB")
     mesh.visual = trimesh.visual.TextureVisuals(uv=mesh.visual.uv, image=image)
     return nf.Scene.from_trimesh(mesh)
+
+
+def spot_mesh(packed: Path) -> trimesh.Trimesh:
+    """Load the triangles of Spot from its archive."""
+    with zipfile.ZipFile(packed) as archive:
+        return trimesh.load(io.BytesIO(archive.read("spot/spot_triangulated.obj")), file_type="obj", process=False)
 
 
 def _knot() -> nf.Scene:
     """Make a trefoil tube of 96,000 triangles."""
     around, along = np.meshgrid(np.arange(80), np.arange(600))
     t, angle = 2 * np.pi * along.ravel() / 600, 2 * np.pi * around.ravel() / 80
-    at = np.stack([np.sin(t) + 2 * np.sin(2 * t), np.cos(t) - 2 * np.cos(2 * t), -np.sin(3 * t)], 1)
-    way = np.stack([np.cos(t) + 4 * np.cos(2 * t), -np.sin(t) + 4 * np.sin(2 * t), -3 * np.cos(3 * t)], 1)
-    way /= np.linalg.norm(way, axis=1, keepdims=True)
-    side = np.cross(way, [0.0, 0.0, 1.0])
+    centers = np.stack([np.sin(t) + 2 * np.sin(2 * t), np.cos(t) - 2 * np.cos(2 * t), -np.sin(3 * t)], 1)
+    tangent = np.stack([np.cos(t) + 4 * np.cos(2 * t), -np.sin(t) + 4 * np.sin(2 * t), -3 * np.cos(3 * t)], 1)
+    tangent /= np.linalg.norm(tangent, axis=1, keepdims=True)
+    side = np.cross(tangent, [0.0, 0.0, 1.0])
     side /= np.linalg.norm(side, axis=1, keepdims=True)
-    thick = 0.45 * (1 + 0.08 * np.cos(12 * t) * np.cos(3 * angle))
-    points = at + thick[:, None] * (np.cos(angle)[:, None] * side + np.sin(angle)[:, None] * np.cross(way, side))
+    radius = 0.45 * (1 + 0.08 * np.cos(12 * t) * np.cos(3 * angle))
+    up = np.cross(tangent, side)
+    points = centers + radius[:, None] * (np.cos(angle)[:, None] * side + np.sin(angle)[:, None] * up)
     number = np.arange(600 * 80).reshape(600, 80)
     right, down = np.roll(number, -1, 1), np.roll(number, -1, 0)
-    both = np.roll(right, -1, 0)
-    faces = np.concatenate([np.stack([number, down, right], -1), np.stack([right, down, both], -1)]).reshape(-1, 3)
+    down_right = np.roll(right, -1, 0)
+    corners = np.stack([number, down, right], -1), np.stack([right, down, down_right], -1)
+    faces = np.concatenate(corners).reshape(-1, 3)
     mesh = trimesh.Trimesh(points, faces, process=False)
     if mesh.volume < 0:
         mesh.invert()
@@ -204,3 +226,42 @@ def _pebble() -> nf.Scene:
             height += 0.35 * 0.5**octave * np.sin(points @ wave + random.uniform(0, 6))
     stone = points * (1 + 0.25 * height[:, None]) * (1.0, 0.7, 0.85)
     return nf.Scene.from_trimesh(trimesh.Trimesh(stone, mesh.faces, process=False))
+
+
+def densify(scene: nf.Scene, least: int = MIN_TRIANGLES) -> nf.Scene:
+    """Split every triangle into four at the displaced midpoints of its edges, until there are enough; flat normals."""
+    base = Base(scene)
+    base.with_normals("flat")
+    surface = base.surface
+    while len(surface.faces) < least:
+        surface = _split(surface)
+    return base.scene_of(surface)
+
+
+def _split(surface: Surface) -> Surface:
+    """Split every triangle once. Midpoints at the same place move alike, so that seams of the texture stay closed."""
+    old = surface.positions.astype(np.float64)
+    squares = (old * old).sum(axis=1, keepdims=True)
+    attributes = {key: values.astype(np.float64) for key, values in surface.attributes.items()}
+    positions, faces, means = trimesh.remesh.subdivide(old, surface.faces, vertex_attributes=attributes | {"": squares})
+    new = positions[len(old) :]
+    # |a − b|² = 4 ((|a|² + |b|²)/2 − |(a + b)/2|²)
+    lengths = 2 * np.sqrt(np.maximum(means.pop("")[len(old) :] - (new * new).sum(axis=1, keepdims=True), 0))
+    new += ROUGHNESS * lengths * _noise(new)
+    return Surface(
+        np.ascontiguousarray(positions, np.float32),
+        np.ascontiguousarray(faces, np.uint32),
+        np.repeat(surface.materials, 4),
+        {key: np.ascontiguousarray(values, surface.attributes[key].dtype) for key, values in means.items()},
+    )
+
+
+def _noise(places: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Numbers from −1 to 1 for each axis (N, 3) that depend on the position only."""
+    bits = np.ascontiguousarray(places + 0.0, np.float32).view(np.uint32)
+    mixed = (bits * _MIX).sum(axis=1, dtype=np.uint32)[:, None] * _MIX
+    mixed ^= mixed >> np.uint32(15)
+    mixed *= _MIX[::-1]
+    mixed ^= mixed >> np.uint32(13)
+    noise: NDArray[np.float64] = mixed / np.float64(2**31) - 1
+    return noise

@@ -35,8 +35,8 @@ COLORS = ("#c8102e", "#1f5fa8", "#2e8b57", "#b8860b", "#6a3d9a", "#555555", "#e3
 
 def draw_materials(shapes: Mapping[str, Shape], plan: Plan, path: Path) -> None:
     """Draw each object in some materials, and its coarsest level beside it, at the middle size."""
-    others = [material for material in plan.materials if material != NEUTRAL]
-    materials = [NEUTRAL, *others[3 :: max(1, len(others) // 6)]]
+    other_materials = [material for material in plan.materials if material != NEUTRAL]
+    materials = [NEUTRAL, *other_materials[3 :: max(1, len(other_materials) // 6)]]
     camera = list(_appearance.cameras(plan.sizes[len(plan.sizes) // 2], plan.steps))[plan.steps + 1]
     rows, size = 2 * len(shapes), (1.5 * len(materials), 1.55 * 2 * len(shapes))
     figure, axes = subplots(rows, len(materials), figsize=size, squeeze=False)
@@ -59,16 +59,16 @@ def draw_scores(scores: Mapping[str, Array], plan: Plan, path: Path) -> None:
     for axis, (name, fixed, chosen) in zip(axes.flat, SWEEPS, strict=True):
         numbers = [n for n, material in enumerate(plan.materials) if chosen(material)]
         numbers.sort(key=lambda n: getattr(plan.materials[n], name))
-        at = [getattr(plan.materials[n], name) for n in numbers]
+        values = [getattr(plan.materials[n], name) for n in numbers]
         for level, size in itertools.product(range(len(plan.ratios)), range(len(plan.sizes))):
             label = f"{plan.ratios[level]:.4g} of the triangles, size {plan.sizes[size]:.3g}"
             style = ("-", "--", ":", "-.")[size % 4]
-            axis.plot(at, mean[level, size, numbers], style, color=COLORS[level], marker="o", ms=4, label=label)
+            axis.plot(values, mean[level, size, numbers], style, color=COLORS[level], marker="o", ms=4, label=label)
         axis.set(xlabel=LABELS.get(name, name), title=fixed)
         axis.grid(visible=True, alpha=0.3)
         if name == "frequency":
             axis.set_xscale("log", base=2)
-            axis.set_xticks(at, [f"{value:g}" for value in at])
+            axis.set_xticks(values, [f"{value:g}" for value in values])
     figure.supylabel("SSIM, 25th percentile of views, mean of objects")
     figure.legend(*axes[0, 0].get_legend_handles_labels(), loc="outside lower center", ncols=3, fontsize=8)
     save_figure(figure, path)

@@ -31,12 +31,10 @@ class Printed:
 
     @property
     def value(self) -> float:
-        """The figure as a number."""
         return float(self.text)
 
     @property
     def decimals(self) -> int:
-        """Number of digits after the point."""
         return len(self.text.partition(".")[2])
 
     def beside(self, value: float) -> str:
@@ -75,18 +73,18 @@ def computed(study: Study) -> dict[tuple[str, str], float]:
     object, equal pairs left out, ties corrected, no correction for continuity. 5.8: τ-b, and ρ of mean ranks, of both
     headsets' rows pooled.
     """
-    found: dict[tuple[str, str], float] = {}
+    figures: dict[tuple[str, str], float] = {}
     for column in ("d", "k"):
         for hmd in study.hmds:
             values = getattr(study.select(hmd=hmd), column)
             of, its = f"{column}, {hmd}", moments(values)
-            found |= {("D", of): lilliefors(values)[0], ("W", of): shapiro(values)[0], ("df", of): float(its.n)}
-            found |= {("mean", of): its.mean, ("deviation", of): its.deviation}
-            found |= {("G₁", of): its.adjusted_skewness, ("G₂", of): its.adjusted_kurtosis}
+            figures |= {("D", of): lilliefors(values)[0], ("W", of): shapiro(values)[0], ("df", of): float(its.n)}
+            figures |= {("mean", of): its.mean, ("deviation", of): its.deviation}
+            figures |= {("G₁", of): its.adjusted_skewness, ("G₂", of): its.adjusted_kurtosis}
         test, of = wilcoxon(*paired(study, column, "hmd", *study.hmds)), f"{column}, {' and '.join(study.hmds)}"
-        found |= {("Z", of): test.z, ("p", of): test.p}
-    both = correlation(study.d, study.k)
-    return found | {("τ", "d and k"): both.tau, ("ρ", "d and k"): both.rho}
+        figures |= {("Z", of): test.z, ("p", of): test.p}
+    pooled = correlation(study.d, study.k)
+    return figures | {("τ", "d and k"): pooled.tau, ("ρ", "d and k"): pooled.rho}
 
 
 def with_decimals(study: Study, draw: int) -> Study:
@@ -103,5 +101,8 @@ def with_decimals(study: Study, draw: int) -> Study:
 
 def spans(study: Study, draws: int = DRAWS) -> dict[tuple[str, str], tuple[float, float]]:
     """Least and greatest value of each figure over draws of the missing decimals of d."""
-    found = [computed(with_decimals(study, draw)) for draw in range(draws)]
-    return {key: (min(one[key] for one in found), max(one[key] for one in found)) for key in found[0]}
+    figures_of_draws = [computed(with_decimals(study, draw)) for draw in range(draws)]
+    return {
+        key: (min(one[key] for one in figures_of_draws), max(one[key] for one in figures_of_draws))
+        for key in figures_of_draws[0]
+    }

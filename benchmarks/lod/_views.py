@@ -12,9 +12,8 @@ from numpy.typing import NDArray
 import nearfar as nf
 from benchmarks.lod._objects import Crowd, Headset, crowd
 from nearfar import _core
+from nearfar.metrics._inputs import LUMA
 
-LUMA = np.array([0.2126, 0.7152, 0.0722])
-"""Rec. 709 weights of red, green and blue."""
 MIN_PIXELS = 16
 """Least number of pixels of a scored object: a mean over fewer pixels than two rows of a window is noise."""
 FINER = 2
@@ -44,7 +43,6 @@ class Case:
 
     @functools.cached_property
     def scene(self) -> nf.Scene:
-        """The scene with all levels."""
         return nf.lod.place(self.models, self.crowd.model_index, self.crowd.transforms)
 
     @functools.cached_property
@@ -58,7 +56,6 @@ class Case:
         return FINER * self.headset.size[0], FINER * self.headset.size[1]
 
     def warp(self, picture: nf.Frame | NDArray[np.float64], **settings: Any) -> NDArray[Any]:
-        """Warp a picture from the view to the panel."""
         return self.headset.lens.warp(picture, inverse=True, output_fov=self.headset.panel_fov, **settings)
 
     @functools.cached_property
@@ -69,8 +66,8 @@ class Case:
         size = self.headset.panel_size
         places = self.warp(np.stack([rows, columns], axis=-1), fov=self.headset.fov, size=size, fill=-1.0)
         inside = np.all(places >= 0, axis=-1)
-        at = np.rint(np.where(inside[..., None], places, 0)).astype(np.int64)
-        return at[..., 0], at[..., 1], inside
+        nearest = np.rint(np.where(inside[..., None], places, 0)).astype(np.int64)
+        return nearest[..., 0], nearest[..., 1], inside
 
     def scores(self, number: int, levels: Levels) -> NDArray[np.float64]:
         """Score of each object (N,) in a view with given levels; NaN for objects with too few visible pixels."""
@@ -78,7 +75,6 @@ class Case:
 
     @property
     def spheres(self) -> tuple[list[nf.lod.LodModel], NDArray[np.int64], NDArray[np.float64], NDArray[np.float64]]:
-        """Arguments of `select`."""
         return self.models, self.crowd.model_index, self.crowd.centers, self.crowd.radii
 
     def counting(self, camera: nf.Camera, mode: str) -> nf.Camera:
@@ -95,12 +91,13 @@ class Case:
         scale = self.headset.size[1] / (self.headset.fov.up - self.headset.fov.down) / np.maximum(distance, 1e-6)
         errors = np.full((max(map(len, self.models)), len(distance)), np.inf)
         for number, model in enumerate(self.models):
-            mine = self.crowd.model_index == number
-            errors[: len(model), mine] = np.outer(model.errors, self.crowd.radii[mine] / model.radius * scale[mine])
+            is_of_model = self.crowd.model_index == number
+            errors[: len(model), is_of_model] = np.outer(
+                model.errors, self.crowd.radii[is_of_model] / model.radius * scale[is_of_model]
+            )
         return errors
 
     def triangles(self, levels: Levels) -> int:
-        """Number of triangles in view."""
         return sum(
             int(self.models[m].triangles[n]) for m, n in zip(self.crowd.model_index, levels, strict=True) if n >= 0
         )
@@ -124,7 +121,7 @@ class View:
         color = color.reshape(height, FINER, width, FINER, 3).mean(axis=(1, 3))
         rows, columns, inside = case.places
         objects = np.where(inside, np.asarray(frame.object_id)[rows, columns], -1)
-        return View(_core.encode_srgb(color).reshape(color.shape) @ LUMA, objects.astype(np.int32))
+        return View(_core.encode_srgb(color).reshape(color.shape) @ np.array(LUMA), objects.astype(np.int32))
 
 
 def scores(truth: View, test: View, count: int) -> NDArray[np.float64]:

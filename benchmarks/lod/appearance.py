@@ -22,7 +22,6 @@ Array = NDArray[np.float64]
 
 
 def objects(*, quick: bool) -> dict[str, Shape]:
-    """Objects by name; few and small ones with `quick`."""
     shapes = {name: make() for name, make in _appearance.PROCEDURAL.items()}
     if not quick:
         scanned = {name: _appearance.scanned(name) for name in _appearance.SCANNED}
@@ -31,7 +30,6 @@ def objects(*, quick: bool) -> dict[str, Shape]:
 
 
 def run(plan: Plan, shapes: Mapping[str, Shape]) -> dict[str, Array]:
-    """Compute scores (L, S, M) of each object."""
     return {name: _appearance.scores(shape, plan) for name, shape in shapes.items()}
 
 
@@ -44,13 +42,12 @@ def table_of_factors(samples: Samples) -> str:
             low, middle, high = np.exp(np.percentile(logs, [10, 50, 90]))
             rows.append([material.label, np.exp(logs.mean()), middle, (low, high)])
     header = "1 − SSIM, times that of the dull one | mean {:.2f} | median {:.2f} | 8 in 10 {:.2f} to {:.2f}"
-    return table(f"{len(samples.far):,} samples of {len(samples.objects)} objects", header, rows)
+    return table(f"{len(samples.dissimilarity):,} samples of {len(samples.objects)} objects", header, rows)
 
 
 def table_of_coefficients(samples: Samples) -> str:
-    """Table of coefficients with intervals."""
-    found = zip(_correction.NAMES, *_correction.intervals(samples), strict=True)
-    rows = [[name, value, (low, high)] for name, value, low, high in found]
+    coefficients = zip(_correction.NAMES, *_correction.intervals(samples), strict=True)
+    rows = [[name, value, (low, high)] for name, value, low, high in coefficients]
     header = " | coefficient {:+.3f} | 95 %, objects left out in turn {:+.3f} to {:+.3f}"
     return table("Logarithm of the factor", header, rows)
 
@@ -68,8 +65,8 @@ def validities(samples: Samples) -> dict[tuple[str, str], Validity]:
 
 def table_of_validity(samples: Samples) -> str:
     """Table of each model on objects left out of its fit, by kind of material."""
-    found = validities(samples).items()
-    rows = [[f"{kind}: {name}", one.log, one.ssim, one.explained] for (kind, name), one in found]
+    results = validities(samples).items()
+    rows = [[f"{kind}: {name}", one.log, one.ssim, one.explained] for (kind, name), one in results]
     header = " | RMS error of log factor {:.3f} | RMS error of SSIM {:.4f} | explained {:.2f}"
     return table("Objects left out of the fit, one by one", header, rows)
 

@@ -56,10 +56,10 @@ class View:
 
     def outcome(self, levels: Levels, foreseen: NDArray[np.float64] | None = None) -> Outcome:
         """Score the objects with enough visible pixels in the picture at given levels."""
-        reached = self.case.scores(self.number, levels)
-        scored = (levels >= 0) & np.isfinite(reached)
-        mean = np.nan if foreseen is None else float(foreseen[scored].mean())
-        return Outcome(self.case.triangles(levels), reached[scored], mean)
+        object_scores = self.case.scores(self.number, levels)
+        is_scored = (levels >= 0) & np.isfinite(object_scores)
+        mean = np.nan if foreseen is None else float(foreseen[is_scored].mean())
+        return Outcome(self.case.triangles(levels), object_scores[is_scored], mean)
 
     def by_screen_error(self, pixels: float) -> Levels:
         """Choose the coarsest levels whose error covers at most some pixels."""
@@ -73,16 +73,16 @@ class View:
         errors, full = self.case.screen_errors(self.camera), self.case.in_full(self.camera)
         levels = np.where(full < 0, full, np.isfinite(errors).sum(axis=0) - 1).astype(np.int32)
         models, index = self.case.models, self.case.crowd.model_index
-        left = budget - self.case.triangles(levels)
+        remaining = budget - self.case.triangles(levels)
         now = np.where(levels > 0, errors[np.maximum(levels, 0), np.arange(len(levels))], -np.inf)
         while np.isfinite(now).any():
             worst = int(np.argmax(now))
-            own, level = models[index[worst]], levels[worst]
-            added = int(own.triangles[level - 1] - own.triangles[level])
-            if added > left:
+            model, level = models[index[worst]], levels[worst]
+            added = int(model.triangles[level - 1] - model.triangles[level])
+            if added > remaining:
                 now[worst] = -np.inf
                 continue
-            left -= added
+            remaining -= added
             levels[worst] -= 1
             now[worst] = errors[level - 1, worst] if level > 1 else -np.inf
         return levels
@@ -90,24 +90,22 @@ class View:
     def under_budget(self, budget: int) -> Outcome:
         """Score our choice under a budget."""
         case, camera = self.case, self.case.counting(self.camera, MODE)
-        chosen = nf.lod.select(
+        selection = nf.lod.select(
             *case.spheres, camera=camera, lens=case.headset.lens, mode=MODE, budget=budget, full=True
         )
-        return self.outcome(chosen.level, chosen.score)
+        return self.outcome(selection.level, selection.score)
 
 
 Rule = Callable[[View, int], Outcome]
 
 
 def merge(parts: Sequence[Outcome]) -> Outcome:
-    """Merge the outcomes of several views."""
     counts = [len(part.scores) for part in parts]
     foreseen = float(np.average([part.foreseen for part in parts], weights=counts))
     return Outcome(sum(part.triangles for part in parts), np.concatenate([part.scores for part in parts]), foreseen)
 
 
 def ours(views: Sequence[View], budgets: Sequence[int]) -> Outcome:
-    """Score our choice with a budget for each view."""
     return merge([view.under_budget(budget) for view, budget in zip(views, budgets, strict=True)])
 
 
@@ -117,17 +115,16 @@ def at_equal_mean(views: Sequence[View], budgets: Sequence[int], mean: float) ->
     least = [view.case.triangles(coarsest(view)) for view in views]
     best = ours(views, budgets)
     for _ in range(STEPS):
-        share = 0.5 * (low + high)
-        found = ours(views, [max(int(share * each), few) for each, few in zip(budgets, least, strict=True)])
-        if found.mean >= mean:
-            high, best = share, found
+        fraction = 0.5 * (low + high)
+        outcome = ours(views, [max(int(fraction * each), few) for each, few in zip(budgets, least, strict=True)])
+        if outcome.mean >= mean:
+            high, best = fraction, outcome
         else:
-            low = share
+            low = fraction
     return best
 
 
 def coarsest(view: View) -> Levels:
-    """Coarsest levels of all objects in view."""
     full, last = view.case.in_full(view.camera), np.array([len(model) - 1 for model in view.case.models])
     return np.where(full < 0, full, last[view.case.crowd.model_index]).astype(np.int32)
 
@@ -144,13 +141,13 @@ def report(headset: Headset, *, quick: bool) -> str:
         greedy = merge(
             [view.outcome(view.by_greedy_error(budget)) for view, budget in zip(views, budgets, strict=True)]
         )
-        own, equal = ours(views, budgets), at_equal_mean(views, budgets, rule.mean)
+        own_outcome, equal = ours(views, budgets), at_equal_mean(views, budgets, rule.mean)
         fewer = 100 * (1 - equal.triangles / rule.triangles)
-        means = rule.mean, greedy.mean, own.mean, own.foreseen
+        means = rule.mean, greedy.mean, own_outcome.mean, own_outcome.foreseen
         rows.append([pixels, rule.triangles, *means, equal.triangles, fewer])
     header = "pixels {:g} | triangles {:,} | SSIM, rule {:.3f} | greedy {:.3f} | budget {:.3f} | foreseen {:.3f}"
     header += " | triangles at equal SSIM {:,} | fewer % {:.0f}"
-    return table(f"Rift S: mean SSIM of {len(own.scores):,} objects, with as many triangles", header, rows)
+    return table(f"Rift S: mean SSIM of {len(own_outcome.scores):,} objects, with as many triangles", header, rows)
 
 
 def main() -> None:

@@ -35,7 +35,7 @@ def curves(samples: int, noise: float) -> tuple[Array, Array]:
 
 def by_scipy(x: Array, y: Array, **options: Any) -> Array:
     """Squared residuals of SciPy's fit from the usual first guess; infinite if it fails."""
-    left = np.full(len(y), np.inf)
+    residuals = np.full(len(y), np.inf)
     middle = np.sqrt(x[0] * x[-1])
     with warnings.catch_warnings(), np.errstate(all="ignore"):
         warnings.simplefilter("ignore")
@@ -44,8 +44,8 @@ def by_scipy(x: Array, y: Array, **options: Any) -> Array:
                 parameters = scipy.optimize.curve_fit(formula, x, row, p0=(row[0], 1, middle, row[-1]), **options)[0]
             except RuntimeError:
                 continue
-            left[k] = ((formula(x, *parameters) - row) ** 2).sum()
-    return left
+            residuals[k] = ((formula(x, *parameters) - row) ** 2).sum()
+    return residuals
 
 
 def table(samples: int, noise: float) -> str:
@@ -69,8 +69,8 @@ def table(samples: int, noise: float) -> str:
 
     def error(fitted: nf.lod.Curve4PL | Array) -> float:
         # Residuals of clean data are only rounding.
-        above = residuals(fitted) > least * (1 + 1e-9) + 1e-13 * y.var(axis=1)
-        return float(above[counted].mean())
+        is_above_least = residuals(fitted) > least * (1 + 1e-9) + 1e-13 * y.var(axis=1)
+        return float(is_above_least[counted].mean())
 
     cases = [Case(f"{OURS}, shared x", lambda: ours(x), error), Case(f"{OURS}, own x", lambda: ours(repeated), error)]
     cases += [Case(name, job, error) for name, job in scipy_cases.items()]

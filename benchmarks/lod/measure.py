@@ -46,12 +46,12 @@ def sphere(rows: int) -> nf.Scene:
     """Make a bumpy sphere of 4 × rows × (rows − 1) triangles."""
     polar, around = np.linspace(0, np.pi, rows + 1), np.linspace(0, 2 * np.pi, 2 * rows, endpoint=False)
     theta, phi = (grid.ravel() for grid in np.meshgrid(polar, around, indexing="ij"))
-    way = np.stack([np.sin(theta) * np.cos(phi), np.cos(theta), np.sin(theta) * np.sin(phi)], axis=1)
+    directions = np.stack([np.sin(theta) * np.cos(phi), np.cos(theta), np.sin(theta) * np.sin(phi)], axis=1)
     radius = 1 + 0.08 * np.sin(5 * theta) * np.cos(4 * phi) + 0.04 * np.sin(9 * theta + 3 * phi) * np.sin(theta)
     i, j = (grid.ravel() for grid in np.meshgrid(np.arange(rows), np.arange(2 * rows), indexing="ij"))
     a, b = i * 2 * rows + j, i * 2 * rows + (j + 1) % (2 * rows)
     upper, lower = np.stack([a, b, b + 2 * rows], axis=1), np.stack([a, b + 2 * rows, a + 2 * rows], axis=1)
-    return nf.Scene.from_arrays(way * radius[:, None], np.concatenate([upper[i > 0], lower[i < rows - 1]]))
+    return nf.Scene.from_arrays(directions * radius[:, None], np.concatenate([upper[i > 0], lower[i < rows - 1]]))
 
 
 # the script ----------------------------------------------------------------------------------------------------------
@@ -121,7 +121,7 @@ class Script:
         speck = levels.center + 1e-9 * levels.radius * np.eye(3)
         self.nothing = nf.Scene.from_arrays(speck, [[0, 1, 2]])
 
-    def whole(self, number: int, turn: Any) -> nf.Camera:
+    def full_camera(self, number: int, turn: Any) -> nf.Camera:
         """Return the camera of the whole screen at the place from which `measure` sees a box of it."""
         width, height = self.stand.screen.size
         x, y = width / 2 * self.stand.screen.pixel, height / 2 * self.stand.screen.pixel
@@ -164,21 +164,21 @@ Seconds = dict[str, Array]
 
 def by_whole_frames(script: Script, count: int, views: list[Any], numbers: list[int]) -> tuple[Array, Seconds]:
     """Scores (2, K, D, V) of the whole frame and of the object's box in it, one pair of frames after the other."""
-    scores, spent = np.ones((2, count, len(numbers), len(views))), {part: np.zeros(2) for part in PARTS}
+    scores, seconds = np.ones((2, count, len(numbers), len(views))), {part: np.zeros(2) for part in PARTS}
 
     def run(part: str, job: Callable[..., Any], *arguments: Any) -> Any:
         result, time = timed(job, *arguments)
-        spent[part] += time.wall, time.cpu
+        seconds[part] += time.wall, time.cpu
         return result
 
     for (d, number), (v, turn) in itertools.product(enumerate(numbers), enumerate(views)):
-        camera = script.whole(number, turn)
+        camera = script.full_camera(number, turn)
         sky = script.sky(camera)
         for level in range(1, count):
             base, test = (run("frames", script.frame, each, camera, sky) for each in (0, level))
             scores[0, level, d, v] = run("whole", similarity, base, test)
             scores[1, level, d, v] = run("box", lambda base, test: similarity(*boxed(base, test)), base, test)
-    return scores, spent
+    return scores, seconds
 
 
 def by_boxes(script: Script, count: int, views: list[Any], numbers: list[int]) -> Array:
@@ -201,8 +201,8 @@ def by_boxes(script: Script, count: int, views: list[Any], numbers: list[int]) -
 
 def main() -> None:
     distances = {"type": int, "nargs": "+", "default": [1, 2, 4, 8, 16]}
-    asked = start(__doc__, views=3, distances=distances, file={"nargs": "?"})
-    levels = nf.lod.simplify(nf.Scene.load(asked.file) if asked.file else sphere(159), RATIOS)
+    arguments = start(__doc__, views=3, distances=distances, file={"nargs": "?"})
+    levels = nf.lod.simplify(nf.Scene.load(arguments.file) if arguments.file else sphere(159), RATIOS)
     print(levels, flush=True)
     options: dict[str, Any] = {"hmd": nf.hmd.RIFT_S, "samples": 1, "backend": "cpu", "cache": False}
     options |= {"views": VIEWS, "distances": DISTANCES, "step": None, "saturated": None}
@@ -210,28 +210,29 @@ def main() -> None:
     assert ours.samples is not None
     assert ours.samples.views is not None
 
-    center = (float(levels.center[0]), float(levels.center[1]), float(levels.center[2]))
-    stand = Stand(Screen.from_arguments(nf.hmd.RIFT_S, None, None), center, levels.radius, 1.05 * levels.radius)
+    stand = Stand.around(levels, Screen.from_arguments(nf.hmd.RIFT_S, None, None))
     different, shown = turns(VIEWS, "even")
-    chosen = np.linspace(1, VIEWS - 1, asked.views).round().astype(int)
+    view_numbers = np.linspace(1, VIEWS - 1, arguments.views).round().astype(int)
     with one_sample() as pyrender:
         script = Script(levels, stand, pyrender)
-        some, seconds = by_whole_frames(script, len(levels), [different[shown[v]] for v in chosen], asked.distances)
-        every = by_boxes(script, len(levels), different, asked.distances)[..., shown]
+        some, seconds = by_whole_frames(
+            script, len(levels), [different[shown[v]] for v in view_numbers], arguments.distances
+        )
+        boxed_scores = by_boxes(script, len(levels), different, arguments.distances)[..., shown]
     print(times(time, seconds, some[0].size - some[0, 0].size, (len(levels) - 1) * VIEWS * DISTANCES, levels))
 
-    at = np.array(asked.distances) - 1
-    measured, sigma = ours.samples.views[:, at], ours.samples.sigma[at]
-    scores = [statistic.of_views(one, 25.0) for one in (measured, every)]
+    indices = np.array(arguments.distances) - 1
+    measured, sigma = ours.samples.views[:, indices], ours.samples.sigma[indices]
+    scores = [statistic.of_views(one, 25.0) for one in (measured, boxed_scores)]
     places = np.geomspace(sigma[-1], sigma[0], 100)
     curves = [nf.lod.fit_4pl(sigma, score[1:])(places) for score in scores]
-    apart = {
+    differences_of = {
         "whole frames and their boxes, single views": np.abs(some[0] - some[1]).max(axis=(0, 2)),
-        "whole frames and ours, single views": np.abs(some[0] - measured[..., chosen]).max(axis=(0, 2)),
+        "whole frames and ours, single views": np.abs(some[0] - measured[..., view_numbers]).max(axis=(0, 2)),
         f"percentiles of {VIEWS} views": np.abs(scores[0] - scores[1]).max(axis=0),
     }
-    header = ["what", *(f"distance {n} {{:.1e}}" for n in asked.distances), "all {:.1e}"]
-    rows = [[name, *differences, differences.max()] for name, differences in apart.items()]
+    header = ["what", *(f"distance {n} {{:.1e}}" for n in arguments.distances), "all {:.1e}"]
+    rows = [[name, *differences, differences.max()] for name, differences in differences_of.items()]
     print(table("How far scores are apart", header, rows))
     worst = float(np.abs(curves[0] - curves[1]).max())
     is_close = worst <= MAX_CURVE_DIFFERENCE
@@ -241,13 +242,13 @@ def main() -> None:
 def times(time: Timing, parts: Seconds, scored: int, job: int, levels: nf.lod.Levels) -> str:
     """Table of nearfar's time, and the script's scaled to the whole job."""
     ours = np.array([time.wall, time.cpu])
-    ways = {
+    rows_of = {
         "nearfar": (ours, job),
         "pyrender, scikit-image": (parts["frames"] + parts["whole"], scored),
         "the same, SSIM of the object's box": (parts["frames"] + parts["box"], scored),
         "pyrender's frames alone": (parts["frames"], scored),
     }
-    rows = [[name, *spent, (count, job), *(spent / count * job / ours)] for name, (spent, count) in ways.items()]
+    rows = [[name, *spent, (count, job), *(spent / count * job / ours)] for name, (spent, count) in rows_of.items()]
     header = "way | wall s {:.1f} | CPU s {:.1f} | scores {:,} of {:,} | × ours, whole job, wall {:.0f} | × CPU {:.0f}"
     title = f"{levels[0].triangle_count:,} triangles, {len(levels) - 1} levels, {VIEWS} views, {DISTANCES} distances"
     return table(title, header, rows)

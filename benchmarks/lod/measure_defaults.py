@@ -23,14 +23,14 @@ HEADER += " | CPU s {:.0f} | curves apart {:.0e}"
 
 def row(name: str, levels: nf.lod.Levels) -> list[object]:
     measure = partial(nf.lod.measure, levels, hmd=nf.hmd.RIFT_S, backend="cpu", cache=False)
-    model, own = timed(measure)
-    whole, every = timed(measure, step=None, saturated=None)
+    model, model_time = timed(measure)
+    full_model, full_time = timed(measure, step=None, saturated=None)
     places = np.geomspace(*model.sigma, 100)
-    kept = np.isin(whole.triangles, model.triangles)[1:]
-    apart = np.abs(model.curves(places) - whole.curves(places)[kept]).max()
-    done = model.measured["scores"] / whole.measured["scores"]
+    is_kept = np.isin(full_model.triangles, model.triangles)[1:]
+    difference = np.abs(model.curves(places) - full_model.curves(places)[is_kept]).max()
+    fraction = model.measured["scores"] / full_model.measured["scores"]
     counts = levels[0].triangle_count, len(levels), len(model)
-    return [name, *counts, own.wall, own.cpu, done, every.wall, every.cpu, apart]
+    return [name, *counts, model_time.wall, model_time.cpu, fraction, full_time.wall, full_time.cpu, difference]
 
 
 def main() -> None:

@@ -56,8 +56,8 @@ class Promises:
     def in_bands(self) -> list[NDArray[np.bool_]]:
         """Appearances (S,) in each of `BANDS` of objects that appear in all of them, so that these are comparable."""
         band = np.digitize(self.degrees, BANDS[1:-1])
-        seen = [self.objects[band == number] for number in range(len(BANDS) - 1)]
-        everywhere = np.isin(self.objects, functools.reduce(np.intersect1d, seen))
+        objects_of_band = [self.objects[band == number] for number in range(len(BANDS) - 1)]
+        everywhere = np.isin(self.objects, functools.reduce(np.intersect1d, objects_of_band))
         return [everywhere & (band == number) for number in range(len(BANDS) - 1)]
 
     @property
@@ -71,8 +71,8 @@ class Promises:
         names = np.unique(self.objects[self.in_bands[0]])
         random, spreads = np.random.default_rng(0), []
         for _ in range(HALVES):
-            chosen = np.isin(self.objects, random.permutation(names)[: len(names) // 2])
-            shares = np.array([100 * self.is_kept[band & chosen].mean() for band in self.in_bands])
+            is_drawn = np.isin(self.objects, random.permutation(names)[: len(names) // 2])
+            shares = np.array([100 * self.is_kept[band & is_drawn].mean() for band in self.in_bands])
             spreads.append(shares - np.roll(shares, 1))
         # A random half differs from the whole by as much as the whole differs from the population.
         return float(np.std(spreads, axis=0).max())
@@ -80,21 +80,23 @@ class Promises:
 
 def promises(cases: Sequence[Case], models: Sequence[nf.lod.LodModel], mode: Mode) -> Promises:
     """Choose levels by the curves of models, and score the objects in the pictures with these levels."""
-    kept, degrees, objects, drawn = [], [], [], 0
+    is_kept, degrees, objects, drawn = [], [], [], 0
     for place, case in enumerate(cases):
-        how = nf.lod.Selector(lens=case.headset.lens, mode=mode)
+        selector = nf.lod.Selector(lens=case.headset.lens, mode=mode)
         for number, camera in enumerate(case.cameras):
-            chosen = how.select(models, *case.spheres[1:], camera=case.counting(camera, mode), full=True)
-            reached = case.scores(number, chosen.level)
-            scored = np.isfinite(reached) & (chosen.level >= 0)
+            selection = selector.select(models, *case.spheres[1:], camera=case.counting(camera, mode), full=True)
+            object_scores = case.scores(number, selection.level)
+            is_scored = np.isfinite(object_scores) & (selection.level >= 0)
             # Objects limited to level 0 have no known threshold.
-            kept.append((reached[scored] >= chosen.threshold[scored]) | (chosen.level[scored] == 0))
-            way = case.crowd.centers[scored] - camera.position
-            ahead = -way @ rotation(camera.orientation)[:, 2] / np.linalg.norm(way, axis=1)
+            is_kept.append(
+                (object_scores[is_scored] >= selection.threshold[is_scored]) | (selection.level[is_scored] == 0)
+            )
+            directions = case.crowd.centers[is_scored] - camera.position
+            ahead = -directions @ rotation(camera.orientation)[:, 2] / np.linalg.norm(directions, axis=1)
             degrees.append(np.degrees(np.arccos(np.clip(ahead, -1, 1))))
-            objects.append(place * len(scored) + np.flatnonzero(scored))
-            drawn += case.triangles(chosen.level)
-    return Promises(np.concatenate(kept), np.concatenate(degrees), np.concatenate(objects), drawn)
+            objects.append(place * len(is_scored) + np.flatnonzero(is_scored))
+            drawn += case.triangles(selection.level)
+    return Promises(np.concatenate(is_kept), np.concatenate(degrees), np.concatenate(objects), drawn)
 
 
 def report(headset: Headset, *, quick: bool) -> str:
@@ -108,9 +110,9 @@ def report(headset: Headset, *, quick: bool) -> str:
         fails = bisect.bisect_left(range(PUBLISHED), True, key=lambda each: trial(each).percent_good < KEPT)
         enough = f"{mode}, {KEPT:g} % kept" if fails else f"{mode}, least"
         for label, percentile in ((mode, PUBLISHED), (enough, max(fails - 1, 0))):
-            found, shares = trial(percentile), trial(percentile).by_band
-            spread = max(shares) - min(shares), found.error
-            rows.append([label, percentile, found.percent_good, *shares, spread, found.triangles])
+            result, shares = trial(percentile), trial(percentile).by_band
+            spread = max(shares) - min(shares), result.error
+            rows.append([label, percentile, result.percent_good, *shares, spread, result.triangles])
     first = trial(PUBLISHED)
     bands = [f"{start:g} to {end:g}° {{:.1f}}" for start, end in itertools.pairwise(BANDS)]
     everywhere = len(np.unique(first.objects[first.in_bands[0]]))

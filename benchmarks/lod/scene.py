@@ -28,24 +28,20 @@ def model(seed: int) -> nf.lod.LodModel:
         bumps = 1 + 0.04 * np.sin(6 * ball.vertices @ axes.T).sum(axis=1, keepdims=True)
         scene = nf.Scene.from_arrays((0.3 * ball.vertices * bumps).astype(np.float32), ball.faces.astype(np.uint32))
         levels.append(nf.lod.Level(scene=scene))
-    whole = nf.lod.Levels(levels, name=f"model_{seed}")
-    count = len(whole) - 1
-    ones = np.ones(count)
-    middles = 0.5 / 4.0 ** np.arange(count)
-    statuses = np.full(count, "fitted"), np.full(count, "")
+    all_levels = nf.lod.Levels(levels, name=f"model_{seed}")
+    ones = np.ones(len(all_levels) - 1)
+    middles = 0.5 / 4.0 ** np.arange(len(ones))
     return nf.lod.LodModel(
-        triangles=np.array([level.triangle_count for level in whole]),
-        curves=nf.lod.Curve4PL(ones, 1.2 * ones, middles, 0.6 * ones, 0 * ones, *statuses),
-        center=whole.center,
-        radius=whole.radius,
+        triangles=np.array([level.triangle_count for level in all_levels]),
+        curves=nf.lod.Curve4PL(ones, 1.2 * ones, middles, 0.6 * ones),
+        center=all_levels.center,
+        radius=all_levels.radius,
         sigma=(1e-6, 1.0),
-        errors=np.zeros(len(whole)),
-        levels=whole,
+        levels=all_levels,
     )
 
 
 def places(random: np.random.Generator) -> NDArray[np.float64]:
-    """Random places in a ball, with random orientations."""
     matrices = np.tile(np.eye(4), (OBJECTS, 1, 1))
     for matrix in matrices:
         matrix[:] = trimesh.transformations.random_rotation_matrix(random.random(3))

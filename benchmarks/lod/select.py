@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import functools
 import os
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,17 +28,14 @@ BYTES = 44
 def models(least: float) -> list[nf.lod.LodModel]:
     """Make models of eight levels each, similar to measured objects, down to a solid angle."""
     random = np.random.default_rng(0)
-    share = np.linspace(0, 1, 7)
-    made = []
+    coarseness = np.linspace(0, 1, 7)
+    triangles, sigma = np.geomspace(1e5, 1e2, 8).astype(np.int64), (least, nf.lod.reference_solid_angle(CAMERA))
+    a, d = 1 - 0.02 * coarseness, 0.6 - 0.5 * coarseness
+    similar = []
     for _ in range(MODELS):
-        a, d = 1 - 0.02 * share, 0.6 - 0.5 * share
-        c, b = 0.2 * 0.01**share * random.uniform(0.7, 1.4), np.full(7, random.uniform(0.7, 1.3))
-        curves = nf.lod.Curve4PL(a, b, c, d, 0 * a, np.full(7, "fitted"), np.full(7, ""))
-        triangles = np.geomspace(1e5, 1e2, 8).astype(np.int64)
-        sigma = (least, nf.lod.reference_solid_angle(CAMERA))
-        sphere: dict[str, Any] = {"center": np.zeros(3), "radius": 1.0, "errors": np.zeros(8)}
-        made.append(nf.lod.LodModel(triangles=triangles, curves=curves, sigma=sigma, **sphere))
-    return made
+        c, b = 0.2 * 0.01**coarseness * random.uniform(0.7, 1.4), np.full(7, random.uniform(0.7, 1.3))
+        similar.append(nf.lod.LodModel(triangles=triangles, curves=nf.lod.Curve4PL(a, b, c, d), sigma=sigma))
+    return similar
 
 
 def scenes() -> dict[str, tuple[Array, Array, float]]:
@@ -56,7 +52,7 @@ def scenes() -> dict[str, tuple[Array, Array, float]]:
 
 
 def by_numpy(
-    made: list[nf.lod.LodModel], index: NDArray[np.int64], centers: Array, radii: Array, nodes: int
+    similar: list[nf.lod.LodModel], index: NDArray[np.int64], centers: Array, radii: Array, nodes: int
 ) -> NDArray[np.int32]:
     """Choose levels straightforwardly, with an inverse by interpolation (or five steps of the published one)."""
     assert isinstance(CAMERA.fov, nf.Fov)
@@ -67,16 +63,15 @@ def by_numpy(
     for across, tangent in sides:
         visible &= (across - tangent * ahead) / np.hypot(1, tangent) <= radii
     level = np.full(len(radii), -1, np.int32)
-    mine = np.flatnonzero(visible)
-    distance = np.linalg.norm(centers[mine], axis=1)
+    in_view = np.flatnonzero(visible)
+    distance = np.linalg.norm(centers[in_view], axis=1)
     with np.errstate(invalid="ignore"):
-        mu = np.arcsin(np.minimum(radii[mine] / distance, 1))
-        alpha = np.arccos(ahead[mine] / distance)
+        mu = np.arcsin(np.minimum(radii[in_view] / distance, 1))
+        alpha = np.arccos(ahead[in_view] / distance)
         sigma = 4 * np.pi * np.sin(mu / 2) ** 2
         edges = [np.tan(alpha + mu) / scale, np.tan(alpha - mu) / scale]
         if nodes:
-            end = 4.0
-            r = np.linspace(0, end, nodes)
+            r = np.linspace(0, 4.0, nodes)
             roots = [np.sign(edge) * np.interp(np.abs(edge), RIFT_S.distort(r), r) for edge in edges]
         else:
             roots = [edge.copy() for edge in edges]
@@ -85,33 +80,33 @@ def by_numpy(
                     square = root * root
                     root[:] = edge / (1 + square * (RIFT_S.k[0] + RIFT_S.k[1] * square))
         stretch = (np.arctan(scale * roots[0]) - np.arctan(scale * roots[1])) / (2 * mu)
-        seen = np.where(alpha + mu < np.pi / 2, sigma * stretch, sigma)
-    wanted = nf.lod.LodThreshold()(sigma, reference)
-    chosen = np.zeros(len(mine), np.int32)
-    for number, one in enumerate(made):
-        these = np.flatnonzero(index[mine] == number)
-        size = np.maximum(seen[these], one.sigma[0])
-        for step, (a, b, c, d) in enumerate(zip(*one.curves, strict=True), 1):
-            chosen[these[d + (a - d) / (1 + (size / c) ** b) >= wanted[these]]] = step
-    chosen[seen > reference] = 0
-    level[mine] = chosen
+        apparent = np.where(alpha + mu < np.pi / 2, sigma * stretch, sigma)
+    required = nf.lod.LodThreshold()(sigma, reference)
+    level_in_view = np.zeros(len(in_view), np.int32)
+    for number, model in enumerate(similar):
+        rows = np.flatnonzero(index[in_view] == number)
+        size = np.maximum(apparent[rows], model.sigma[0])
+        for step, (a, b, c, d) in enumerate(zip(*model.curves, strict=True), 1):
+            level_in_view[rows[d + (a - d) / (1 + (size / c) ** b) >= required[rows]]] = step
+    level_in_view[apparent > reference] = 0
+    level[in_view] = level_in_view
     return level
 
 
 def budget_by_numpy(
-    made: list[nf.lod.LodModel], index: NDArray[np.int64], sizes: Array, budget: int
+    similar: list[nf.lod.LodModel], index: NDArray[np.int64], sizes: Array, budget: int
 ) -> tuple[NDArray[np.int64], float]:
     """Levels and mean score under a budget: all steps between neighbouring levels, sorted, without convex hulls."""
-    count, steps = len(index), len(made[0]) - 1
+    count, steps = len(index), len(similar[0]) - 1
     scores, added = np.ones((count, steps + 1)), np.zeros((count, steps), np.int64)
     first = 0
-    for number, one in enumerate(made):
-        mine = np.flatnonzero(index == number)
-        size = np.clip(sizes[mine], *one.sigma)
-        for level, (a, b, c, d) in enumerate(zip(*one.curves, strict=True), 1):
-            scores[mine, level] = d + (a - d) / (1 + (size / c) ** b)
-        added[mine] = -np.diff(one.triangles)
-        first += len(mine) * int(one.triangles[-1])
+    for number, model in enumerate(similar):
+        rows = np.flatnonzero(index == number)
+        size = np.clip(sizes[rows], *model.sigma)
+        for level, (a, b, c, d) in enumerate(zip(*model.curves, strict=True), 1):
+            scores[rows, level] = d + (a - d) / (1 + (size / c) ** b)
+        added[rows] = -np.diff(model.triangles)
+        first += len(rows) * int(model.triangles[-1])
     slopes = -np.diff(scores, axis=1) / added
     # A step comes after the coarser ones of its object.
     slopes = np.minimum.accumulate(slopes[:, ::-1], axis=1)[:, ::-1]
@@ -123,33 +118,33 @@ def budget_by_numpy(
 
 def budget_table(title: str, centers: Array, radii: Array, least: float) -> str:
     """Table of budgets of 2 and 20 times the coarsest levels; errors are the mean score below that of the kernel."""
-    made = models(least)
+    similar = models(least)
     index = np.random.default_rng(2).integers(0, MODELS, COUNT)
-    select = functools.partial(nf.lod.select, made, index, centers, radii, camera=CAMERA, lens=RIFT_S, cull=False)
+    select = functools.partial(nf.lod.select, similar, index, centers, radii, camera=CAMERA, lens=RIFT_S, cull=False)
     sizes = nf.corrected_solid_angle(centers, radii, camera=CAMERA, lens=RIFT_S)
-    coarsest = int(np.array([one.triangles[-1] for one in made])[index].sum())
+    coarsest = int(np.array([model.triangles[-1] for model in similar])[index].sum())
     cases = [Case(f"{OURS}, threshold", select)]
     notes = []
     for factor in (2, 20):
         ours = functools.partial(select, budget=factor * coarsest)
-        before = ours()
-        if (spent := before.spent) is None:
+        first_frame = ours()
+        if (spent := first_frame.spent) is None:
             raise RuntimeError("expected a budget that is spent")
-        theirs = functools.partial(budget_by_numpy, made, index, sizes, factor * coarsest)
-        again = functools.partial(ours, previous=before.level, price=spent.price, hysteresis=0.1)
+        by_sorting = functools.partial(budget_by_numpy, similar, index, sizes, factor * coarsest)
+        next_frame = functools.partial(ours, previous=first_frame.level, price=spent.price, hysteresis=0.1)
         cases.append(Case(f"{OURS}, {factor} x the coarsest levels", ours))
-        cases.append(Case(f"{OURS}, {factor} x, the frame after", again))
-        cases.append(Case(f"NumPy, sorted steps, {factor} x", theirs))
-        notes.append(f"{factor} x: {spent}, NumPy's mean score {theirs()[1]:.6f}")
+        cases.append(Case(f"{OURS}, {factor} x, the frame after", next_frame))
+        cases.append(Case(f"NumPy, sorted steps, {factor} x", by_sorting))
+        notes.append(f"{factor} x: {spent}, NumPy's mean score {by_sorting()[1]:.6f}")
     text = compare(f"Budgets for 10⁶ objects, {title}", cases, work=Work(bytes=BYTES * COUNT), repeat=3)
     return "\n".join([text, *notes, ""])
 
 
 def table(title: str, centers: Array, radii: Array, least: float) -> str:
     """Table whose errors are the share of objects with a level other than that of the exact inverse."""
-    made = models(least)
+    similar = models(least)
     index = np.random.default_rng(2).integers(0, MODELS, COUNT)
-    select = functools.partial(nf.lod.select, made, index, centers, radii, camera=CAMERA, lens=RIFT_S)
+    select = functools.partial(nf.lod.select, similar, index, centers, radii, camera=CAMERA, lens=RIFT_S)
     expected = select(inverse="newton")
 
     def error(levels: NDArray[np.int32] | nf.lod.Selection) -> float:
@@ -162,23 +157,23 @@ def table(title: str, centers: Array, radii: Array, least: float) -> str:
         Case(f"{OURS}, panel", functools.partial(select, mode="panel")),
         Case(f"{OURS}, fovea", functools.partial(select, mode="fovea")),
         Case(f"{OURS}, two eyes", functools.partial(select, camera=[CAMERA, CAMERA]), error),
-        Case("NumPy, interp over 4,096", lambda: by_numpy(made, index, centers, radii, 4096), error),
-        Case("NumPy, 5 fixed-point steps", lambda: by_numpy(made, index, centers, radii, 0), error),
+        Case("NumPy, interp over 4,096", lambda: by_numpy(similar, index, centers, radii, 4096), error),
+        Case("NumPy, 5 fixed-point steps", lambda: by_numpy(similar, index, centers, radii, 0), error),
         Case("reading (NumPy's max)", lambda: (centers.max(), radii.max(), index.max())),
     ]
     text = compare(f"Levels of 10⁶ objects, {title}", cases, work=Work(bytes=BYTES * COUNT), repeat=5)
     by_table, exact = (
-        nf.lod.select(made, index, centers, radii, camera=CAMERA, lens=RIFT_S, inverse=inverse, full=True)
+        nf.lod.select(similar, index, centers, radii, camera=CAMERA, lens=RIFT_S, inverse=inverse, full=True)
         for inverse in ("lut", "newton")
     )
-    asked = ~np.isnan(exact.sigma_seen)
-    off = np.abs(by_table.sigma_seen[asked] / exact.sigma_seen[asked] - 1).max()
-    share = 1 - by_table.counts["culled"] / COUNT
-    small = np.mean(by_table.sigma_seen[asked] <= least)
+    is_asked = ~np.isnan(exact.sigma_seen)
+    error_of_size = np.abs(by_table.sigma_seen[is_asked] / exact.sigma_seen[is_asked] - 1).max()
+    in_view = 1 - by_table.counts["culled"] / COUNT
+    small = np.mean(by_table.sigma_seen[is_asked] <= least)
     decided = by_table.counts["table"] / by_table.counts["asked"]
     return (
-        f"{text}\n{share:.1%} in view; of those asked for {small:.1%} are smaller than measured, and tables decide "
-        f"{decided:.1%}\nσ′ off by {off:.1e} of itself at most; {by_table.counts}\n"
+        f"{text}\n{in_view:.1%} in view; of those asked for {small:.1%} are smaller than measured, and tables decide "
+        f"{decided:.1%}\nσ′ has a relative error of at most {error_of_size:.1e}; {by_table.counts}\n"
     )
 
 

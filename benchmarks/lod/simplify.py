@@ -42,20 +42,21 @@ def levels(name: str, mesh: nf.Scene | trimesh.Trimesh) -> str:
     base = Base(mesh)
     rows: list[list[object]] = []
     for method in ("fast", "meshopt"):
-        made, time = timed(nf.lod.simplify, mesh, RATIOS, method=method)
-        for level in made[1:]:
-            errors = level.error / made.radius, level.mean_error / made.radius
-            share = level.triangle_count / made[0].triangle_count
-            rows.append([f"{OURS}, {method}, {time.wall:.2f} s", level.ratio, share, *errors])
+        simplified, time = timed(nf.lod.simplify, mesh, RATIOS, method=method)
+        for level in simplified[1:]:
+            errors = level.error / simplified.radius, level.mean_error / simplified.radius
+            reached = level.triangle_count / simplified[0].triangle_count
+            rows.append([f"{OURS}, {method}, {time.wall:.2f} s", level.ratio, reached, *errors])
     points, faces = base.surface.positions.astype(np.float64), base.places[base.surface.faces].astype(np.int32)
     simplify = fast_simplification.simplify
     plain, time = timed(lambda: [simplify(points, faces, target_count=int(r * len(faces))) for r in RATIOS])
     _, radius = nf.bounding_sphere(points)
-    for ratio, (places, left) in zip(RATIOS, plain, strict=True):
-        surface = Surface(places.astype(np.float32), left.astype(np.uint32), np.zeros(len(left), np.int32))
+    for ratio, (vertices, triangles) in zip(RATIOS, plain, strict=True):
+        count = len(triangles)
+        surface = Surface(vertices.astype(np.float32), triangles.astype(np.uint32), np.zeros(count, np.int32))
         distances = deviation.deviation((base.scene, base.surface), (base.scene_of(surface), surface))
         errors = distances[0] / radius, distances[1] / radius
-        rows.append([f"fast-simplification as it is, {time.wall:.2f} s", ratio, len(left) / len(faces), *errors])
+        rows.append([f"fast-simplification as it is, {time.wall:.2f} s", ratio, count / len(faces), *errors])
     header = " | ratio {:g} | reached {:.3f} | greatest / radius {:.2e} | mean / radius {:.2e}"
     return table(f"levels of {name}, {len(faces):,} triangles", header, rows)
 
@@ -65,13 +66,13 @@ def shares(name: str, mesh: nf.Scene | trimesh.Trimesh) -> str:
     base = Base(mesh)
     target = len(base.surface.faces) // 10
     simplifier, preparing = timed(QuadricSimplifier, base.surface, base.places)
-    surface, whole = timed(simplifier.level, target)
-    carried: list[Timing] = []
+    surface, simplifying = timed(simplifier.level, target)
+    carrying: list[Timing] = []
     original = carry.Carrier.carried
 
     def watched(self: carry.Carrier, *arguments: Any) -> Surface:
         result, time = timed(original, self, *arguments)
-        carried.append(time)
+        carrying.append(time)
         return result
 
     with patch.object(carry.Carrier, "carried", watched):
@@ -79,8 +80,8 @@ def shares(name: str, mesh: nf.Scene | trimesh.Trimesh) -> str:
     _, measured = timed(lambda: deviation.deviation((base.scene, base.surface), (base.scene_of(surface), surface)))
     rows = {
         "preparing, once for all levels": preparing.ms,
-        "collapsing": whole.ms - carried[0].ms,
-        "carrying attributes": carried[0].ms,
+        "collapsing": simplifying.ms - carrying[0].ms,
+        "carrying attributes": carrying[0].ms,
         "distances, with both trees": measured.ms,
     }
     return table(f"one level of {name} at 0.1 by 'fast'", " | ms {:.0f}", rows.items())

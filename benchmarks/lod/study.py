@@ -9,26 +9,9 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from benchmarks.harness.report import table
+from benchmarks.lod import user_study as statistics
 from benchmarks.lod._printed import PRINTED, SOURCE, computed, spans
-from benchmarks.lod.user_study import (
-    FILE,
-    TABULATED,
-    Study,
-    Wilcoxon,
-    bootstrap,
-    by_participant,
-    correlation,
-    lilliefors,
-    load,
-    made_up,
-    moments,
-    odd_rows,
-    paired,
-    readings,
-    shapiro,
-    texture,
-    wilcoxon,
-)
+from benchmarks.lod.user_study import FILE, TABULATED, Study, Wilcoxon
 from nearfar._base import data
 
 COLUMNS = ("d", "k")
@@ -37,9 +20,9 @@ COLUMNS = ("d", "k")
 def study_or_twin() -> tuple[Study, str]:
     """Return the published study, or the synthetic one without a data folder, and a line that states which."""
     if data.find(FILE):
-        study = load()
+        study = statistics.load()
         return study, f"published: {len(study)} rows of {len(np.unique(study.participant))} participants"
-    study = made_up(TABULATED + 1)
+    study = statistics.made_up(TABULATED + 1)
     return study, "made up, of the same shape, because there is no data folder"
 
 
@@ -63,21 +46,22 @@ def table_of_moments(study: Study) -> str:
     for column in COLUMNS:
         parts = {"both": study} | {hmd: study.select(hmd=hmd) for hmd in study.hmds}
         parts |= {f"{name}, {hmd}": study.select(hmd=hmd, object=name) for name in study.objects for hmd in study.hmds}
-        rows += [[f"{column}, {label}", *astuple(moments(getattr(part, column)))] for label, part in parts.items()]
+        rows += [
+            [f"{column}, {label}", *astuple(statistics.moments(getattr(part, column)))] for label, part in parts.items()
+        ]
     names = ("mean", "deviation", "skewness", "kurtosis", "G₁", "G₂")
     header = ["", "n", *(f"{name} {{:.4f}}" for name in names)]
     return table("Moments of d and k (Table 5.5); kurtosis is excess, 0 for the normal", header, rows)
 
 
 def table_of_normality(study: Study) -> str:
-    """Table 5.4."""
     rows = []
     for column in COLUMNS:
         for hmd in study.hmds:
             part = study.select(hmd=hmd)
             rows.append([f"{column}, {hmd}, rows", *_normal(getattr(part, column))])
-            rows.append([f"{column}, {hmd}, means of participants", *_normal(by_participant(part, column))])
-        one, other = paired(study, column, "hmd", *study.hmds)
+            rows.append([f"{column}, {hmd}, means of participants", *_normal(statistics.by_participant(part, column))])
+        one, other = statistics.paired(study, column, "hmd", *study.hmds)
         rows.append([f"{column}, {' − '.join(study.hmds)}", *_normal(one - other)])
     title = "Normality, Kolmogorov and Smirnov after Lilliefors (p at most 0.1), Shapiro and Wilk (5.4)"
     return table(title, ["", "n", "D", "p", "W", "p"], rows)
@@ -88,19 +72,19 @@ def table_of_headsets(study: Study) -> str:
     rows = []
     one, other = study.hmds
     for column in COLUMNS:
-        test = wilcoxon(*paired(study, column, "hmd", one, other))
+        test = statistics.wilcoxon(*statistics.paired(study, column, "hmd", one, other))
         rows.append([f"{column}, {one} and {other}, rows", *_signed(test)])
-        means = (by_participant(study.select(hmd=hmd), column) for hmd in study.hmds)
-        rows.append([f"{column}, {one} and {other}, means of participants", *_signed(wilcoxon(*means))])
+        means = (statistics.by_participant(study.select(hmd=hmd), column) for hmd in study.hmds)
+        rows.append([f"{column}, {one} and {other}, means of participants", *_signed(statistics.wilcoxon(*means))])
         for name in study.objects:
-            test = wilcoxon(*paired(study.select(object=name), column, "hmd", one, other))
+            test = statistics.wilcoxon(*statistics.paired(study.select(object=name), column, "hmd", one, other))
             rows.append([f"{column}, {one} and {other}, {name}", *_signed(test)])
         for plain in study.objects:
             textured = plain.removesuffix("_plain")
             if textured != plain and textured in study.objects:
-                sides = paired(study, column, "object", textured, plain)
+                sides = statistics.paired(study, column, "object", textured, plain)
                 means_of = f"means {sides[0].mean():.4f} and {sides[1].mean():.4f}"
-                rows.append([f"{column}, {textured} and {plain}, {means_of}", *_signed(wilcoxon(*sides))])
+                rows.append([f"{column}, {textured} and {plain}, {means_of}", *_signed(statistics.wilcoxon(*sides))])
     return table("Pairs compared, Wilcoxon's signed ranks (5.6)", ["", "pairs", "equal", "W", "Z", "p"], rows)
 
 
@@ -108,12 +92,15 @@ def table_of_correlations(study: Study) -> str:
     """Table 5.8."""
     pairs = {f"d and k, {hmd}": (study.select(hmd=hmd).d, study.select(hmd=hmd).k) for hmd in study.hmds}
     pairs["d and k, both headsets"] = (study.d, study.k)
-    pairs["d and k, means of participants"] = (by_participant(study, "d"), by_participant(study, "k"))
+    pairs["d and k, means of participants"] = (
+        statistics.by_participant(study, "d"),
+        statistics.by_participant(study, "k"),
+    )
     for column in COLUMNS:
-        pairs[f"{column}, {' and '.join(study.hmds)}"] = paired(study, column, "hmd", *study.hmds)
+        pairs[f"{column}, {' and '.join(study.hmds)}"] = statistics.paired(study, column, "hmd", *study.hmds)
     rows = []
     for label, (one, other) in pairs.items():
-        both = correlation(one, other)
+        both = statistics.correlation(one, other)
         rows.append([label, len(one), both.tau, _p(both.tau_p), both.rho, _p(both.rho_p)])
     header = " | n | τ {:.4f} | p | ρ {:.4f} | p"
     return table("Correlations, Kendall's τ-b and Spearman's ρ (5.8)", header, rows)
@@ -121,7 +108,7 @@ def table_of_correlations(study: Study) -> str:
 
 def table_of_texture(study: Study) -> str:
     """Table of levels of the same object with and without its texture."""
-    rows = [(f"{name}, level {level}", factor) for (name, level), factor in texture(study).items()]
+    rows = [(f"{name}, level {level}", factor) for (name, level), factor in statistics.texture(study).items()]
     return table("1 − SSIM with a texture, times that without", " | factor {:.2f}", rows)
 
 
@@ -130,11 +117,11 @@ def table_of_readings(study: Study) -> str:
     headset = nf.hmd.RIFT_S
     sigma = nf.lod.reference_solid_angle(headset)
     rows: list[list[object]] = [
-        [label, n, d, k, d - k * sigma, d + k * sigma, d - k] for label, (d, k, n) in readings(study).items()
+        [label, n, d, k, d - k * sigma, d + k * sigma, d - k] for label, (d, k, n) in statistics.readings(study).items()
     ]
     first = study.first(TABULATED)
     for label, objects in (("95 % over participants", False), ("95 % over participants and objects", True)):
-        spans = [bootstrap(first, column, objects=objects) for column in COLUMNS]
+        spans = [statistics.bootstrap(first, column, objects=objects) for column in COLUMNS]
         rows.append([label, len(first), *(f"{low:.4f} to {high:.4f}" for low, high in spans), None, None, None])
     numbers = ("d", "k", "anchored, far away", "literal, at 1/16", "normalized, far away")
     header = ["", "rows", *(f"{name} {{:.4f}}" for name in numbers)]
@@ -142,7 +129,7 @@ def table_of_readings(study: Study) -> str:
 
 
 def _normal(values: NDArray[np.float64]) -> list[str]:
-    (d, d_p), (w, w_p) = lilliefors(values), shapiro(values)
+    (d, d_p), (w, w_p) = statistics.lilliefors(values), statistics.shapiro(values)
     return [str(len(values)), f"{d:.4f}", _p(d_p), f"{w:.4f}", _p(w_p)]
 
 
@@ -159,14 +146,14 @@ def main() -> None:
     first = study.first(TABULATED)
     print(f"The study, {source}; tables use the first {TABULATED}.\n")
     print(f"mean d = {first.d.mean():.4f}, mean k = {first.k.mean():.4f}\n")
-    for row, usual in odd_rows(study):
+    for row, usual in statistics.odd_rows(study):
         person, hmd, name, level = (getattr(study, field)[row] for field in ("participant", "hmd", "object", "level"))
         print(f"odd: participant {person}, {hmd}, {name}, level {level} has d = {study.d[row]}, elsewhere {usual}\n")
     if data.find(FILE):
         print(table_beside_thesis(first))
     for made in (table_of_moments, table_of_normality, table_of_headsets, table_of_correlations):
         print(made(first))
-    if texture(first):
+    if statistics.texture(first):
         print(table_of_texture(first))
     print(table_of_readings(study))
 

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import functools
 import itertools
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
@@ -33,7 +32,6 @@ TIMED = 4
 
 Models = Sequence[nf.lod.LodModel]
 
-
 FRAMES = 250
 """Number of frames of a turn: every tenth of the thesis' 2,500."""
 DRAWS = 20
@@ -42,98 +40,63 @@ RADIUS = 0.5
 """Radius of an object, metres."""
 
 
-@dataclass(frozen=True)
-class Draws:
-    """Balls of objects, and the turn of the camera in each."""
-
-    size: float
-    """Radius of the ball, metres."""
-    count: int
-    """Number of objects in the ball."""
-    radius: float = RADIUS
-    """Radius of an object, metres."""
-    draws: int = DRAWS
-    frames: int = FRAMES
-
-
-@dataclass(frozen=True)
-class Spread:
-    """Mean over draws and its standard error."""
-
-    mean: float
-    error: float
-
-    @staticmethod
-    def from_values(values: Sequence[float]) -> Spread:
-        """Compute the spread of one value for each draw."""
-        return Spread(float(np.mean(values)), float(np.std(values, ddof=1) / np.sqrt(len(values))))
-
-    def __str__(self) -> str:
-        """Format with one decimal."""
-        return f"{self.mean:.1f} ± {self.error:.1f}"
+def mean_and_error(values: NDArray[np.float64]) -> str:
+    """Format the mean over draws with its standard error."""
+    return f"{values.mean():.1f} ± {values.std(ddof=1) / np.sqrt(len(values)):.1f}"
 
 
 @dataclass(frozen=True)
 class Turns:
     """Triangles of a mean frame by draw (D,): at full detail, and by the name of each selection method."""
 
-    off: NDArray[np.float64]
+    full: NDArray[np.float64]
     drawn: dict[str, NDArray[np.float64]]
 
-    def saved(self, way: str, over: str | None = None) -> Spread:
-        """Percentage of triangles that a method saves relative to another one, or to full detail."""
-        before = self.off if over is None else self.drawn[over]
-        return Spread.from_values((100 * (1 - self.drawn[way] / before)).tolist())
+    def saved(self, method: str, over: str | None = None) -> NDArray[np.float64]:
+        """Percentage of triangles (D,) that a method saves relative to another one, or to full detail."""
+        return 100 * (1 - self.drawn[method] / (self.full if over is None else self.drawn[over]))
 
 
 def turns(
-    models: Sequence[nf.lod.LodModel],
+    models: Models,
     headset: Headset,
-    ways: dict[str, nf.lod.Selector],
-    how: Draws,
+    selectors: dict[str, nf.lod.Selector],
+    *,
+    size: float,
+    count: int,
+    radius: float,
+    draws: int,
+    frames: int,
 ) -> Turns:
-    """Choose levels in every frame of every draw; objects out of view are not drawn."""
+    """Choose levels in every frame of a turn in each of several balls; objects out of view are not drawn.
+
+    A ball of radius `size` holds `count` objects of the given radius, metres.
+    """
     counts = np.zeros((len(models), max(map(len, models))))
     for n, model in enumerate(models):
         counts[n, : len(model)] = model.triangles
-    cameras = [headset.camera(2 * np.pi * frame / how.frames) for frame in range(how.frames)]
-    scatter = functools.partial(crowd, models, size=how.size, count=how.count, radius=how.radius)
-    # Without size and radius in the seed, a ball twice as large of objects twice as large is the same scene.
-    balls = [scatter(seed=(draw, round(how.size), round(1000 * how.radius))) for draw in range(how.draws)]
-    every = [_turn(models, counts, ball, cameras, ways) for ball in balls]
-    return Turns(
-        np.array([off for off, _ in every]),
-        {name: np.array([drawn[name] for _, drawn in every]) for name in ways},
-    )
-
-
-def _turn(
-    models: Sequence[nf.lod.LodModel],
-    counts: NDArray[np.float64],
-    scene: Crowd,
-    cameras: Sequence[nf.Camera],
-    ways: dict[str, nf.lod.Selector],
-) -> tuple[float, dict[str, float]]:
-    """Triangles of a mean frame at full detail, and by each method."""
-    off, drawn = 0.0, dict.fromkeys(ways, 0.0)
-    for camera in cameras:
-        for name, way in ways.items():
-            levels = way.select(models, scene.model_index, scene.centers, scene.radii, camera=camera).level
-            drawn[name] += _triangles(counts, scene, levels)
-        off += _triangles(counts, scene, np.minimum(levels, 0))
-    return off / len(cameras), {name: sum_ / len(cameras) for name, sum_ in drawn.items()}
+    cameras = [headset.camera(2 * np.pi * frame / frames) for frame in range(frames)]
+    full, drawn = np.zeros(draws), {name: np.zeros(draws) for name in selectors}
+    for draw in range(draws):
+        # Without size and radius in the seed, a ball twice as large of objects twice as large is the same scene.
+        scene = crowd(models, size=size, count=count, radius=radius, seed=(draw, round(size), round(1000 * radius)))
+        for camera in cameras:
+            for name, selector in selectors.items():
+                levels = selector.select(models, scene.model_index, scene.centers, scene.radii, camera=camera).level
+                drawn[name][draw] += _triangles(counts, scene, levels)
+            full[draw] += _triangles(counts, scene, np.minimum(levels, 0))
+    return Turns(full / len(cameras), {name: triangles / len(cameras) for name, triangles in drawn.items()})
 
 
 def _triangles(counts: NDArray[np.float64], scene: Crowd, levels: NDArray[np.int32]) -> float:
-    """Number of triangles in view."""
-    seen = levels >= 0
-    return float(counts[scene.model_index[seen], levels[seen]].sum())
+    in_view = levels >= 0
+    return float(counts[scene.model_index[in_view], levels[in_view]].sum())
 
 
 def present(names: Sequence[str]) -> list[str]:
     """Return the available ones among named objects, or all available ones if none is."""
-    at_hand = sources()
-    return [name for name in names if name in at_hand] or list(at_hand)
+    available = sources()
+    return [name for name in names if name in available] or list(available)
 
 
 def of_ten(models: Models) -> Models:
@@ -141,8 +104,7 @@ def of_ten(models: Models) -> Models:
     return [model.of_levels(range(min(LEVELS, len(model)))) for model in models]
 
 
-def ways(headset: Headset, **settings: Any) -> dict[str, nf.lod.Selector]:
-    """Return selectors by size only, and through the lens."""
+def selectors(headset: Headset, **settings: Any) -> dict[str, nf.lod.Selector]:
     depth = nf.lod.Selector(mode="depth", **settings)
     return {"depth": depth, "lens": nf.lod.Selector(lens=headset.lens, **settings)}
 
@@ -152,22 +114,23 @@ def saved(headset: Headset, models: Models, counts: tuple[int, ...], draws: int,
     shares: list[list[object]] = []
     millions: list[list[object]] = []
     for size, count in itertools.product(SIZES, counts):
-        printed, place = headset.printed[size], COUNTS.index(count)
-        how = Draws(size=size, count=count, draws=draws, frames=frames)
-        every = [turns(models, headset, ways(headset), replace(how, radius=radius)) for radius in RADII]
-        depth, lens = ([str(one.saved(*way)) for one in every] for way in (["depth"], ["lens", "depth"]))
-        shares.append([size, count, *depth, printed.depth[place], *lens, printed.lens[place]])
-        theirs = printed.millions_off, printed.millions_depth, printed.millions_lens
-        for radius, one in zip(RADII, every, strict=True):
-            drawn = zip((one.off, one.drawn["depth"], one.drawn["lens"]), theirs, strict=True)
-            millions.append([size, count, radius, *((mean.mean() / 1e6, each[place]) for mean, each in drawn)])
+        printed, column = headset.printed[size], COUNTS.index(count)
+        scatter = partial(turns, models, headset, selectors(headset), size=size, count=count)
+        radius_turns = [scatter(radius=radius, draws=draws, frames=frames) for radius in RADII]
+        depth = [mean_and_error(turn.saved("depth")) for turn in radius_turns]
+        lens = [mean_and_error(turn.saved("lens", "depth")) for turn in radius_turns]
+        shares.append([size, count, *depth, printed.depth[column], *lens, printed.lens[column]])
+        published = printed.millions_off, printed.millions_depth, printed.millions_lens
+        for radius, turn in zip(RADII, radius_turns, strict=True):
+            drawn = zip((turn.full, turn.drawn["depth"], turn.drawn["lens"]), published, strict=True)
+            millions.append([size, count, radius, *((mean.mean() / 1e6, row[column]) for mean, row in drawn)])
     full = np.mean([model.triangles[0] for model in models])
     kinds = (*(f", r = {r:g}" for r in RADII), ", printed {:g}")
     titles = [f"{what}{kind}" for what in ("depth", "lens") for kind in kinds]
     title = f"{headset.name}: {len(models)} objects of {full:,.0f} triangles on average, {frames} frames, {draws} draws"
     yield table(title, ["radius m", "objects {:,}", *titles], shares)
     yield "Per cent of triangles that depth saves of full detail, and that the lens saves of what depth left.\n"
-    titles = [f"{way} (printed) {{:.3g}} ({{:g}})" for way in ("off", "depth", "lens")]
+    titles = [f"{method} (printed) {{:.3g}} ({{:g}})" for method in ("off", "depth", "lens")]
     header = ["radius m", "objects {:,}", "r {:g}", *titles]
     yield table(f"{headset.name}: millions of triangles of a mean frame", header, millions)
 
@@ -194,14 +157,14 @@ def ablation(headset: Headset, models: Models, sparse: Models, draws: int, frame
         ("normalized threshold", ten, RADIUS, {"threshold": "normalized"}),
     ]
     rows: list[list[object]] = []
-    for name, own, radius, settings in cases:
+    for name, case_models, radius, settings in cases:
         rows.append([name])
         for size in SIZES:
-            how = Draws(size=size, count=COUNTS[-1], radius=radius, draws=draws, frames=frames)
-            one = turns(own, headset, ways(headset, **settings), how)
-            rows[-1] += [f"{one.saved('depth').mean:.1f}", str(one.saved("lens", "depth"))]
+            scatter = partial(turns, case_models, headset, selectors(headset, **settings), size=size, count=COUNTS[-1])
+            turn = scatter(radius=radius, draws=draws, frames=frames)
+            rows[-1] += [f"{turn.saved('depth').mean():.1f}", mean_and_error(turn.saved("lens", "depth"))]
     printed = [headset.printed[size] for size in SIZES]
-    rows.append(["printed", *(value for one in printed for value in (one.depth[-1], one.lens[-1]))])
+    rows.append(["printed", *(value for turn in printed for value in (turn.depth[-1], turn.lens[-1]))])
     titles = [f"{size} m, {what} {{:g}}" for size in SIZES for what in ("depth", "lens")]
     return table(f"{headset.name}: per cent saved with {COUNTS[-1]:,} objects", ["", *titles], rows)
 
@@ -213,9 +176,9 @@ def times(models: Models, size: int, count: int, headset: Headset, backend: Back
     cameras = [headset.camera(2 * np.pi * frame / TIMED) for frame in range(TIMED)]
 
     def turn(mode: Any) -> None:
-        how = nf.lod.Selector(lens=headset.lens, mode=mode)
+        selector = nf.lod.Selector(lens=headset.lens, mode=mode)
         for camera in cameras:
-            nf.render(world, camera, lod=how, channels=("color",), backend=backend)
+            nf.render(world, camera, lod=selector, channels=("color",), backend=backend)
 
     return {mode: best(partial(turn, mode), repeat=2, warm=False).wall / TIMED for mode in ("off", *MODES)}
 

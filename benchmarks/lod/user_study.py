@@ -70,15 +70,9 @@ def load(path: Path | None = None) -> Study:
     """Read the table; FileNotFoundError without a data folder."""
     with (path or data.require(FILE)).open(encoding="utf-8", newline="") as file:
         rows = list(csv.DictReader(file))
-    columns = {name: [row[name] for row in rows] for name in (field.name for field in fields(Study))}
-    return Study(
-        np.array(columns["participant"], np.int64),
-        np.array(columns["hmd"]),
-        np.array(columns["object"]),
-        np.array(columns["level"], np.int64),
-        np.array(columns["d"], np.float64),
-        np.array(columns["k"], np.float64),
-    )
+    kinds = {"participant": np.int64, "level": np.int64, "d": np.float64, "k": np.float64}
+    names = [field.name for field in fields(Study)]
+    return Study(**{name: np.array([row[name] for row in rows], kinds.get(name)) for name in names})
 
 
 def made_up(participants: int = TABULATED, objects: int = 10, *, gap: float = 0.0) -> Study:
@@ -139,7 +133,6 @@ class Moments:
 
 
 def moments(values: Array) -> Moments:
-    """Compute the moments of one column."""
     return Moments(
         len(values),
         float(values.mean()),
@@ -171,19 +164,18 @@ def lilliefors(values: Array) -> tuple[float, float]:
 
 def paired(study: Study, column: str, by: str, one: str, other: str) -> tuple[Array, Array]:
     """Return a column for two headsets or objects (`by`), in the order of participants and of the other column."""
-    rest = "object" if by == "hmd" else "hmd"
+    other_column = "object" if by == "hmd" else "hmd"
     sides = []
     for value in (one, other):
         rows = study.where(getattr(study, by) == value)
-        order = np.lexsort((getattr(rows, rest), rows.participant))
-        sides.append((rows.participant[order], getattr(rows, rest)[order], getattr(rows, column)[order]))
+        order = np.lexsort((getattr(rows, other_column), rows.participant))
+        sides.append((rows.participant[order], getattr(rows, other_column)[order], getattr(rows, column)[order]))
     if not all(np.array_equal(sides[0][n], sides[1][n]) for n in (0, 1)):
         raise ValueError(f"study: expected rows in pairs for {one} and {other}")
     return np.asarray(sides[0][2]), np.asarray(sides[1][2])
 
 
 def by_participant(study: Study, column: str) -> Array:
-    """Mean of a column for each participant."""
     return np.array([getattr(study, column)[study.participant == who].mean() for who in np.unique(study.participant)])
 
 
@@ -201,12 +193,12 @@ class Wilcoxon:
 def wilcoxon(one: Array, other: Array) -> Wilcoxon:
     """Compute the test by the normal approximation with ties, without continuity correction, as in SPSS."""
     # Differences of decimals would make equal ranks differ in their last bit.
-    apart = np.round(one - other, 9)
-    equal = int((apart == 0).sum())
-    if equal == len(apart):
-        return Wilcoxon(0.0, 0.0, 1.0, len(apart), equal)
-    test = stats.wilcoxon(apart, zero_method="wilcox", correction=False, method="asymptotic")
-    return Wilcoxon(float(test.statistic), float(test.zstatistic), float(test.pvalue), len(apart), equal)
+    differences = np.round(one - other, 9)
+    equal = int((differences == 0).sum())
+    if equal == len(differences):
+        return Wilcoxon(0.0, 0.0, 1.0, len(differences), equal)
+    test = stats.wilcoxon(differences, zero_method="wilcox", correction=False, method="asymptotic")
+    return Wilcoxon(float(test.statistic), float(test.zstatistic), float(test.pvalue), len(differences), equal)
 
 
 @dataclass(frozen=True)
@@ -237,8 +229,8 @@ def texture(study: Study) -> dict[tuple[str, int], float]:
             continue
         with_it, without = (study.select(object=which) for which in (name, plain))
         for level in sorted({*with_it.level.tolist()} & {*without.level.tolist()} - {0}):
-            far = [1 - np.median(part.d[part.level == level]) for part in (with_it, without)]
-            factors[name, int(level)] = float(far[0] / far[1])
+            dissimilarities = [1 - np.median(part.d[part.level == level]) for part in (with_it, without)]
+            factors[name, int(level)] = float(dissimilarities[0] / dissimilarities[1])
     return factors
 
 

@@ -28,25 +28,25 @@ def numpy_morph(points: NDArray[Any], real: Any = np.float32) -> NDArray[Any]:
     a, b = np.sqrt((from_u**2).sum(1))[:, None], np.sqrt((from_o**2).sum(1))[:, None]
     d = w * from_u / a + (real(1) - w) * from_o / b
     d /= np.sqrt((d**2).sum(1))[:, None]
-    shown: NDArray[Any] = u + (w * a + (real(1) - w) * b) * d
-    return shown
+    morphed: NDArray[Any] = u + (w * a + (real(1) - w) * b) * d
+    return morphed
 
 
 def numba_morph() -> Callable[..., NDArray[Any]]:
     numba = importlib.import_module("numba")
     (ux, uy, uz), (ox, oy, oz) = (tuple(map(np.float32, x)) for x in (USER, CENTER))
-    r1, r2, one, zero = (np.float32(x) for x in (R1, R2, 1, 0))
+    r1, r2, unit, zero = (np.float32(x) for x in (R1, R2, 1, 0))
 
     def body(points: Any, shown: Any) -> None:
         for i in numba.prange(len(points)):
             x, y, z = points[i, 0], points[i, 1], points[i, 2]
             bx, by, bz = x - ox, y - oy, z - oz
             ax, ay, az = x - ux, y - uy, z - uz
-            w = min(max((r2 - np.sqrt(bx * bx + bz * bz)) / (r2 - r1), zero), one)
+            w = min(max((r2 - np.sqrt(bx * bx + bz * bz)) / (r2 - r1), zero), unit)
             a, b = np.sqrt(ax * ax + ay * ay + az * az), np.sqrt(bx * bx + by * by + bz * bz)
-            wa, wb = w / a, (one - w) / b
+            wa, wb = w / a, (unit - w) / b
             dx, dy, dz = wa * ax + wb * bx, wa * ay + wb * by, wa * az + wb * bz
-            t = (w * a + (one - w) * b) / np.sqrt(dx * dx + dy * dy + dz * dz)
+            t = (w * a + (unit - w) * b) / np.sqrt(dx * dx + dy * dy + dz * dz)
             shown[i, 0], shown[i, 1], shown[i, 2] = ux + t * dx, uy + t * dy, uz + t * dz
 
     kernel = numba.njit(parallel=True, fastmath=True)(body)
@@ -65,29 +65,29 @@ def ours(points: NDArray[Any], r1: float = R1, r2: float = R2, kind: str = "blen
 
 def error(shown: NDArray[Any], points: NDArray[Any]) -> float:
     """Greatest distance in metres from Eq. 1–3 in extended precision, of the first points."""
-    few = slice(100_000)
-    return float(np.abs(shown[few] - numpy_morph(points[few], np.longdouble)).max())
+    first_rows = slice(100_000)
+    return float(np.abs(shown[first_rows] - numpy_morph(points[first_rows], np.longdouble)).max())
 
 
 def main() -> None:
     random = np.random.default_rng(0)
     points = (random.random((COUNT, 3), np.float32) - np.float32(0.5)) * np.float32(150)
     points[:, 1] += np.float32(40)
-    output, theirs = np.empty_like(points), np.empty_like(points)
-    of = functools.partial(error, points=points)
+    output, peer_output = np.empty_like(points), np.empty_like(points)
+    error_of = functools.partial(error, points=points)
     cases = [
-        Case(OURS, lambda: ours(points), of),
-        Case(f"{OURS}, out=", lambda: ours(points, out=output), of),
+        Case(OURS, lambda: ours(points), error_of),
+        Case(f"{OURS}, out=", lambda: ours(points, out=output), error_of),
         Case(f"{OURS}, all inside r1", lambda: ours(points, 200, 300)),
         Case(f"{OURS}, all beyond r2", lambda: ours(points, 0.1, 0.2)),
         Case(f"{OURS}, cylinder", lambda: ours(points, kind="cylinder")),
-        Case("NumPy", lambda: numpy_morph(points), of),
+        Case("NumPy", lambda: numpy_morph(points), error_of),
         Case("np.copy (one thread)", points.copy),
     ]
     if importlib.util.find_spec("numba"):
         numba = numba_morph()
-        cases += [Case("numba, parallel, fast-math", lambda: numba(points), of)]
-        cases += [Case("numba, into an array at hand", lambda: numba(points, theirs), of)]
+        cases += [Case("numba, parallel, fast-math", lambda: numba(points), error_of)]
+        cases += [Case("numba, into an array at hand", lambda: numba(points, peer_output), error_of)]
     start(__doc__)
     print_limits()
     title = "Morph of 10⁷ float32 points scattered over 150 m, r1 = 30 m, r2 = 50 m"

@@ -9,13 +9,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
+from benchmarks.orthoview._splats import Pixels
 from nearfar._scene.srgb import to_linear
+from nearfar.orthoview._gaussians import MIN_COSINE, SUN, irradiance
 from nearfar.orthoview._view import OrthoView
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
-MIN_COSINE, BORDER, SQUARED_RADIUS = 0.25, 1.27, 0.5
+BORDER, SQUARED_RADIUS = 1.27, 0.5
 SHARPNESS = 4.0
 """Opacity at q within a splat is e^(−`SHARPNESS` |q|²); its edge is at |q|² = 1/2."""
 LAYER = 0.01
@@ -68,20 +70,20 @@ def render_blended(
         np.add.at(weights, sample, weight)
         np.add.at(total, sample, weight[:, None] * splats.light[splat])
     behind = sky.require("color").repeat(GRID, axis=0).repeat(GRID, axis=1).reshape(-1, 3)
-    shown = np.where(weights[:, None] > 0, total / np.maximum(weights, 1e-30)[:, None], behind)
-    color = shown.reshape(height, GRID, width, GRID, 3).mean(axis=(1, 3)).astype(np.float32)
+    color_of_sample = np.where(weights[:, None] > 0, total / np.maximum(weights, 1e-30)[:, None], behind)
+    color = color_of_sample.reshape(height, GRID, width, GRID, 3).mean(axis=(1, 3)).astype(np.float32)
     return nf.Frame(camera, color=color)
 
 
 def _samples(splats: _Splats, camera: nf.Camera) -> Iterator[tuple[Ints, Floats, Floats, Ints]]:
     """Yield samples covered by splats: their numbers, nearness (1/depth) and opacity there, and the splats' numbers."""
     width, height = camera.size
-    place = camera.project(splats.point)
+    projected = camera.project(splats.point)
     # The derivative, by a step that is small compared with a splat.
-    axes = [camera.project(splats.point + 1e-3 * axis) - place for axis in (splats.u, splats.v)]
+    axes = [camera.project(splats.point + 1e-3 * axis) - projected for axis in (splats.u, splats.v)]
     (ux, uy, uw), (vx, vy, vw) = (axis.T * 1e3 for axis in axes)
     determinant = ux * vy - uy * vx
-    x, y, depth = place.T
+    x, y, depth = projected.T
     with np.errstate(invalid="ignore"):
         is_flat = np.abs(determinant) < LINE * np.hypot(ux, uy) * np.hypot(vx, vy)
         usable = np.flatnonzero((depth > 1.0) & ~is_flat & (x > -REACH) & (x < width + REACH))
@@ -97,9 +99,9 @@ def _samples(splats: _Splats, camera: nf.Camera) -> Iterator[tuple[Ints, Floats,
             is_in &= (column + across >= 0) & (column + across < width) & (row + down >= 0) & (row + down < height)
             n = np.flatnonzero(is_in)
             sample = (row[n] + down) * width + column[n] + across
-            at = depth[n] + np.clip(q0[n], -1, 1) * uw[n] + np.clip(q1[n], -1, 1) * vw[n]
+            sample_depth = depth[n] + np.clip(q0[n], -1, 1) * uw[n] + np.clip(q1[n], -1, 1) * vw[n]
             opacity = np.exp(-SHARPNESS * np.minimum(squared[n], SQUARED_RADIUS))
-            yield sample, 1.0 / np.maximum(at, 1.0), opacity, usable[n]
+            yield sample, 1.0 / np.maximum(sample_depth, 1.0), opacity, usable[n]
 
 
 def _splats(tree: nf.orthoview.OrthoTree, camera: nf.Camera, views: int) -> _Splats:
@@ -108,40 +110,29 @@ def _splats(tree: nf.orthoview.OrthoTree, camera: nf.Camera, views: int) -> _Spl
     units = np.array(tree.directions) / np.linalg.norm(tree.directions, axis=1, keepdims=True)
     parts = []
     for level, place, numbers in zip(cut.level.tolist(), cut.place.tolist(), cut.directions, strict=True):
-        known = numbers[numbers >= 0]
+        chosen_directions = numbers[numbers >= 0]
         toward = np.array(camera.position) - tree.box(level, tuple(place)).mean(axis=0)
-        cosines = units[known] @ (toward / np.linalg.norm(toward))
-        least = cosines[views] if len(known) > views else -1.0
-        for number, cosine in zip(known[:views].tolist(), cosines[:views].tolist(), strict=True):
+        cosines = units[chosen_directions] @ (toward / np.linalg.norm(toward))
+        excluded_cosine = cosines[views] if len(chosen_directions) > views else -1.0
+        for number, cosine in zip(chosen_directions[:views].tolist(), cosines[:views].tolist(), strict=True):
             view = tree.view(level, tuple(place), number)
             if view is not None:
-                parts.append(_of_view(view, max(cosine - least, 0.0)))
+                parts.append(_of_view(view, max(cosine - excluded_cosine, 0.0)))
     return _Splats(*(np.concatenate([getattr(part, name) for part in parts]) for name in _Splats.__dataclass_fields__))
 
 
 def _of_view(view: OrthoView, weight: float) -> _Splats:
-    shown = np.isfinite(view.depth)
-    normal, surfel = view.normal[shown].astype(float), view.surfel[shown][:, None]
-    x, y = view.extents[:2] / len(view.depth)
-    facing = np.maximum(normal @ view.toward, MIN_COSINE)[:, None]
-    u = x * (view.right - (normal @ view.right)[:, None] / facing * view.toward)
-    v = y * (view.up - (normal @ view.up)[:, None] / facing * view.toward)
-    half = np.hypot(x, y) / 2 / np.sqrt(SQUARED_RADIUS)
-    light = to_linear(view.color[shown] / 255) * irradiance(normal)
+    is_shown = np.isfinite(view.depth)
+    normal, surfel = view.normal[is_shown], view.surfel[is_shown][:, None]
+    axes, sides = np.stack([view.right, view.up, view.toward]), view.extents[:2] / len(view.depth)
+    pixels = Pixels(view.points()[is_shown], normal.astype(float), view.color[is_shown], axes, sides, is_shown)
+    u, v = pixels.tangents(MIN_COSINE)
+    ball_radius = np.hypot(*sides) / 2 / np.sqrt(SQUARED_RADIUS)
+    light = to_linear(pixels.color / 255) * irradiance(normal, SUN)
     return _Splats(
-        view.points()[shown],
-        np.where(surfel, BORDER * u, half * view.right),
-        np.where(surfel, BORDER * v, half * view.up),
+        pixels.middle,
+        np.where(surfel, BORDER * u, ball_radius * view.right),
+        np.where(surfel, BORDER * v, ball_radius * view.up),
         light,
         np.full(len(light), weight),
     )
-
-
-SUN_DIRECTION, SUN = np.array([10, 15, 6]) / 19, np.array([0.60, 0.56, 0.50])
-SKY_DIRECTION, SKY = np.array([-2, 9, 3]) / np.sqrt(94), np.array([[0.130, 0.135, 0.150], [0.380, 0.420, 0.480]])
-
-
-def irradiance(normal: Floats) -> Floats:
-    """Linear RGB reflected by a white surface."""
-    sky, sun = 0.5 + 0.5 * normal @ SKY_DIRECTION, np.maximum(normal @ SUN_DIRECTION, 0)
-    return np.asarray(SKY[0] + (SKY[1] - SKY[0]) * sky[:, None] + SUN * sun[:, None])

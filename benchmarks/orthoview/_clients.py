@@ -1,4 +1,4 @@
-"""Viewers in one Chromium that fly the same way: the page of trees, 3d-tiles-renderer and Spark."""
+"""Viewers in one Chromium that fly the same route: the page of trees, 3d-tiles-renderer and Spark."""
 
 from __future__ import annotations
 
@@ -17,10 +17,9 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from benchmarks.orthoview._gate import Gate
+from benchmarks.orthoview.export import cells_of
 from nearfar.orthoview import _spz
 from nearfar.orthoview._grid import Place
-from nearfar.orthoview._splat_cells import Cells
-from nearfar.orthoview._splat_export import sun_of
 from nearfar.view._tree import tree_page
 from tests.support.page_pictures import camera
 from tests.support.reader_cases import FOLDER
@@ -30,7 +29,6 @@ LIGHT = Path(__file__).resolve().parents[2] / "web" / "src" / "shaders" / "light
 SIZE = (640, 480)
 ANGLE = 60.0
 """Vertical field of view, degrees: that of the page."""
-EVERYWHERE = np.array([[-np.inf] * 3, [np.inf] * 3])
 CLIENTS = {"nearfar": "&geometry=1", "nearfar, splats": "&geometry=0", "3d-tiles-renderer": "tiles", "Spark": "spark"}
 """Request of each viewer's address: the page with near leaves as geometry and without, and the other viewers."""
 QUIET = 5.0
@@ -77,7 +75,7 @@ STILL = """async ([width, height]) => {
 
 
 @dataclass(frozen=True)
-class Way:
+class Route:
     """A straight flight with a turn; its places follow each other at intervals of `step` seconds."""
 
     tree: nf.orthoview.OrthoTree
@@ -94,13 +92,13 @@ class Way:
     def poses(self) -> list[dict[str, Any]]:
         """Poses in the page's format."""
         low, high = self.tree.bounds
-        place = low + np.array([0.33, 0.0, 0.39]) * (high - low) + [0.0, self.height, 0.0]
-        found = []
+        position = low + np.array([0.33, 0.0, 0.39]) * (high - low) + [0.0, self.height, 0.0]
+        poses = []
         for number in range(int(self.seconds / self.step) + 1):
             yaw = -1.87 + 0.15 * np.sin(2 * np.pi * number * self.step / self.seconds)
-            found.append({"position": place.tolist(), "yaw": float(yaw), "pitch": -0.15})
-            place = place + self.speed * self.step * np.array([-np.sin(yaw), 0.0, -np.cos(yaw)])
-        return found
+            poses.append({"position": position.tolist(), "yaw": float(yaw), "pitch": -0.15})
+            position = position + self.speed * self.step * np.array([-np.sin(yaw), 0.0, -np.cos(yaw)])
+        return poses
 
     def camera(self, number: int) -> nf.Camera:
         pose = self.poses[number]
@@ -114,25 +112,25 @@ class Way:
     def _cut(self, number: int) -> dict[str, Any]:
         cut = self.tree.cut(self.camera(number), error_px=self.splat_error, geometry=False)
         distances: dict[tuple[int, Place], float] = {}
-        below: dict[tuple[int, Place], set[tuple[int, Place]]] = {}
+        children: dict[tuple[int, Place], set[tuple[int, Place]]] = {}
         top = self.tree._layout.grid.levels - 1
         rows = zip(cut.level.tolist(), cut.place.tolist(), cut.distance.tolist(), cut.in_picture, strict=True)
         for level, place, distance, is_seen in rows:
             if not is_seen:
                 continue
             key: tuple[int, Place] = (level, tuple(place))
-            below.setdefault(key, set())
+            children.setdefault(key, set())
             distances[key] = min(distance, distances.get(key, np.inf))
             while key[0] < top:
                 x, y, z = key[1]
-                above: tuple[int, Place] = (key[0] + 1, (x >> 1, y >> 1, z >> 1))
-                below.setdefault(above, set()).add(key)
-                distances[above] = min(distance, distances.get(above, np.inf))
-                key = above
+                parent: tuple[int, Place] = (key[0] + 1, (x >> 1, y >> 1, z >> 1))
+                children.setdefault(parent, set()).add(key)
+                distances[parent] = min(distance, distances.get(parent, np.inf))
+                key = parent
         order = sorted(distances, key=lambda each: (-each[0], distances[each]))
 
         def subtree_of(key: tuple[int, Place]) -> dict[str, Any]:
-            return {"name": name_of(*key), "below": [subtree_of(child) for child in sorted(below[key])]}
+            return {"name": name_of(*key), "below": [subtree_of(child) for child in sorted(children[key])]}
 
         return {"wanted": [name_of(*key) for key in order], "root": subtree_of((top, (0, 0, 0)))}
 
@@ -141,21 +139,21 @@ def name_of(level: int, place: Place) -> str:
     return "-".join(map(str, (level, *place)))
 
 
-def prepare(way: Way, folder: Path) -> dict[str, Path]:
+def prepare(route: Route, folder: Path) -> dict[str, Path]:
     """Write the files that the viewers read; return the folders to serve."""
     page, splats, job = (folder / name for name in ("page", "splats", "job"))
     for each in (page, splats, job):
         each.mkdir(exist_ok=True)
     for name, content in tree_page().items():
         (page / name).write_bytes(content)
-    cells = Cells(way.tree._files, way.tree._layout, way.tree.generation, EVERYWHERE, sun_of("sun"))
+    cells = cells_of(route.tree)
     centers: dict[str, list[float]] = {}
-    for name in sorted({name for cut in way.cuts for name in cut["wanted"]}):
+    for name in sorted({name for cut in route.cuts for name in cut["wanted"]}):
         level, *place = map(int, name.split("-"))
         key = (level, (place[0], place[1], place[2]))
-        centers[name] = way.tree.box(*key).mean(axis=0).tolist()
+        centers[name] = route.tree.box(*key).mean(axis=0).tolist()
         if not (splats / f"{name}.spz").is_file():
-            (splats / f"{name}.spz").write_bytes(_spz.encoded(cells.read(*key).gaussians))
+            (splats / f"{name}.spz").write_bytes(_spz.encode(cells.read(*key).gaussians))
     irradiance = LIGHT.read_text().split("/* glsl */ `")[1].split("`")[0]
     described = {
         "size": SIZE,
@@ -165,29 +163,29 @@ def prepare(way: Way, folder: Path) -> dict[str, Path]:
         "irradiance": irradiance,
     }
     (job / "job.json").write_text(json.dumps(described))
-    store, packages = Path(way.tree.path), FOLDER / "node_modules"
+    store, packages = Path(route.tree.path), FOLDER / "node_modules"
     return {"page": page, "splats": splats, "job": job, "store": store, "packages": packages, "peers": PEERS}
 
 
 class Client:
     """A viewer in a page."""
 
-    def __init__(self, page: Any, way: Way, gate: Gate) -> None:
-        self._page, self._way, self._gate = page, way, gate
+    def __init__(self, page: Any, route: Route, gate: Gate) -> None:
+        self._page, self._route, self._gate = page, route, gate
 
-    def settled(self, number: int, patience: float) -> dict[str, Any]:
+    def settled(self, number: int, timeout: float) -> dict[str, Any]:
         """Stand at a place until nothing arrives or changes; return the missing parts and the viewer's figures."""
         begin = time.monotonic()
-        last, since = None, begin
-        pose, cut = self._way.poses[number], self._way.cuts[number]
+        last_state, last_change = None, begin
+        pose, cut = self._route.poses[number], self._route.cuts[number]
         while True:
-            told = self._page.evaluate(STAND, [pose, cut]), self._gate.sent
+            state = self._page.evaluate(STAND, [pose, cut]), self._gate.sent
             now = time.monotonic()
-            if told != last:
-                last, since = told, now
-            missing, facts = json.loads(told[0])
+            if state != last_state:
+                last_state, last_change = state, now
+            missing, facts = json.loads(state[0])
             quiet = 1.0 if missing == 0 else QUIET
-            if now - since > quiet or now - begin > patience:
+            if now - last_change > quiet or now - begin > timeout:
                 return {"missing": missing, **facts}
             self._page.wait_for_timeout(200)
 
@@ -197,27 +195,27 @@ class Client:
         return np.frombuffer(data, np.uint8).reshape(SIZE[1], SIZE[0], 4)[::-1]
 
     def fly(self, pace: float) -> NDArray[np.float64]:
-        """Fly the way at a fraction of its speed: times of frames, their ms and the amount missing."""
-        way = self._way
-        frames = self._page.evaluate(FLY, [way.poses, way.cuts, way.step / pace, way.seconds])
+        """Fly the route at a fraction of its speed: times of frames, their ms and the amount missing."""
+        route = self._route
+        frames = self._page.evaluate(FLY, [route.poses, route.cuts, route.step / pace, route.seconds])
         return np.array(frames, np.float64).reshape(-1, 3)
 
 
 @contextmanager
-def open_client(chromium: Any, url: str, name: str, way: Way, gate: Gate) -> Iterator[Client]:
-    """Open a viewer without a cache, at the beginning of the way."""
+def open_client(chromium: Any, url: str, name: str, route: Route, gate: Gate) -> Iterator[Client]:
+    """Open a viewer without a cache, at the beginning of the route."""
     context = chromium.new_context(viewport={"width": SIZE[0], "height": SIZE[1]})
     page = context.new_page()
     page.on("pageerror", lambda error: print(f"{name}: {error}"))
     try:
         if name.startswith("nearfar"):
-            pose = way.poses[0]
+            pose = route.poses[0]
             link = f"#p={','.join(map(str, pose['position']))}&yaw={pose['yaw']}&pitch={pose['pitch']}"
-            page.goto(f"{url}page/?store=/store/&error={way.error:g}&megabytes=2048{CLIENTS[name]}{link}")
+            page.goto(f"{url}page/?store=/store/&error={route.error:g}&megabytes=2048{CLIENTS[name]}{link}")
             page.add_script_tag(path=str(PEERS / "page.mjs"))
         else:
             page.goto(f"{url}peers/?{CLIENTS[name]}")
         page.wait_for_function("() => window.client")
-        yield Client(page, way, gate)
+        yield Client(page, route, gate)
     finally:
         context.close()

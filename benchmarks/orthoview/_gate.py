@@ -50,12 +50,12 @@ class Gate:
             self.waiting -= 1
             if self.sent >= self.allowed:
                 return 0
-            taken = int(min(count, self.allowed - self.sent))
-            self.sent += taken
-            self._free = max(self._free, time.monotonic()) + taken * 8e-6 / self.mbps
+            count_sent = int(min(count, self.allowed - self.sent))
+            self.sent += count_sent
+            self._free = max(self._free, time.monotonic()) + count_sent * 8e-6 / self.mbps
             free = self._free
         time.sleep(max(free - time.monotonic(), 0.0))
-        return taken
+        return count_sent
 
 
 class _Handler(SimpleHTTPRequestHandler):
@@ -69,9 +69,9 @@ class _Handler(SimpleHTTPRequestHandler):
         super().__init__(*request)
 
     def translate_path(self, path: str) -> str:
-        name, _, rest = path.partition("?")[0].lstrip("/").partition("/")
+        name, _, name_in_folder = path.partition("?")[0].lstrip("/").partition("/")
         folder = self._folders.get(name)
-        return str(folder / rest) if folder else ""
+        return str(folder / name_in_folder) if folder else ""
 
     def do_GET(self) -> None:
         path = Path(self.translate_path(self.path))
@@ -81,17 +81,17 @@ class _Handler(SimpleHTTPRequestHandler):
             self.send_error(404)
             return
         content, size = path.read_bytes(), path.stat().st_size
-        asked = re.fullmatch(r"bytes=(\d*)-(\d*)", self.headers.get("Range", ""))
-        if asked is not None:
-            first, last = asked.groups()
+        range_asked = re.fullmatch(r"bytes=(\d*)-(\d*)", self.headers.get("Range", ""))
+        if range_asked is not None:
+            first, last = range_asked.groups()
             start = int(first) if first else max(size - int(last), 0)
             stop = min(int(last) + 1, size) if first and last else size
             content = content[start:stop]
         if self._is_counted:
             self._gate.requests += 1
             time.sleep(self._gate.rtt_ms / 1e3)
-        self.send_response(200 if asked is None else 206)
-        if asked is not None:
+        self.send_response(200 if range_asked is None else 206)
+        if range_asked is not None:
             self.send_header("Content-Range", f"bytes {start}-{stop - 1}/{size}")
         self.send_header("Content-Type", self.guess_type(path))
         self.send_header("Content-Length", str(len(content)))
@@ -106,14 +106,14 @@ class _Handler(SimpleHTTPRequestHandler):
         if not self._is_counted:
             self.wfile.write(content)
             return
-        at = 0
-        while at < len(content):
-            taken = self._gate.take(min(PIECE, len(content) - at), self.connection)
-            if taken == 0:
+        start = 0
+        while start < len(content):
+            sent = self._gate.take(min(PIECE, len(content) - start), self.connection)
+            if sent == 0:
                 self.close_connection = True
                 return
-            self.wfile.write(content[at : at + taken])
-            at += taken
+            self.wfile.write(content[start : start + sent])
+            start += sent
 
     def log_message(self, *_: Any) -> None:
         """Print nothing."""

@@ -11,8 +11,7 @@ from numpy.typing import NDArray
 import nearfar as nf
 from benchmarks.harness import scenes
 from nearfar import _core
-from nearfar.orthoview._directions import directions_of
-from nearfar.orthoview._grid import Grid
+from nearfar.orthoview._grid import Grid, directions_of
 from nearfar.orthoview._layout import Layout
 
 SIZE = 256

@@ -98,12 +98,12 @@ class Quality:
 def compare(truth: Truth, tree: nf.orthoview.OrthoTree, setting: Setting) -> Quality:
     """Draw a tree, and compare the picture with the truth."""
     viewer = tree._viewer
-    viewer.views._kept.trim((), 0)
+    viewer.views._cache.trim((), 0)
     viewer.near._leaves.trim((), 0)
-    viewer.near._last = (), None
-    before = viewer.views.read_bytes, viewer.near.read_bytes
+    viewer.near._joined = (), None
+    bytes_before = viewer.views.read_bytes, viewer.near.read_bytes
     frame = setting.render(tree, truth.camera, samples=1)
-    views, geometry = viewer.views.read_bytes - before[0], viewer.near.read_bytes - before[1]
+    views, geometry = viewer.views.read_bytes - bytes_before[0], viewer.near.read_bytes - bytes_before[1]
     holes, through, nearer, false = differences(truth.range, frame.require("range"))
     picture, surface = setting.render(tree, truth.camera).to_image(), np.isfinite(truth.range).sum()
     reference = truth.color.to_image()
@@ -125,13 +125,13 @@ def compare(truth: Truth, tree: nf.orthoview.OrthoTree, setting: Setting) -> Qua
 
 def differences(truth: NDArray[np.float32], ranges: NDArray[np.float32]) -> tuple[Bools, Bools, Bools, Bools]:
     """Masks of pixels that are holes, that show surfaces behind, surfaces in front, and surfaces instead of the sky."""
-    should, is_there = np.isfinite(truth), np.isfinite(ranges)
-    both = should & is_there
+    is_surface, is_drawn = np.isfinite(truth), np.isfinite(ranges)
+    is_drawn_surface = is_surface & is_drawn
     return (
-        should & ~is_there,
-        both & (ranges > next_surface_range(truth)),
-        both & (truth > next_surface_range(ranges)),
-        is_there & ~should,
+        is_surface & ~is_drawn,
+        is_drawn_surface & (ranges > next_surface_range(truth)),
+        is_drawn_surface & (truth > next_surface_range(ranges)),
+        is_drawn & ~is_surface,
     )
 
 
@@ -148,13 +148,13 @@ def shown_by(points: NDArray[Any], axes: Floats, extents: Floats, center: Floats
     """
     local = np.nan_to_num((points - center) @ axes.T)
     size = np.array(depth.shape[::-1])
-    place = ((np.array([1, -1]) * local[..., :2] / extents[:2] + 0.5) * size).astype(int)
-    x, y = np.moveaxis(np.clip(place, 0, size - 1), -1, 0)
+    pixel = ((np.array([1, -1]) * local[..., :2] / extents[:2] + 0.5) * size).astype(int)
+    x, y = np.moveaxis(np.clip(pixel, 0, size - 1), -1, 0)
     padded, behind = np.pad(depth, 1, constant_values=np.inf), extents[2] / 2 - local[..., 2]
-    near = [np.abs(padded[y + dy, x + dx] - behind) for dy in range(3) for dx in range(3)]
-    alike = np.min(near, axis=0) < ALIKE * (extents[:2] / size).max()
-    shown: Bools = alike & np.isfinite(points).all(axis=-1)
-    return shown
+    differences = [np.abs(padded[y + dy, x + dx] - behind) for dy in range(3) for dx in range(3)]
+    is_alike = np.min(differences, axis=0) < ALIKE * (extents[:2] / size).max()
+    is_shown: Bools = is_alike & np.isfinite(points).all(axis=-1)
+    return is_shown
 
 
 def next_surface_range(ranges: NDArray[np.float32]) -> NDArray[np.float32]:
@@ -167,11 +167,11 @@ def farthest(ranges: NDArray[np.float32]) -> NDArray[np.float32]:
     """Greatest distance of a pixel and its eight neighbours."""
     padded = np.pad(ranges, 1, mode="edge")
     nine = np.lib.stride_tricks.sliding_window_view(padded, (3, 3))
-    most: NDArray[np.float32] = nine.max(axis=(2, 3))
-    return most
+    greatest: NDArray[np.float32] = nine.max(axis=(2, 3))
+    return greatest
 
 
-def mean(found: Sequence[Quality]) -> Quality:
+def mean(qualities: Sequence[Quality]) -> Quality:
     """Mean of several pictures."""
     names = Quality.__dataclass_fields__
-    return Quality(**{name: float(np.mean([getattr(one, name) for one in found])) for name in names})
+    return Quality(**{name: float(np.mean([getattr(quality, name) for quality in qualities])) for name in names})

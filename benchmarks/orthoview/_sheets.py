@@ -35,20 +35,20 @@ def save_sheet(rows: Sequence[Sequence[Any]], titles: Sequence[str], path: Path)
         errors = [error(reference, picture) for picture in pictures]
         lines += [[reference, *pictures], [np.full_like(reference, 255), *errors]]
     step = np.add(SMALL, MARGIN)
-    whole = Image.new("RGB", (int(step[0]) * len(lines[0]), int(step[1]) * len(lines) + TITLE), "white")
+    sheet = Image.new("RGB", (int(step[0]) * len(lines[0]), int(step[1]) * len(lines) + TITLE), "white")
     for n, title in enumerate(["truth", *titles]):
-        write(whole, title, (int(step[0]) * n + SMALL[0] // 2, TITLE // 2))
+        write(sheet, title, (int(step[0]) * n + SMALL[0] // 2, TITLE // 2))
     for y, (line, name) in enumerate(zip(lines, names, strict=True)):
         if name:
             write(
-                whole,
+                sheet,
                 f"{name}\nabove; differences,\n{GAIN} times as great",
                 (SMALL[0] // 2, TITLE + int(step[1]) * y + 90),
             )
         for x, picture in enumerate(line):
             if x or y % 2 == 0:
-                whole.paste(Image.fromarray(picture), (int(step[0]) * x, TITLE + int(step[1]) * y))
-    save(whole, path)
+                sheet.paste(Image.fromarray(picture), (int(step[0]) * x, TITLE + int(step[1]) * y))
+    save(sheet, path)
 
 
 def error(reference: Picture, picture: Picture) -> Picture:
@@ -58,12 +58,12 @@ def error(reference: Picture, picture: Picture) -> Picture:
     return shade
 
 
-def save_halves(left: Picture, right: Picture, path: Path) -> None:
+def save_halves(first: Picture, second: Picture, path: Path) -> None:
     """Save the left half of one picture beside the right half of another, with a line between them."""
-    middle = left.shape[1] // 2
-    whole = np.concatenate([left[:, :middle], right[:, middle:]], axis=1)
-    whole[:, middle - 1 : middle + 1] = 255
-    picture = Image.fromarray(whole)
+    middle = first.shape[1] // 2
+    codes = np.concatenate([first[:, :middle], second[:, middle:]], axis=1)
+    codes[:, middle - 1 : middle + 1] = 255
+    picture = Image.fromarray(codes)
     write(picture, "triangles", (middle - 50, 14))
     write(picture, "orthoviews", (middle + 54, 14))
     save(picture, path)
@@ -72,19 +72,19 @@ def save_halves(left: Picture, right: Picture, path: Path) -> None:
 def save_panels(panels: Sequence[tuple[str, Picture]], columns: int, path: Path, *, scale: int = 1) -> None:
     """Save pictures of one size in rows, enlarged by a whole number, each below its title of any number of lines."""
     height, width = (scale * side for side in panels[0][1].shape[:2])
-    rows = [panels[first : first + columns] for first in range(0, len(panels), columns)]
+    rows = [panels[start : start + columns] for start in range(0, len(panels), columns)]
     lines = [max(len(title.splitlines()) for title, _ in row) for row in rows]
     tops = [LINE * count + MARGIN for count in lines]
-    whole = Image.new("RGB", (columns * (width + MARGIN) - MARGIN, sum(tops) + height * len(rows)), "white")
+    sheet = Image.new("RGB", (columns * (width + MARGIN) - MARGIN, sum(tops) + height * len(rows)), "white")
     y = 0
     for row, top in zip(rows, tops, strict=True):
         for n, (title, picture) in enumerate(row):
             x = n * (width + MARGIN)
-            write(whole, title, (x + width // 2, y + top // 2))
+            write(sheet, title, (x + width // 2, y + top // 2))
             large = Image.fromarray(picture).resize((width, height), Image.Resampling.NEAREST)
-            whole.paste(large, (x, y + top))
+            sheet.paste(large, (x, y + top))
         y += top + height
-    save(whole, path)
+    save(sheet, path)
 
 
 def write(picture: Image.Image, text: str, middle: tuple[int, int]) -> None:
@@ -107,11 +107,11 @@ def save(picture: Image.Image, path: Path) -> None:
 def plot_errors(lines: Mapping[str, Sequence[Quality]], errors: Sequence[float], path: Path) -> None:
     """Plot SSIM against bytes, with a point for each error."""
     figure, axis = subplots(figsize=(7, 4.2))
-    for name, found in lines.items():
-        read = [quality.read / 1e6 for quality in found]
-        axis.plot(read, [quality.ssim for quality in found], "o-", label=name)
-        for at, quality, error_px in zip(read, found, errors, strict=True):
-            axis.annotate(f"{error_px:g}", (at, quality.ssim), textcoords="offset points", xytext=(4, -10), fontsize=8)
+    for name, qualities in lines.items():
+        read = [quality.read / 1e6 for quality in qualities]
+        axis.plot(read, [quality.ssim for quality in qualities], "o-", label=name)
+        for x, quality, error_px in zip(read, qualities, errors, strict=True):
+            axis.annotate(f"{error_px:g}", (x, quality.ssim), textcoords="offset points", xytext=(4, -10), fontsize=8)
     axis.set(xscale="log", xlabel="MB read for one picture; numbers: error_px", ylabel="SSIM")
     axis.set_xticks(MEGABYTES, [f"{value:g}" for value in MEGABYTES])
     axis.minorticks_off()

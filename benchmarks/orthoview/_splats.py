@@ -54,13 +54,13 @@ def pixels(leaf: Leaf, views: _core.OrthoViews, layout: Layout, number: int) -> 
     """Non-empty pixels of one view of a leaf."""
     axes, (width, height, deep) = axes_of(layout.directions[number], leaf.side)
     metres = metres_of(views, number, layout, leaf.side)
-    seen = np.isfinite(metres)
-    place = (np.arange(layout.size) + 0.5) / layout.size - 0.5
-    across, down = (values[seen] for values in np.meshgrid(place, place))
-    local = np.stack([across * width, -down * height, deep / 2 - metres[seen]], axis=1)
+    is_shown = np.isfinite(metres)
+    steps = (np.arange(layout.size) + 0.5) / layout.size - 0.5
+    across, down = (values[is_shown] for values in np.meshgrid(steps, steps))
+    local = np.stack([across * width, -down * height, deep / 2 - metres[is_shown]], axis=1)
     sides = np.array([width, height]) / layout.size
-    normal = views.vectors()[number][seen].astype(np.float64)
-    return Pixels(leaf.box.mean(axis=0) + local @ axes, normal, views.colors()[number][seen], axes, sides, seen)
+    normal = views.vectors()[number][is_shown].astype(np.float64)
+    return Pixels(leaf.box.mean(axis=0) + local @ axes, normal, views.colors()[number][is_shown], axes, sides, is_shown)
 
 
 def camera(leaf: Leaf, direction: tuple[int, int, int], size: int) -> nf.Camera:
@@ -68,11 +68,11 @@ def camera(leaf: Leaf, direction: tuple[int, int, int], size: int) -> nf.Camera:
     (right, up, toward), extents = _core.orthoview_axes(direction)
     turn = np.radians(TURN / np.sqrt(2))
     eye = np.array(toward) + np.tan(turn) * (np.array(right) + np.array(up))
-    center, half = leaf.box.mean(axis=0), max(extents) * leaf.side / 2
+    center, half_width = leaf.box.mean(axis=0), max(extents) * leaf.side / 2
     return nf.Camera.look_at(
         center + eye / np.linalg.norm(eye) * 2 * leaf.side,
         center,
-        fov=nf.Orthographic(-half, half, -half, half),
+        fov=nf.Orthographic(-half_width, half_width, -half_width, half_width),
         size=(size, size),
         up=up,
     )
@@ -92,21 +92,21 @@ def picture(leaf: Leaf, views: _core.OrthoViews, layout: Layout, number: int) ->
 
 
 def splats(leaf: Leaf, views: _core.OrthoViews, layout: Layout, number: int, onto: nf.Camera) -> nf.Scene:
-    found = pixels(leaf, views, layout, number)
-    is_surfel = _core.orthoview_surfels(views.connected(_codec.CONNECTED))[number, ..., 0][found.seen]
-    u, v = found.tangents(STEEPEST)
-    _, along = onto.rays()
-    side = np.cross(along[0, 0], found.axes[1])
+    view_pixels = pixels(leaf, views, layout, number)
+    is_surfel = _core.orthoview_surfels(views.connected(_codec.CONNECTION_LIMITS))[number, ..., 0][view_pixels.seen]
+    u, v = view_pixels.tangents(STEEPEST)
+    _, rays = onto.rays()
+    side = np.cross(rays[0, 0], view_pixels.axes[1])
     side /= np.linalg.norm(side)
-    longest = found.sides.max()
-    u[~is_surfel], v[~is_surfel] = side * longest, np.cross(side, along[0, 0]) * longest
-    corners = found.middle[:, None] + np.stack([-u - v, u - v, u + v, v - u], axis=1) / 2
-    first = 4 * np.arange(len(corners))[:, None, None]
-    rgba = np.column_stack([found.color, np.full(len(corners), 255, np.uint8)])
+    longest = view_pixels.sides.max()
+    u[~is_surfel], v[~is_surfel] = side * longest, np.cross(side, rays[0, 0]) * longest
+    corners = view_pixels.middle[:, None] + np.stack([-u - v, u - v, u + v, v - u], axis=1) / 2
+    first_corner = 4 * np.arange(len(corners))[:, None, None]
+    rgba = np.column_stack([view_pixels.color, np.full(len(corners), 255, np.uint8)])
     mesh = trimesh.Trimesh(
         corners.reshape(-1, 3),
-        (first + np.array([[0, 1, 2], [0, 2, 3]])).reshape(-1, 3),
-        vertex_normals=found.normal.repeat(4, axis=0),
+        (first_corner + np.array([[0, 1, 2], [0, 2, 3]])).reshape(-1, 3),
+        vertex_normals=view_pixels.normal.repeat(4, axis=0),
         vertex_colors=rgba.repeat(4, axis=0),
         process=False,
     )

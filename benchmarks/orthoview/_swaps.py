@@ -22,17 +22,17 @@ def swap_distances(tree: Tree, camera: nf.Camera, error_px: float = 1.0) -> NDAr
     Parents are those in a cut, from the directions in which they are drawn. Children farther behind their parent's
     surface do not belong to it and are not replaced.
     """
-    cut, found = tree.cut(camera, error_px=error_px, geometry=False), []
+    cut, distances = tree.cut(camera, error_px=error_px, geometry=False), []
     keys = cut.keys()
     for level, place, number in keys:
         parent = tree.view(level, place, number) if level else None
         for octant in itertools.product((0, 1), repeat=3) if parent is not None else ():
             x, y, z = (2 * base + step for base, step in zip(place, octant, strict=True))
-            is_inside = all(at < count for at, count in zip((x, y, z), tree.cells(level - 1), strict=True))
+            is_inside = all(n < count for n, count in zip((x, y, z), tree.cells(level - 1), strict=True))
             child = tree.view(level - 1, (x, y, z), number) if is_inside else None
             if child is not None and parent is not None:
-                found.append(between(camera, parent, child, 2**level * cut.reach))
-    return np.concatenate(found)
+                distances.append(between(camera, parent, child, 2**level * cut.reach))
+    return np.concatenate(distances)
 
 
 def between(camera: nf.Camera, parent: OrthoView, child: OrthoView, start: float) -> NDArray[np.float64]:
@@ -41,14 +41,14 @@ def between(camera: nf.Camera, parent: OrthoView, child: OrthoView, start: float
     size, offset = len(parent.depth), points - parent.center
     column = np.floor((offset @ parent.right / parent.extents[0] + 0.5) * size).astype(int)
     row = np.floor((0.5 - offset @ parent.up / parent.extents[1]) * size).astype(int)
-    inside = (column >= 0) & (column < size) & (row >= 0) & (row < size)
-    points, above = points[inside], parent.points()[row[inside], column[inside]]
-    behind = (above - points) @ parent.toward
-    belongs = behind <= REACH * max(parent.extents[:2]) / (2 * size)
-    points, above = points[belongs], above[belongs]
-    one, other = camera.project(points)[:, :2], camera.project(above)[:, :2]
+    is_inside = (column >= 0) & (column < size) & (row >= 0) & (row < size)
+    points, parent_points = points[is_inside], parent.points()[row[is_inside], column[is_inside]]
+    behind = (parent_points - points) @ parent.toward
+    is_replaced = behind <= REACH * max(parent.extents[:2]) / (2 * size)
+    points, parent_points = points[is_replaced], parent_points[is_replaced]
+    child_pixels, parent_pixels = camera.project(points)[:, :2], camera.project(parent_points)[:, :2]
     distance = np.linalg.norm(points - np.array(camera.position), axis=1)
-    pixels = np.linalg.norm(one - other, axis=1) * distance / start
+    pixels = np.linalg.norm(child_pixels - parent_pixels, axis=1) * distance / start
     width, height = camera.size
-    seen = ((one >= 0) & (one < (width, height))).all(axis=1) & np.isfinite(pixels)
-    return np.asarray(pixels[seen])
+    is_visible = ((child_pixels >= 0) & (child_pixels < (width, height))).all(axis=1) & np.isfinite(pixels)
+    return np.asarray(pixels[is_visible])

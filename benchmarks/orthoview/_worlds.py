@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,8 +15,7 @@ import nearfar as nf
 from benchmarks.orthoview.worlds import tokyo_core
 from nearfar.orthoview import _store
 from nearfar.orthoview._cut import Cutter
-from nearfar.orthoview._directions import directions_of
-from nearfar.orthoview._grid import Place
+from nearfar.orthoview._grid import Place, directions_of
 from nearfar.orthoview._viewer import Viewer
 
 SIZE = 256
@@ -64,10 +64,10 @@ class World:
 
     def from_air(self) -> list[nf.Camera]:
         """Cameras across the square from beside it, and down on it from a corner."""
-        at = self.side * np.array([(0.5, 0.25, -0.15), (0.55, 0.0, 0.6), (0.0, 0.45, 0.0), (0.5, 0.0, 0.5)])
-        at[::2, 1] = np.maximum(at[::2, 1], 0.6 * self.height)
-        at += self.box[0]
-        return [self.camera(at[0], at[1]), self.camera(at[2], at[3])]
+        points = self.side * np.array([(0.5, 0.25, -0.15), (0.55, 0.0, 0.6), (0.0, 0.45, 0.0), (0.5, 0.0, 0.5)])
+        points[::2, 1] = np.maximum(points[::2, 1], 0.6 * self.height)
+        points += self.box[0]
+        return [self.camera(points[0], points[1]), self.camera(points[2], points[3])]
 
     def from_ground(self, count: int = 2) -> list[nf.Camera]:
         """Cameras of walkers under the sky, far from what they look at, and from one another."""
@@ -96,21 +96,20 @@ class World:
         (x, y, z), margin = self.low, (self.side - side) / 2
         return replace(self, name=f"{self.name} {side:g} m", low=(x + margin, y, z + margin), side=side)
 
-    def build(self, folder: Path, directions: int = ALL, layers: int = 1) -> Path:
+    def build(self, folder: Path, directions: int = ALL, layers: int = 1, **settings: Any) -> Path:
         """Build the tree, unless the folder contains it; return its path."""
         path = folder / f"{self.name.replace(' ', '-')}-{directions}-{layers}.zarr"
-        nf.orthoview.build(
-            self.scene, path, cell=self.cell, aabb=self.box, size=SIZE, directions=directions, layers=layers
-        )
+        settings |= {"aabb": self.box, "size": SIZE, "directions": directions, "layers": layers}
+        nf.orthoview.build(self.scene, path, cell=self.cell, **settings)
         return path
 
 
 def open_tree(path: Path, directions: int, layers: int = 1) -> nf.orthoview.OrthoTree:
     """Open a tree as if built with fewer directions or layers: views do not depend on others."""
     tree = nf.orthoview.open(path)
-    whole = tree._layout
-    tree._layout = replace(whole, directions=directions_of(directions), layers=layers)
-    read = _store.cells_of(tree._files, whole, tree.generation, _store.Listed(tree._files, whole))
+    layout = tree._layout
+    tree._layout = replace(layout, directions=directions_of(directions), layers=layers)
+    _, read = _store.open_generation(tree._files, layout, tree.generation)
 
     def fewer(tier: int, place: Place) -> _store.Cells:
         cells = read(tier, place)
@@ -139,23 +138,23 @@ def tokyo(tiles: str | None) -> World:
 def _ground(box: Floats, step: float = 125.0, y: float = -0.5) -> Floats:
     """Corners of triangles half a metre below 0, in squares."""
     x, z = (np.arange(box[0, axis], box[1, axis], step) for axis in (0, 2))
-    at = np.stack(np.meshgrid(x, z), axis=-1).reshape(-1, 1, 2)
+    corners = np.stack(np.meshgrid(x, z), axis=-1).reshape(-1, 1, 2)
     offsets = step * np.array([(0, 0), (0, 1), (1, 1), (0, 0), (1, 1), (1, 0)])
-    flat = (at + offsets).reshape(-1, 2)
+    flat = (corners + offsets).reshape(-1, 2)
     return np.column_stack([flat[:, 0], np.full(len(flat), y), flat[:, 1]])
 
 
 def forest() -> World:
     """160 m of woods around a trail."""
-    whole = nf.datasets.forest()
-    return World("forest", whole.query, (-80.0, -16.0, -80.0), 160.0, 64.0, 20.0)
+    woods = nf.datasets.forest()
+    return World("forest", woods.query, (-80.0, -16.0, -80.0), 160.0, 64.0, 20.0)
 
 
 def landscape() -> World:
     """A square kilometre of wooded hills with fields, roads and hamlets, 100 m from the lowest to the highest place."""
-    whole = nf.datasets.world()
+    hills = nf.datasets.world()
 
     def part(box: Floats) -> nf.Scene:
-        return whole.query(box, detail=LANDSCAPE)
+        return hills.query(box, detail=LANDSCAPE)
 
     return World("landscape", part, (-4000.0, 20.0, -4000.0), 1000.0, 120.0, 125.0)

@@ -55,14 +55,14 @@ def main() -> None:
 
 
 def gather(
-    tree: nf.orthoview.OrthoTree, camera: nf.Camera, wanted: float
+    tree: nf.orthoview.OrthoTree, camera: nf.Camera, min_splats: float
 ) -> tuple[nf.orthoview.OrthoCut, list[_core.OrthoSplats]]:
     """Find a cut whose views have the wanted number of splats, or the finest one."""
     error = 4.0
     while True:
         cut = tree.cut(camera, geometry=False, error_px=error)
         splats = tree._viewer.views.get(cut.keys())
-        if sum(view.count for view in splats) >= wanted or error <= MIN:
+        if sum(view.count for view in splats) >= min_splats or error <= MIN:
             return cut, splats
         error *= 0.93
 
@@ -91,26 +91,26 @@ def frames(
             for camera, own in zip(cameras, settings, strict=True)
         ]
 
-    right, timing = draw(), best(draw, repeat=repeat)
-    seen = sum(picture["stats"]["splats_seen"] for picture in right)
-    rows: list[list[object]] = [["processor", None, timing.ms, seen / timing.wall / 1e6, "1", None]]
+    expected, timing = draw(), best(draw, repeat=repeat)
+    splats_seen = sum(picture["stats"]["splats_seen"] for picture in expected)
+    rows: list[list[object]] = [["processor", None, timing.ms, splats_seen / timing.wall / 1e6, "1", None]]
     for adapter in (adapter for adapter in nf.gpu.adapters() if adapter.usable):
         device = backends.open_device(adapter.backend)
         for allowed in (True, False):
-            before = device.allow_long_atomics(allowed)
+            setting_before = device.allow_long_atomics(allowed)
             if allowed and not device.uses_long_atomics:
                 continue
             pictures, first = timed(draw, device)
             time = best(partial(draw, device), repeat=repeat)
-            device.allow_long_atomics(before)
+            device.allow_long_atomics(setting_before)
             drawn = sum(picture["stats"]["splats_seen"] for picture in pictures)
-            same = [
+            is_same_share = [
                 np.isclose(a["color"], b["color"], atol=DIFFERENCE).all(-1).mean()
-                for a, b in zip(pictures, right, strict=True)
+                for a, b in zip(pictures, expected, strict=True)
             ]
             rates = drawn / time.wall / 1e6, timing.wall / time.wall
             name = f"{device.label}, {64 if allowed else 32} bits"
-            rows.append([name, first.ms, time.ms, *rates, 100 * (1 - float(np.mean(same)))])
+            rows.append([name, first.ms, time.ms, *rates, 100 * (1 - float(np.mean(is_same_share)))])
     header = "way | first ms {:.0f} | ms {:.1f} | million seen a second {:.1f} | × the processor {:.2f}"
     return table(title, header + " | pixels that differ {:.3f} %", rows)
 
@@ -119,11 +119,11 @@ def save_pictures(path: Path, tree: nf.orthoview.OrthoTree) -> None:
     """Save a picture by the processor, by an adapter, and the differing pixels in white."""
     camera = eye(tree, 0.1)
     settings: dict[str, Any] = {"samples": 16, "channels": ("color",), "geometry": False}
-    one, other = (tree.render(camera, **settings, backend=name).require("color") for name in ("cpu", "gpu"))
-    differs = np.abs(one - other).max(axis=-1, keepdims=True) > DIFFERENCE
+    cpu, gpu = (tree.render(camera, **settings, backend=name).require("color") for name in ("cpu", "gpu"))
+    differs = np.abs(cpu - gpu).max(axis=-1, keepdims=True) > DIFFERENCE
     print(f"{100 * differs.mean():.3f} % of the pixels differ by more than {DIFFERENCE}\n")
-    panels = {"by the processor": one, "by an adapter": other, "pixels that differ": np.repeat(differs, 3, axis=-1)}
-    codes = [(name, _core.encode_srgb(np.float32(one).ravel()).reshape(one.shape)) for name, one in panels.items()]
+    panels = {"by the processor": cpu, "by an adapter": gpu, "pixels that differ": np.repeat(differs, 3, axis=-1)}
+    codes = [(name, _core.encode_srgb(np.float32(rgb).ravel()).reshape(rgb.shape)) for name, rgb in panels.items()]
     save_panels(codes, len(codes), path)
 
 

@@ -78,7 +78,7 @@ def main() -> None:
         leaf=("", "part of the names of the leaves that are drawn"),
     )
     losses = {leaf.name: losses_of(leaf, given.size) for leaf in leaves() if given.leaf in leaf.name}
-    shown = " | surfels or balls changed {:.2%} | PSNR, dB {:.1f} | SSIM {:.4f} | SSIM with the leaf {:.4f}"
+    picture_columns = " | surfels or balls changed {:.2%} | PSNR, dB {:.1f} | SSIM {:.4f} | SSIM with the leaf {:.4f}"
     header = "leaf | bits | depths, kB a view {:.1f} | RMS, mm {:.3g} | greatest, mm {:.3g} | RMS, pixels {:.3g}"
     rows = [
         [name, bits[0], loss.kilobytes["depth"], loss.rms[0], loss.most[0], loss.rms[1], loss.most[1], *loss.pictures]
@@ -86,14 +86,14 @@ def main() -> None:
         for bits, loss in ((bits, by_format[bits]) for bits in DEPTHS)
     ]
     title = f"Depths, normals of 24 bits, views of {given.size}² pixels"
-    print(table(title, f"{header} | greatest, pixels {{:.3g}}{shown}", rows))
+    print(table(title, f"{header} | greatest, pixels {{:.3g}}{picture_columns}", rows))
     rows = [
         [name, bits, loss.kilobytes["normal"], *loss.angles, *loss.pictures, sum(loss.kilobytes.values())]
         for name, by_format in losses.items()
         for bits, loss in ((bits, by_format[bits]) for bits in NORMALS)
     ]
     header = "leaf | bits of depths, normals {}, {} | normals, kB a view {:.1f} | mean, ° {:.2g} | greatest, ° {:.2g}"
-    print(table("Normals", f"{header}{shown} | all channels, kB a view {{:.1f}}", rows))
+    print(table("Normals", f"{header}{picture_columns} | all channels, kB a view {{:.1f}}", rows))
     if given.plots is not None:
         plot(losses, given.plots / PLOT)
         print(f"![Bits of depths]({PLOT})\n")
@@ -110,43 +110,44 @@ def stored(leaf: Leaf, bits: Format, size: int) -> Stored:
     layout = layout_of(*bits, size)
     views = leaf.views(layout)
     lengths: dict[str, list[int]] = {}
-    for (_, channel), chunk in _codec.encoded(views, layout).items():
+    for (_, channel), chunk in _codec.encode(views, layout).items():
         lengths.setdefault(channel, []).append(len(chunk))
     metres = [metres_of(views, number, layout, leaf.side, np.nan) for number in range(len(DIRECTIONS))]
     return Stored(
         {channel: float(np.mean(of_channel)) / 1e3 for channel, of_channel in lengths.items()},
         np.array(metres),
         views.vectors(),
-        _core.orthoview_surfels(views.connected(_codec.CONNECTED))[..., 0],
+        _core.orthoview_surfels(views.connected(_codec.CONNECTION_LIMITS))[..., 0],
         [_splats.picture(leaf, views, layout, number) for number in SHOWN],
     )
 
 
 def loss_of(views: Stored, finest: Stored, truths: list[NDArray[np.uint8]], side: float) -> Loss:
-    seen = np.isfinite(finest.metres)
+    is_shown = np.isfinite(finest.metres)
     errors = views.metres - finest.metres
-    pixels = np.array([max(_core.orthoview_axes(direction)[1][:2]) for direction in DIRECTIONS]) * side / seen.shape[1]
-    each = [1e3 * errors[seen], (errors / pixels[:, None, None])[seen]]
+    widths = [max(_core.orthoview_axes(direction)[1][:2]) for direction in DIRECTIONS]
+    pixels = np.array(widths) * side / is_shown.shape[1]
+    errors_by_unit = [1e3 * errors[is_shown], (errors / pixels[:, None, None])[is_shown]]
     # Half a chord is the sine of half an angle, which float32 represents accurately for small angles.
-    chords = np.linalg.norm(views.normals[seen].astype(np.float64) - finest.normals[seen], axis=1)
+    chords = np.linalg.norm(views.normals[is_shown].astype(np.float64) - finest.normals[is_shown], axis=1)
     angles = np.degrees(2 * np.arcsin(np.minimum(chords / 2, 1)))
-    millimetres, in_pixels = (float(np.sqrt((of_unit**2).mean())) for of_unit in each)
-    most, most_in_pixels = (float(np.abs(of_unit).max()) for of_unit in each)
+    millimetres, in_pixels = (float(np.sqrt((of_unit**2).mean())) for of_unit in errors_by_unit)
+    most, most_in_pixels = (float(np.abs(of_unit).max()) for of_unit in errors_by_unit)
     return Loss(
         views.kilobytes,
         (millimetres, in_pixels),
         (most, most_in_pixels),
         (float(angles.mean()), float(angles.max())),
-        float((views.surfels != finest.surfels)[seen].mean()),
+        float((views.surfels != finest.surfels)[is_shown].mean()),
         *differences(finest.pictures, views.pictures),
         differences(truths, views.pictures)[1],
     )
 
 
-def differences(right: list[NDArray[np.uint8]], shown: list[NDArray[np.uint8]]) -> tuple[float, float]:
+def differences(references: list[NDArray[np.uint8]], pictures: list[NDArray[np.uint8]]) -> tuple[float, float]:
     """PSNR in decibels over all pictures, and the mean of their SSIM."""
-    square = float(np.mean([nf.metrics.rmse(one, other) ** 2 for one, other in zip(right, shown, strict=True)]))
-    ssim = np.mean([nf.ssim(one, other, data_range=255) for one, other in zip(right, shown, strict=True)])
+    square = float(np.mean([nf.metrics.rmse(one, other) ** 2 for one, other in zip(references, pictures, strict=True)]))
+    ssim = np.mean([nf.ssim(one, other, data_range=255) for one, other in zip(references, pictures, strict=True)])
     return (float(20 * np.log10(255 / np.sqrt(square))) if square else np.inf), float(ssim)
 
 

@@ -20,7 +20,7 @@ from PIL import Image
 import nearfar as nf
 from benchmarks.harness.report import folder_or_temporary, start, table
 from benchmarks.harness.timing import timed
-from benchmarks.orthoview._clients import CLIENTS, Way, open_client, prepare
+from benchmarks.orthoview._clients import CLIENTS, Route, open_client, prepare
 from benchmarks.orthoview._gate import Gate, served
 from tests.support.browser import started
 
@@ -32,9 +32,9 @@ PLACES = 4
 SHEET = (1.0, 4.0)
 """Megabytes of the pictures on the sheet; the last row is the last place."""
 PACE = 0.4
-"""Factor of the way's speed in the flight: software draws few frames per second."""
+"""Factor of the route's speed in the flight: software draws few frames per second."""
 RTT = 20.0
-PATIENCE = 180.0
+PICTURE_TIMEOUT = 180.0
 """Timeout of a picture, seconds."""
 TRUTH = 1e-6
 """Error at which all visible leaves are drawn as triangles."""
@@ -61,13 +61,13 @@ def main() -> None:
     with folder_or_temporary(given.work) as folder:
         tree = nf.orthoview.open(given.store) if given.store else city(folder)
         speed = given.speed or float(np.ptp(tree.bounds[:, 0])) / 20 / given.seconds
-        way = Way(tree, given.height, speed, given.seconds, given.error, given.splat_error)
-        folders, gate, counted = prepare(way, folder), Gate(), frozenset({"store", "splats"})
+        route = Route(tree, given.height, speed, given.seconds, given.error, given.splat_error)
+        folders, gate, counted = prepare(route, folder), Gate(), frozenset({"store", "splats"})
         with served(folders, gate, counted) as url, started(flags=["--js-flags=--max-old-space-size=4096"]) as chromium:
             if given.only != "flying":
-                standing(chromium, url, way, gate, given, folder)
+                compare_standing(chromium, url, route, gate, given, folder)
             if given.only != "standing":
-                flying(chromium, url, way, gate, given)
+                measure_flight(chromium, url, route, gate, given)
 
 
 def city(folder: Path) -> nf.orthoview.OrthoTree:
@@ -77,46 +77,49 @@ def city(folder: Path) -> nf.orthoview.OrthoTree:
     return nf.orthoview.build(world, folder / "city.zarr", cell=64, aabb=box, size=128, directions=9)
 
 
-def standing(chromium: Any, url: str, way: Way, gate: Gate, given: argparse.Namespace, folder: Path) -> None:
+def compare_standing(
+    chromium: Any, url: str, route: Route, gate: Gate, given: argparse.Namespace, folder: Path
+) -> None:
     """Compare pictures after equal bytes: increasing numbers at the first place, and some more at each other one."""
-    places = [round(n * (len(way.poses) - 1) / (PLACES - 1)) for n in range(PLACES)]
+    places = [round(n * (len(route.poses) - 1) / (PLACES - 1)) for n in range(PLACES)]
     stops = [(places[0], step) for step in STEPS]
     stops += [(place, STEPS[-1] + (n + 1) * MORE) for n, place in enumerate(places[1:])]
     stops.append((places[-1], math.inf))
-    truths = {place: truth_of(way, place, folder) for place in places}
+    truths = {place: truth_of(route, place, folder) for place in places}
     rows: list[list[str]] = []
     for name in given.viewers:
-        begin, asked = gate.sent, gate.requests
+        begin, requests_before = gate.sent, gate.requests
         gate.mbps, gate.rtt_ms = math.inf, 0.0
         gate.allow(begin + 1e6 * stops[0][1])
-        with open_client(chromium, url, name, way, gate) as client:
+        with open_client(chromium, url, name, route, gate) as client:
             for place, megabytes in stops:
                 gate.allow(begin + 1e6 * megabytes)
-                facts = client.settled(place, PATIENCE)
-                told = [f"{(gate.sent - begin) / 1e6:.2f}", f"{gate.requests - asked}", f"{facts['missing']}"]
-                row = [f"{place * way.step:g}", f"{megabytes:g}", name, *told]
+                facts = client.settled(place, PICTURE_TIMEOUT)
+                requests = gate.requests - requests_before
+                amounts = [f"{(gate.sent - begin) / 1e6:.2f}", f"{requests}", f"{facts['missing']}"]
+                row = [f"{place * route.step:g}", f"{megabytes:g}", name, *amounts]
                 rows.append(row + compare(name, client.picture(), truths[place], folder / file_of(name, row)))
                 print(rows[-1], facts, flush=True)
     rows.sort(key=lambda row: (float(row[0]), float(row[1])))
     header = "place, s | MB allowed | viewer | MB | requests | missing | PSNR, dB | SSIM | holes, %"
     print(table("Pictures after equal bytes", header, rows))
     if given.out is not None:
-        shown = [(places[0], step) for step in SHEET] + [stops[-2]]
-        sheet(truths, shown, folder, given.out / "orthoview_browsers.png")
+        sheet_stops = [(places[0], step) for step in SHEET] + [stops[-2]]
+        sheet(truths, sheet_stops, folder, given.out / "orthoview_browsers.png")
 
 
-def compare(name: str, shown: NDArray[np.uint8], truth: Truth, file: Path) -> list[str]:
+def compare(name: str, rgba: NDArray[np.uint8], truth: Truth, file: Path) -> list[str]:
     """Similarity of a viewer's picture to the truth, and its holes; the picture is saved."""
-    right, solid, sky = truth
-    picture = shown[..., :3] / 255.0
+    reference, solid, sky = truth
+    picture = rgba[..., :3] / 255.0
     if name.startswith("nearfar"):
         # The canvas has no alpha: pixels with the sky's colour are empty.
         is_hole = np.abs(picture - sky).max(axis=-1) < 2 / 255
     else:
-        is_hole = shown[..., 3] < 128
-        picture = picture + (1 - shown[..., 3:] / 255.0) * sky
+        is_hole = rgba[..., 3] < 128
+        picture = picture + (1 - rgba[..., 3:] / 255.0) * sky
     Image.fromarray(np.rint(255 * picture.clip(0, 1)).astype(np.uint8)).save(file)
-    psnr, ssim = (measure(right, picture, data_range=1.0) for measure in (nf.psnr, nf.ssim))
+    psnr, ssim = (measure(reference, picture, data_range=1.0) for measure in (nf.psnr, nf.ssim))
     return [f"{psnr:.1f}", f"{ssim:.3f}", f"{100 * (is_hole & solid).sum() / solid.sum():.2f}"]
 
 
@@ -124,40 +127,40 @@ def file_of(name: str, stop: Sequence[object]) -> str:
     return f"{name}-{stop[0]}-{stop[1]}.png"
 
 
-def flying(chromium: Any, url: str, way: Way, gate: Gate, given: argparse.Namespace) -> None:
+def measure_flight(chromium: Any, url: str, route: Route, gate: Gate, given: argparse.Namespace) -> None:
     """Measure the first picture over a link with an empty cache, and a flight from there."""
     rows = []
     for name in given.viewers:
-        start, asked = gate.sent, gate.requests
+        sent_before, requests_before = gate.sent, gate.requests
         gate.mbps, gate.rtt_ms = given.mbps, RTT
         gate.allow(math.inf)
-        with open_client(chromium, url, name, way, gate) as client:
-            facts, waited = timed(client.settled, 0, PATIENCE)
-            before = gate.sent
-            moments, took, missing = client.fly(PACE).T
-        share = np.diff(np.append(moments, way.seconds)) / way.seconds
-        first = (before - start) / 1e6, waited.wall, facts["missing"]
-        later = (gate.sent - before) / 1e6, gate.requests - asked, len(took)
-        stalled = 100 * (missing > 0).mean(), 100 * share[missing > 0].sum()
-        rows.append([name, *first, *later, *stalled, np.median(took), np.percentile(took, 95)])
+        with open_client(chromium, url, name, route, gate) as client:
+            facts, waited = timed(client.settled, 0, PICTURE_TIMEOUT)
+            sent_by_then = gate.sent
+            moments, frame_ms, missing = client.fly(PACE).T
+        frame_share = np.diff(np.append(moments, route.seconds)) / route.seconds
+        first = (sent_by_then - sent_before) / 1e6, waited.wall, facts["missing"]
+        later = (gate.sent - sent_by_then) / 1e6, gate.requests - requests_before, len(frame_ms)
+        stalled = 100 * (missing > 0).mean(), 100 * frame_share[missing > 0].sum()
+        rows.append([name, *first, *later, *stalled, np.median(frame_ms), np.percentile(frame_ms, 95)])
         print(rows[-1], flush=True)
-    title = f"{way.seconds:g} s at {PACE * way.speed:g} m/s, {given.mbps:g} Mbit/s, {RTT:g} ms"
+    title = f"{route.seconds:g} s at {PACE * route.speed:g} m/s, {given.mbps:g} Mbit/s, {RTT:g} ms"
     header = "viewer | first picture, MB {:.1f} | s {:.0f} | missing | flight, MB {:.1f} | requests in all | frames"
     header += " | stalled, % of frames {:.0f} | % of time {:.0f} | median frame, ms {:.0f} | 95 % {:.0f}"
     print(table(title, header, rows))
 
 
-def truth_of(way: Way, place: int, folder: Path) -> Truth:
+def truth_of(route: Route, place: int, folder: Path) -> Truth:
     """Render all leaves' triangles, the pixels fully covered by them, and the sky only."""
-    camera = way.camera(place)
-    kept = folder / f"truth-{place}.npz"
-    if not kept.is_file():
-        frame = way.tree.render(camera, error_px=TRUTH, samples=4, channels=("color", "coverage"))
+    camera = route.camera(place)
+    file = folder / f"truth-{place}.npz"
+    if not file.is_file():
+        frame = route.tree.render(camera, error_px=TRUTH, samples=4, channels=("color", "coverage"))
         assert frame.stats["views"] == 0
-        np.savez(kept, picture=frame.to_image(), coverage=frame.require("coverage"))
-    with np.load(kept) as found:
-        picture, coverage = found["picture"], found["coverage"]
-    sky = way.tree.render(camera, t_max=1e-3, channels=("color",)).to_image()
+        np.savez(file, picture=frame.to_image(), coverage=frame.require("coverage"))
+    with np.load(file) as arrays:
+        picture, coverage = arrays["picture"], arrays["coverage"]
+    sky = route.tree.render(camera, t_max=1e-3, channels=("color",)).to_image()
     return picture / 255.0, coverage > 0.999, sky / 255.0
 
 
@@ -166,8 +169,8 @@ def sheet(truths: dict[int, Truth], stops: list[tuple[int, float]], folder: Path
     rows = []
     for place, megabytes in stops:
         files = [folder / file_of(name, (place, f"{megabytes:g}")) for name in CLIENTS]
-        kept = [np.asarray(Image.open(file)) for file in files if file.is_file()]
-        rows.append(np.concatenate([np.rint(255 * truths[place][0]).astype(np.uint8), *kept], axis=1))
+        pictures = [np.asarray(Image.open(file)) for file in files if file.is_file()]
+        rows.append(np.concatenate([np.rint(255 * truths[place][0]).astype(np.uint8), *pictures], axis=1))
     codes = np.concatenate(rows)
     small = Image.fromarray(codes).resize((codes.shape[1] // 2, codes.shape[0] // 2), Image.Resampling.BOX)
     small.quantize(128).save(path, optimize=True)

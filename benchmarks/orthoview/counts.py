@@ -56,8 +56,8 @@ def path(tree: Tree, frames: int) -> Iterator[nf.Camera]:
     low, high = tree.bounds
     middle = (low + high) / 2
     for frame in range(frames):
-        along = (frame - frames / 2) * SPEED
-        place = np.array([middle[0] + along, low[1] + HEIGHT, middle[2] + 0.3 * along])
+        metres_along = (frame - frames / 2) * SPEED
+        place = np.array([middle[0] + metres_along, low[1] + HEIGHT, middle[2] + 0.3 * metres_along])
         turn = 0.6 * math.sin(2 * math.pi * frame / FRAMES)
         ahead = place + np.array([math.cos(turn), -0.05, math.sin(turn)])
         yield nf.Camera.look_at(place, ahead, fov=FOV, size=SIZE)
@@ -72,12 +72,12 @@ def walk(tree: Tree, out: Path | None) -> str:
         settings = Shot(cameras=(camera,), channels=("color",)).settings
         stats = _core.splat_orthoviews(splats, camera._core, settings, origin=(0.0, 0.0, 0.0), grid=1)["stats"]
         counts.append([stats[name] for name in ("splats", "splats_in_picture", "splats_seen")])
-    found = np.array(counts)
+    table_of_counts = np.array(counts)
     if out is not None:
-        save_counts(found, cells_within(tree), flat_worlds(), out / "orthoview_counts.png")
+        save_counts(table_of_counts, cells_within(tree), flat_worlds(), out / "orthoview_counts.png")
     rows = [
         [name, column.min(), np.median(column), column.max()]
-        for name, column in zip(("in memory", "in the picture", "seen"), found.T / 1e3, strict=True)
+        for name, column in zip(("in memory", "in the picture", "seen"), table_of_counts.T / 1e3, strict=True)
     ]
     header = "splats | least {:,.0f} | median {:,.0f} | most {:,.0f}"
     return table(f"Thousand splats of {FRAMES} frames", header, rows)
@@ -118,7 +118,7 @@ def still(tree: Tree, out: Path | None) -> str:
                 tree.render(camera, error_px=error, channels=("color",), **settings).to_image().astype(np.float64)
                 for error in errors.tolist()
             )
-            square = [((one - other) ** 2).mean() for one, other in itertools.pairwise(pictures)]
+            square = [((earlier - later) ** 2).mean() for earlier, later in itertools.pairwise(pictures)]
         changes = np.sqrt(square)
         if band in (None, _cut.BAND):
             lines[f"{height:g} widths high, {'cells at once' if band is None else 'continuous'}"] = changes
@@ -163,8 +163,8 @@ def gaze(tree: Tree, out: Path | None) -> str:
         evenly, foveated = draw(), draw(gaze=(size[0] / 2, size[1] / 2))
         square = (evenly.to_image().astype(float) - foveated.to_image().astype(float)) ** 2
         is_near = degrees_from_middle(camera) < NEAR
-        one, other = evenly.stats["splats"], foveated.stats["splats"]
-        numbers = [error, one / 1e3, other / 1e3, 100 * (1 - other / one)]
+        splats_evenly, splats_foveated = evenly.stats["splats"], foveated.stats["splats"]
+        numbers = [error, splats_evenly / 1e3, splats_foveated / 1e3, 100 * (1 - splats_foveated / splats_evenly)]
         rows.append([height, size, *numbers, psnr(square[is_near]), psnr(square[~is_near])])
     header = "height, widths {:g} | picture {} × {} | error_px {:g} | thousand splats {:,.0f} | with a gaze {:,.0f}"
     header += f" | saved, % {{:.0f}} | PSNR within {NEAR:g}°, dB | beyond, dB"
@@ -189,13 +189,13 @@ def budget(tree: Tree, out: Path | None) -> str:
     """Table of errors that keep a budget along a part of the walk."""
     rows = []
     cameras = list(itertools.islice(path(tree, FRAMES), 0, None, 10))
-    for continuous, most in itertools.product((False, True), BUDGETS):
-        settings = _cut.Settings(geometry=False, continuous=continuous, budget=most)
-        found = [tree._viewer._fitter.fit(camera, settings) for camera in cameras]
-        errors, splats = np.array([one.error_px for one in found]), np.array([one.count for one in found])
+    for continuous, limit in itertools.product((False, True), BUDGETS):
+        settings = _cut.Settings(geometry=False, continuous=continuous, budget=limit)
+        fits = [tree._viewer._fitter.fit(camera, settings) for camera in cameras]
+        errors, splats = np.array([one.error_px for one in fits]), np.array([one.count for one in fits])
         timing = best(partial(tree._viewer._fitter.fit, cameras[0], settings), repeat=3)
         numbers = splats.max(), splats.mean(), (errors.min(), errors.max())
-        rows.append(["yes" if continuous else "no", most, *numbers, timing.cpu_ms])
+        rows.append(["yes" if continuous else "no", limit, *numbers, timing.cpu_ms])
     header = "continuous | budget {:,} | most splats {:,} | mean {:,.0f} | error_px {:.2f} to {:.2f}"
     return table(f"A budget, {len(cameras)} frames of the walk", header + " | CPU ms to choose {:.0f}", rows)
 
@@ -204,8 +204,8 @@ def swaps(tree: Tree, out: Path | None) -> str:
     """Table of distances between splats and the parent's splats that replace them."""
     rows = []
     for height in HEIGHTS:
-        moved = _swaps.swap_distances(tree, eye(tree, height))
-        rows.append([height, len(moved), *np.quantile(moved, (0.5, 0.9, 0.99, 0.999, 1))])
+        distances = _swaps.swap_distances(tree, eye(tree, height))
+        rows.append([height, len(distances), *np.quantile(distances, (0.5, 0.9, 0.99, 0.999, 1))])
     shares = (f"{name} {{:.2f}}" for name in ("median", "90 %", "99 %", "99.9 %", "most"))
     header = ["height, widths {:g}", "splats {:,}", *shares]
     return table("Pixels that splats move where levels change, error_px=1", header, rows)

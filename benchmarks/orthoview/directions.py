@@ -13,9 +13,8 @@ import nearfar as nf
 from benchmarks.harness import scenes
 from benchmarks.harness.report import save_figure, start, subplots, table
 from benchmarks.harness.timing import timed
-from nearfar.orthoview._directions import COUNTS
-from nearfar.orthoview._disocclusion import BOUND, Choice, choose_directions
-from nearfar.orthoview._grid import Grid
+from nearfar.orthoview._disocclusion import GOOD_DISOCCLUSION, Choice, choose_directions
+from nearfar.orthoview._grid import COUNTS, Grid
 
 GRID = 28.5
 """Angle in degrees about y that aligns Manhattan's avenues with an axis."""
@@ -105,8 +104,8 @@ def draw(choices: Mapping[str, Choice], by_angle: Sequence[Choice], path: Path) 
     for number, (name, choice) in enumerate(choices.items()):
         color = colormaps["tab20"](number)
         line(axes[0], sets, [choice.shares[count] for count in COUNTS], name, color)
-        taken = COUNTS.index(choice.count), 100 * choice.shares[choice.count]
-        axes[0].plot(*taken, "o", ms=10, mfc="none", color=color)
+        ring = COUNTS.index(choice.count), 100 * choice.shares[choice.count]
+        axes[0].plot(*ring, "o", ms=10, mfc="none", color=color)
     axes[0].set_xticks(sets, COUNTS)
     axes[0].set(xlabel="directions; ○ chosen", ylabel="hidden, %", ylim=0)
     for number, count in enumerate(COUNTS):
@@ -114,7 +113,7 @@ def draw(choices: Mapping[str, Choice], by_angle: Sequence[Choice], path: Path) 
         line(axes[1], ANGLES[: len(shares)], shares, f"{count} directions", colormaps["viridis"](number / len(COUNTS)))
     axes[1].set(xticks=ANGLES, xlabel="degrees between Manhattan's streets and the axes")
     for axis in axes:
-        axis.axhline(100 * BOUND, color="black", ls=":", lw=1)
+        axis.axhline(100 * GOOD_DISOCCLUSION, color="black", ls=":", lw=1)
         axis.grid(alpha=0.3)
         axis.legend(fontsize=7)
     save_figure(figure, path)

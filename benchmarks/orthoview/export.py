@@ -53,8 +53,8 @@ def sizes(tree: nf.orthoview.OrthoTree, given: argparse.Namespace) -> None:
             cells, pixels, splats = counts["cells"], counts["pixels"], counts["splats"]
             sizes = pixels / cells, splats / cells, pixels / splats, counts["bytes"] / splats
             rows.append([name, cells, *sizes, 1e6 * time.cpu / splats])
-    held, views = tree.held, tree.held["chunks"] / 3
-    print(f"the store: {held['bytes']:,} bytes, {held['bytes'] / views:,.0f} a view\n")
+    stored, views = tree.held, tree.held["chunks"] / 3
+    print(f"the store: {stored['bytes']:,} bytes, {stored['bytes'] / views:,.0f} a view\n")
     header = "file | cells | pixels a cell {:,.0f} | splats a cell {:,.0f} | ratio {:.2f} | bytes a splat {:.1f}"
     title = f"{Path(tree.path).name}, level {given.level}"
     print(table(title, header + " | CPU s a million splats {:.1f}", rows))
@@ -77,7 +77,7 @@ def sigma(tree: nf.orthoview.OrthoTree, given: argparse.Namespace) -> None:
                 _gaussians.SIGMA = width
                 cell = cells.read(*key)
                 path = Path(folder, f"{number}.spz")
-                path.write_bytes(_spz.encoded(cell.gaussians))
+                path.write_bytes(_spz.encode(cell.gaussians))
                 files.append((path, cell.center))
         finally:
             _gaussians.SIGMA = usual
@@ -85,11 +85,11 @@ def sigma(tree: nf.orthoview.OrthoTree, given: argparse.Namespace) -> None:
     cover = np.asarray(ours.coverage)
     for width, picture in zip(SIGMAS, pictures, strict=True):
         alpha = picture[..., 3]
-        whole, grey = cover > 0.999, np.full((*cover.shape, 3), 0.5)
-        shown = np.where(whole[..., None], picture[..., :3] + (1 - alpha[..., None]) * 0.5, grey)
-        right = np.where(whole[..., None], ours.to_image() / 255.0, grey)
-        shares = 100 * (alpha[whole] < 0.9).mean(), 100 * alpha[cover == 0].mean()
-        rows.append([width, *quality(right, shown), *shares])
+        is_covered, grey = cover > 0.999, np.full((*cover.shape, 3), 0.5)
+        picture_on_grey = np.where(is_covered[..., None], picture[..., :3] + (1 - alpha[..., None]) * 0.5, grey)
+        reference = np.where(is_covered[..., None], ours.to_image() / 255.0, grey)
+        shares = 100 * (alpha[is_covered] < 0.9).mean(), 100 * alpha[cover == 0].mean()
+        rows.append([width, *quality(reference, picture_on_grey), *shares])
     header = "σ, pixels {:g} | PSNR, dB {:.1f} | SSIM {:.3f} | surface with alpha < 0.9, % {:.1f}"
     header += " | mean alpha beside, % {:.2f}"
     print(table(f"{Path(tree.path).name}, cell {key}", header, rows))
@@ -106,17 +106,17 @@ def pictures(tree: nf.orthoview.OrthoTree, given: argparse.Namespace) -> None:
         keys = [(level, tuple(place)) for level, place, seen in rows_of_cut if seen]
         ours = tree.render(camera, views=VIEWS, samples=16, geometry=False, error_px=given.error, channels=("color",))
         truth = nf.render(scene, camera, samples=16, channels=("color", "coverage"))
-        drawn, count = by_spark(tree, look, keys)
+        rgba, count = by_spark(tree, look, keys)
         sky = tree.render(camera, t_max=1e-3, channels=("color",)).to_image() / 255.0
-        theirs = drawn[..., :3] + (1 - drawn[..., 3:]) * sky
-        right = truth.to_image() / 255.0
+        spark_picture = rgba[..., :3] + (1 - rgba[..., 3:]) * sky
+        reference = truth.to_image() / 255.0
         solid = np.asarray(truth.coverage) > 0.999
-        own, holes = ours.to_image() / 255.0, (drawn[..., 3] < 0.5) & solid
-        splats, share = count / 1e6, 100 * holes.sum() / solid.sum()
-        rows.append([name, "tree.render beside rays", len(keys), None, *quality(right, own), None])
-        rows.append([name, "Spark beside rays", len(keys), splats, *quality(right, theirs), share])
-        rows.append([name, "Spark beside tree.render", len(keys), splats, *quality(own, theirs), None])
-        sheet.append(np.concatenate([own, theirs], axis=1))
+        tree_picture, holes = ours.to_image() / 255.0, (rgba[..., 3] < 0.5) & solid
+        splats, hole_share = count / 1e6, 100 * holes.sum() / solid.sum()
+        rows.append([name, "tree.render beside rays", len(keys), None, *quality(reference, tree_picture), None])
+        rows.append([name, "Spark beside rays", len(keys), splats, *quality(reference, spark_picture), hole_share])
+        rows.append([name, "Spark beside tree.render", len(keys), splats, *quality(tree_picture, spark_picture), None])
+        sheet.append(np.concatenate([tree_picture, spark_picture], axis=1))
     header = "camera | program | cells | million splats {:.2f} | PSNR, dB {:.1f} | SSIM {:.3f} | holes, % {:.2f}"
     print(table(f"{Path(tree.path).name}, error_px = {given.error:g}, {VIEWS} views, no geometry", header, rows))
     if given.out is not None:
@@ -124,9 +124,9 @@ def pictures(tree: nf.orthoview.OrthoTree, given: argparse.Namespace) -> None:
         Image.fromarray(codes).quantize(128).save(given.out / "orthoview_splats.png", optimize=True)
 
 
-def quality(right: Array, shown: Array) -> list[float]:
+def quality(reference: Array, picture: Array) -> list[float]:
     """PSNR and SSIM of pictures in 0..1."""
-    return [nf.psnr(right, shown, data_range=1.0), float(nf.ssim(right, shown, data_range=1.0))]
+    return [nf.psnr(reference, picture, data_range=1.0), float(nf.ssim(reference, picture, data_range=1.0))]
 
 
 def by_spark(tree: nf.orthoview.OrthoTree, look: Look, keys: list[tuple[int, tuple[int, ...]]]) -> tuple[Array, int]:
@@ -136,7 +136,7 @@ def by_spark(tree: nf.orthoview.OrthoTree, look: Look, keys: list[tuple[int, tup
         for number, (level, (x, y, z)) in enumerate(keys):
             cell = cells.read(level, (x, y, z))
             path = Path(folder, f"{number}.spz")
-            path.write_bytes(_spz.encoded(cell.gaussians))
+            path.write_bytes(_spz.encode(cell.gaussians))
             files.append((path, cell.center))
             count += len(cell.gaussians)
         _, (picture,) = spark(files, [(look, range(len(files)))])

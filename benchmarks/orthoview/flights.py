@@ -19,11 +19,10 @@ import numpy as np
 import nearfar as nf
 from benchmarks.harness.report import save_figure, start, subplots, table
 from nearfar.orthoview._client import Client
-from nearfar.orthoview._cut import Cutter, Settings
+from nearfar.orthoview._cut import GEOMETRY, Cutter, Part, Settings
 from nearfar.orthoview._meter import Received
-from nearfar.orthoview._parts import GEOMETRY, Part
 from nearfar.orthoview._pilot import Plan
-from nearfar.orthoview._simulate import flown
+from nearfar.orthoview._simulate import fly_through
 
 RATE, SECONDS = 72, 60
 FOV, PICTURE = nf.Fov.symmetric(60, 4 / 3), (640, 480)
@@ -47,12 +46,12 @@ def main() -> None:
 
 def flight(speed: float, height: float, seconds: float = SECONDS) -> list[nf.Camera]:
     """Frames of a flight in long curves, looking slightly downwards."""
-    place, angle, cameras = np.array([START[0], height, START[1]]), 0.3, []
+    position, angle, cameras = np.array([START[0], height, START[1]]), 0.3, []
     for frame in range(int(seconds * RATE)):
         angle += 0.4 * np.sin(0.8 * frame / RATE) / RATE
         ahead = np.array([np.cos(angle), 0.0, np.sin(angle)])
-        place = place + ahead * (speed / RATE)
-        cameras.append(nf.Camera.look_at(place, place + ahead - [0.0, 0.15, 0.0], fov=FOV, size=PICTURE))
+        position = position + ahead * (speed / RATE)
+        cameras.append(nf.Camera.look_at(position, position + ahead - [0.0, 0.15, 0.0], fov=FOV, size=PICTURE))
     return cameras
 
 
@@ -74,18 +73,17 @@ class Tiles:
         return self._plan
 
     def _look(self, camera: nf.Camera) -> Plan:
-        cut = self._cutter.whole(camera, Settings(error_px=FINEST))
-        wanted = {(0, place): [(0, place, GEOMETRY)] for place in cut.leaf_places(in_picture=True)}
-        return Plan(wanted, list(itertools.chain(*wanted.values())), FINEST)
+        cut = self._cutter.complete_cut(camera, Settings(error_px=FINEST))
+        parts_by_leaf = {(0, place): [(0, place, GEOMETRY)] for place in cut.leaf_places(in_picture=True)}
+        return Plan(parts_by_leaf, list(itertools.chain(*parts_by_leaf.values())), FINEST)
 
 
 def tiles(tree: nf.orthoview.OrthoTree, cameras: list[nf.Camera], link: nf.stream.Link) -> nf.orthoview.FlightLog:
     opened = tree._open_store()
-    return flown(Client(Tiles(opened.viewer.cutter), opened.sizes, link, 1 << 40, 0), cameras, RATE)
+    return fly_through(Client(Tiles(opened.viewer.cutter), opened.sizes, link, 1 << 40, 0), cameras, RATE)
 
 
 def stalls(tree: nf.orthoview.OrthoTree, out: Path | None) -> str:
-    del out
     rows = []
     for (way, (speed, height)), mbps in itertools.product(WAYS.items(), LINKS):
         cameras, link = flight(speed, height), nf.stream.Link(mbps=mbps, rtt_ms=RTT)
@@ -103,7 +101,6 @@ def stalls(tree: nf.orthoview.OrthoTree, out: Path | None) -> str:
 
 def speed(tree: nf.orthoview.OrthoTree, out: Path | None) -> str:
     """Increase the speed at one height, over a link that is too slow for the last speeds."""
-    del out
     rows, link = [], nf.stream.Link(mbps=20.0, rtt_ms=RTT)
     for metres in (50.0, 100.0, 200.0, 400.0):
         cameras = flight(metres, 120.0, 30)
@@ -123,18 +120,19 @@ def growth(tree: nf.orthoview.OrthoTree, out: Path | None) -> str:
     A world that ends at a square's sides has the cells within it: cuts of the whole one without cells outside.
     """
     rows: list[list[float]] = []
-    whole = float((tree.bounds[1] - tree.bounds[0]).max())
-    asked = {name: _parts_per_metre(tree, WAYS[name][1]) for name in ("walk", "helicopter")}
-    for side in (1000.0, 2000.0, 4000.0, 8000.0, 16000.0, whole):
+    world_side = float((tree.bounds[1] - tree.bounds[0]).max())
+    parts_by_way = {name: _parts_per_metre(tree, WAYS[name][1]) for name in ("walk", "helicopter")}
+    for side in (1000.0, 2000.0, 4000.0, 8000.0, 16000.0, world_side):
         rows.append([side / 1e3])
-        for metres in asked.values():
-            within = [{part: size for part, (size, away) in parts.items() if away <= side / 2} for parts in metres]
-            seen = dict(within[0])
-            first = sum(seen.values())
-            for parts in within[1:]:
-                seen |= parts
-            later = (sum(seen.values()) - first) / (len(metres) - 1)
-            rows[-1] += [float(np.mean([len(parts) for parts in within])), first / 1e6, later / 1e3]
+        for metres in parts_by_way.values():
+            half = side / 2
+            in_square = [{part: size for part, (size, away) in parts.items() if away <= half} for parts in metres]
+            received = dict(in_square[0])
+            first_bytes = sum(received.values())
+            for parts in in_square[1:]:
+                received |= parts
+            bytes_per_metre = (sum(received.values()) - first_bytes) / (len(metres) - 1)
+            rows[-1] += [float(np.mean([len(parts) for parts in in_square])), first_bytes / 1e6, bytes_per_metre / 1e3]
     if out is not None:
         _plot(rows, out)
     each = {"parts": "{:.0f}", "first picture, MB": "{:.2f}", "kB a metre": "{:.2f}"}
@@ -147,19 +145,19 @@ def _parts_per_metre(tree: nf.orthoview.OrthoTree, height: float) -> list[dict[P
     opened = tree._open_store()
     cutter, grid, metres = opened.viewer.cutter, opened.grid, 400
     facts: dict[Part, tuple[int, float]] = {}
-    found = []
+    parts_by_metre = []
     for metre in range(metres + 1):
         eye = np.array([START[0] - metres / 2 + metre, height, START[1]])
         camera = nf.Camera.look_at(eye, np.add(eye, [1.0, -0.15, 0.0]), fov=FOV, size=PICTURE)
-        cut = cutter.whole(camera, Settings())
+        cut = cutter.complete_cut(camera, Settings())
         leaves = cutter.with_guests(cut.leaf_places(in_picture=True))
         parts: list[Part] = [*((0, place, GEOMETRY) for place in leaves), *cut.keys(in_picture=True)]
         new = [part for part in parts if part not in facts]
         for part, size in zip(new, opened.sizes(new), strict=True):
             middle = grid.box(part[0], part[1]).mean(axis=0) - [START[0], 0.0, START[1]]
             facts[part] = size, float(np.abs(middle[[0, 2]]).max())
-        found.append({part: facts[part] for part in parts})
-    return found
+        parts_by_metre.append({part: facts[part] for part in parts})
+    return parts_by_metre
 
 
 def _plot(rows: list[list[float]], out: Path) -> None:

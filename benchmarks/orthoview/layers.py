@@ -16,18 +16,17 @@ from benchmarks.orthoview._leaves import DIRECTIONS, SIZE, axes_of, layout_of
 from benchmarks.orthoview._quality import shown_by
 from nearfar import _core
 from nearfar.orthoview import _codec
-from nearfar.orthoview._directions import directions_of
-from nearfar.orthoview._grid import OCTANTS
+from nearfar.orthoview._disocclusion import nearest
+from nearfar.orthoview._grid import OCTANTS, directions_of
 from nearfar.orthoview._layout import CHANNELS
 
 LAYOUT = layout_of()
 MORE = directions_of(13)
 """Directions with which a second layer is compared; the first ones are the same."""
 AXES = [axes_of(direction, 1.0) for direction in MORE]
+UNITS = np.array([axes[2] for axes, _ in AXES])
 BOUNDS = (0.0, 0.002, 0.005, 0.01, 0.02, 0.05)
 VIEWERS = 8
-DRAWN = 3
-"""Number of views of a cell that a client draws."""
 
 Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
@@ -51,9 +50,9 @@ class Cell:
 
     def children(self) -> Iterator[tuple[tuple[int, int, int], Cell]]:
         """Yield the cells of half the side, with their places."""
-        half = self.side / 2
+        half_side = self.side / 2
         for octant in OCTANTS:
-            yield octant, Cell("", self.scene, self.corner + np.array(octant) * half, half, self.levels - 1)
+            yield octant, Cell("", self.scene, self.corner + np.array(octant) * half_side, half_side, self.levels - 1)
 
 
 @dataclass(frozen=True)
@@ -77,10 +76,10 @@ def main() -> None:
     start(__doc__)
     rows, gains = [], []
     for cell in cells():
-        ratio, found = time_ratio(cell), measure_gain(cell)
-        gains.append(found)
-        kilobytes = (each.sum() / len(DIRECTIONS) / 1e3 for each in (found.first_bytes, found.second_bytes))
-        shares = found.hidden, found.left, found.hidden_with_more, found.unseen.mean()
+        ratio, gain = time_ratio(cell), measure_gain(cell)
+        gains.append(gain)
+        kilobytes = (each.sum() / len(DIRECTIONS) / 1e3 for each in (gain.first_bytes, gain.second_bytes))
+        shares = gain.hidden, gain.left, gain.hidden_with_more, gain.unseen.mean()
         rows.append([cell.name, ratio, *kilobytes, *(100 * share for share in shares)])
     header = "cell | times as long {:.1f} | kB a view {:.1f} | kB a second layer {:.1f} | hidden, % {:.2f}"
     header += " | left, % {:.2f} | 13 directions, % {:.2f} | unseen, % {:.2f}"
@@ -116,8 +115,8 @@ def render_cell(cell: Cell, *, behind: bool, count: int = len(DIRECTIONS)) -> _c
 
 
 def leaf(scene: _core.Scene, cell: Cell, *, behind: bool, count: int = len(DIRECTIONS)) -> _core.OrthoViews:
-    place = (cell.corner.tolist(), cell.side)
-    return _core.OrthoViews.of_cell(scene, place, MORE[:count], LAYOUT.format, behind=behind)
+    corner_and_side = (cell.corner.tolist(), cell.side)
+    return _core.OrthoViews.of_cell(scene, corner_and_side, MORE[:count], LAYOUT.format, behind=behind)
 
 
 def compose(children: Children, *, behind: bool, count: int = len(DIRECTIONS)) -> _core.OrthoViews:
@@ -153,34 +152,29 @@ def measure_gain(cell: Cell) -> Gain:
     firsts = render_cell(cell, behind=False, count=len(MORE)).depths()[..., 0]
     seconds = np.zeros_like(firsts) if second is None else second.depths()[..., 0]
     rng, part, filled = np.random.default_rng(1), cell.part(), np.zeros(len(DIRECTIONS))
-    total, hidden, left, with_more = 0, 0, 0, 0
+    total, hidden, hidden_by_both, with_more = 0, 0, 0, 0
     for _ in range(VIEWERS):
         toward = rng.normal(size=3)
         toward[1] = abs(toward[1])
         toward /= np.linalg.norm(toward)
         points = visible_points(part, cell, toward)
-        lost = lost_points(points, firsts, nearest(toward, len(DIRECTIONS)), cell)
-        found = {n: shows(seconds[n], n, lost, cell) for n in nearest(toward, len(DIRECTIONS))}
-        for n, shown in found.items():
+        drawn = nearest(UNITS[: len(DIRECTIONS)], toward)
+        lost = lost_points(points, firsts, drawn, cell)
+        shown_by_direction = {n: shows(seconds[n], n, lost, cell) for n in drawn}
+        for n, shown in shown_by_direction.items():
             filled[n] += shown.sum()
-        total, hidden, left = total + len(points), hidden + len(lost), left + (~np.any([*found.values()], axis=0)).sum()
-        with_more += len(lost_points(points, firsts, nearest(toward, len(MORE)), cell))
+        total, hidden = total + len(points), hidden + len(lost)
+        hidden_by_both += (~np.any([*shown_by_direction.values()], axis=0)).sum()
+        with_more += len(lost_points(points, firsts, nearest(UNITS, toward), cell))
     return Gain(
         np.array(views.unseen()),
         chunk_bytes(views),
         chunk_bytes(second),
         hidden / total,
-        left / total,
+        hidden_by_both / total,
         with_more / total,
         filled / total,
     )
-
-
-def nearest(toward: Floats, count: int) -> list[int]:
-    """Return the numbers of the directions that a client draws, among the first `count` ones."""
-    cosines = [np.dot(axes[2], toward) for axes, _ in AXES[:count]]
-    numbers: list[int] = np.argsort(cosines)[::-1][:DRAWN].tolist()
-    return numbers
 
 
 def lost_points(points: Floats, firsts: NDArray[np.uint16], drawn_ones: list[int], cell: Cell) -> Floats:
@@ -191,7 +185,7 @@ def lost_points(points: Floats, firsts: NDArray[np.uint16], drawn_ones: list[int
 
 def chunk_bytes(views: _core.OrthoViews | None) -> Floats:
     """Return the bytes of each direction's chunks."""
-    chunks = {} if views is None else _codec.encoded(views, LAYOUT)
+    chunks = {} if views is None else _codec.encode(views, LAYOUT)
     sizes = [sum(len(chunks.get((n, channel), b"")) for channel in CHANNELS) for n in range(len(DIRECTIONS))]
     return np.array(sizes, np.float64)
 
@@ -201,13 +195,13 @@ def visible_points(scene: nf.Scene, cell: Cell, toward: Floats) -> Floats:
     right = np.cross([0, 1, 0], toward)
     right /= np.linalg.norm(right)
     up = np.cross(toward, right)
-    place = (np.arange(SIZE) + 0.5) / SIZE - 0.5
+    steps = (np.arange(SIZE) + 0.5) / SIZE - 0.5
     width, height = (np.abs(axis).sum() * cell.side for axis in (right, up))
-    across, above = np.meshgrid(place * width, place * height)
+    across, above = np.meshgrid(steps * width, steps * height)
     center = cell.corner + cell.side / 2 + 2 * cell.side * toward
     starts = (center + across[..., None] * right + above[..., None] * up).reshape(-1, 3)
     # Within the cell: after the last of the planes by which rays enter, before the first of those by which they leave.
-    sides = [(cell.corner + far * cell.side - starts) / -toward for far in (0.0, 1.0)]
+    sides = [(cell.corner + is_far_side * cell.side - starts) / -toward for is_far_side in (0.0, 1.0)]
     enter, leave = np.minimum(*sides).max(axis=1), np.maximum(*sides).min(axis=1)
     is_inside = enter < leave
     entries = starts[is_inside] - enter[is_inside, None] * toward
@@ -227,10 +221,10 @@ def shows(codes: NDArray[np.uint16], direction: int, points: Floats, cell: Cell)
 
 
 def bound_row(bound: float, gains: list[Gain]) -> list[float]:
-    kept = np.array([found.unseen > bound for found in gains])
+    is_kept = np.array([gain.unseen > bound for gain in gains])
     names = ("first_bytes", "second_bytes", "filled")
-    first, second, filled = (np.array([getattr(found, name) for found in gains]) for name in names)
-    numbers = kept.mean(), second[kept].sum() / first.sum(), filled[kept].sum() / filled.sum()
+    first, second, filled = (np.array([getattr(gain, name) for gain in gains]) for name in names)
+    numbers = is_kept.mean(), second[is_kept].sum() / first.sum(), filled[is_kept].sum() / filled.sum()
     return [bound, *(100 * number for number in numbers)]
 
 

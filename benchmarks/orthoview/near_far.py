@@ -27,8 +27,8 @@ def main() -> None:
 def _row(name: str, source: nf.Scene | nf.orthoview.OrthoTree, scene: nf.Scene, camera: nf.Camera) -> list[object]:
     reduced, time = timed(nf.reduce, source, center=camera.position, r1=R1, r2=R2, face_size=FACE)
     user = nf.Camera.look_at(np.add(camera.position, [3.0, 0.0, 2.0]), _ahead(camera), fov=camera.fov, size=SIZE)
-    truth, made = nf.render(scene, user, samples=4), reduced.render(user, samples=4)
-    quality = nf.psnr(truth, made), float(nf.ssim(truth, made))
+    truth, picture = nf.render(scene, user, samples=4), reduced.render(user, samples=4)
+    quality = nf.psnr(truth, picture), float(nf.ssim(truth, picture))
     return [name, time.wall, *quality, reduced.stats["drawn"], reduced.stats["map_bytes"] / 1e6]
 
 

@@ -23,7 +23,7 @@ from benchmarks.harness.report import folder_or_temporary, start, table
 from benchmarks.orthoview import _sheets
 from benchmarks.orthoview._quality import Quality, Setting, Truth, compare, mean
 from benchmarks.orthoview._worlds import ALL, PICTURE, SIZE, World, forest, landscape, open_tree, tokyo
-from nearfar.orthoview._directions import directions_of, widest
+from nearfar.orthoview._grid import directions_of, widest
 
 SETS = (5, 9, 13, 26)
 VIEWS = (2, 3, 5)
@@ -69,22 +69,20 @@ def truths(world: World, cameras: list[nf.Camera], tree: nf.orthoview.OrthoTree)
 
 def by_sets(worlds: list[World], trees: Path, out: Path | None) -> None:
     """Table of sets of directions and numbers of views."""
-    del out
     rows = []
     for world in worlds:
         path = world.build(trees)
-        found = {count: open_tree(path, count) for count in SETS}
+        trees_by_count = {count: open_tree(path, count) for count in SETS}
         for place, cameras in places(world):
-            shown = truths(world, cameras, found[ALL])
+            true_pictures = truths(world, cameras, trees_by_count[ALL])
             for count, views in itertools.product(SETS, VIEWS):
-                quality = mean([compare(truth, found[count], Setting(views)) for truth in shown])
+                quality = mean([compare(truth, trees_by_count[count], Setting(views)) for truth in true_pictures])
                 rows.append(print_row([place, count, views, *cells(quality), quality.leaves]))
     print(table("Directions and views", f"place | directions | views | {QUALITY} | leaves {{:.0f}}", rows))
 
 
 def by_cuts(worlds: list[World], trees: Path, out: Path | None) -> None:
     """Table of sets of directions with equal cuts: sets whose widest view is wider are allowed as much more error."""
-    del out
     rows = []
     for world in worlds:
         path = world.build(trees)
@@ -104,9 +102,9 @@ def by_errors(worlds: list[World], trees: Path, out: Path | None) -> None:
     for world in worlds:
         tree = open_tree(world.build(trees), DIRECTIONS)
         for place, cameras in places(world):
-            shown = truths(world, cameras, tree)
+            true_pictures = truths(world, cameras, tree)
             for error in ERRORS:
-                quality = mean([compare(truth, tree, Setting(error_px=error)) for truth in shown])
+                quality = mean([compare(truth, tree, Setting(error_px=error)) for truth in true_pictures])
                 lines.setdefault(place, []).append(quality)
                 rows.append(print_row([place, error, *amounts(quality), *cells(quality)]))
     print(table(f"Error, 3 of {DIRECTIONS} views", f"place | error_px {{:g}} | {AMOUNTS} | {QUALITY}", rows))
@@ -116,7 +114,6 @@ def by_errors(worlds: list[World], trees: Path, out: Path | None) -> None:
 
 def by_geometry(worlds: list[World], trees: Path, out: Path | None) -> None:
     """Table of near leaves with and without geometry."""
-    del out
     rows = []
     for world in worlds:
         tree = open_tree(world.build(trees), DIRECTIONS)
@@ -129,7 +126,6 @@ def by_geometry(worlds: list[World], trees: Path, out: Path | None) -> None:
 
 def by_layers(worlds: list[World], trees: Path, out: Path | None) -> None:
     """Table of one and two layers, without geometry."""
-    del out
     rows = []
     for world in worlds:
         part = world.part(PARTS[world.name])
@@ -170,10 +166,9 @@ def wide(worlds: list[World], trees: Path, out: Path | None) -> None:
         return
     world = worlds[0]
     tree = open_tree(world.build(trees), DIRECTIONS)
-    at = world.box[0] + world.side * np.array([(0.5, 0.28, -0.22), (0.5, 0.0, 0.5)])
-    camera = nf.Camera.look_at(
-        at[0], at[1], fov=nf.Fov.symmetric(60, _sheets.WIDE[0] / _sheets.WIDE[1]), size=_sheets.WIDE
-    )
+    eye_and_target = world.box[0] + world.side * np.array([(0.5, 0.28, -0.22), (0.5, 0.0, 0.5)])
+    fov = nf.Fov.symmetric(60, _sheets.WIDE[0] / _sheets.WIDE[1])
+    camera = nf.Camera.look_at(*eye_and_target, fov=fov, size=_sheets.WIDE)
     truth = Truth(world, camera, tree.bounds)
     _sheets.save_halves(truth.color.to_image(), Setting().render(tree, camera).to_image(), out / "orthoview_tokyo.png")
 

@@ -52,13 +52,13 @@ def camera_at(world: World, time: float, size: tuple[int, int] = SIZE) -> nf.Cam
     middle = world.box[0] + (world.side / 2, 1.0, world.side / 2)
     eye = middle + np.array([420 * np.cos(angle), height, 420 * np.sin(angle)])
     ahead = angle - np.radians(130)
-    way = np.array([np.cos(ahead), -0.3, np.sin(ahead)])
-    return nf.Camera.look_at(eye, eye + way, fov=FOV, size=size)
+    direction = np.array([np.cos(ahead), -0.3, np.sin(ahead)])
+    return nf.Camera.look_at(eye, eye + direction, fov=FOV, size=size)
 
 
 def truth_at(world: World, tree: nf.orthoview.OrthoTree, time: float, size: tuple[int, int] = SIZE) -> nf.Frame:
     """Render the truth with its motion since the previous picture."""
-    now, before = (camera_at(world, at, size) for at in (time, time - 1 / RATE))
+    now, before = (camera_at(world, moment, size) for moment in (time, time - 1 / RATE))
     channels = ("color", "range", "motion")
     clip = nf.Clip(box=tree.bounds)
     return nf.render(world.scene, now, before=before, samples=16, channels=channels, clip=clip)
@@ -78,14 +78,14 @@ def part(world: World, tree: nf.orthoview.OrthoTree, number: int, folder: Path) 
     """Measure a part of the flight, unless the folder contains it."""
     path = folder / f"popping-{number}.json"
     if not path.is_file():
-        found = {name: Findings([], [], []) for name in METHODS}
+        findings_by_method = {name: Findings([], [], []) for name in METHODS}
         steady, filtered = nf.orthoview.Steady(), nf.orthoview.Steady()
-        last: dict[str, nf.Frame] = {}
+        previous: dict[str, nf.Frame] = {}
         for n in range(FRAMES):
             time = number * SECONDS / PARTS + n / RATE
             truth = truth_at(world, tree, time)
             views = tree.render(camera_at(world, time), samples=SAMPLES)
-            shown = {
+            drawn = {
                 "truth": truth,
                 "orthoviews": views,
                 "steady": steady.next(views, time),
@@ -93,23 +93,23 @@ def part(world: World, tree: nf.orthoview.OrthoTree, number: int, folder: Path) 
                 "steady truth": filtered.next(replace(truth, motion=None), time),
             }
             # All are compared where the truth shows the same surfaces.
-            now = {name: replace(frame, range=truth.range, motion=truth.motion) for name, frame in shown.items()}
+            now = {name: replace(frame, range=truth.range, motion=truth.motion) for name, frame in drawn.items()}
             if n >= FIRST:
-                for name, findings in found.items():
-                    findings.alike.append(float(nf.metrics.motion_ssim(last[name], now[name])))
+                for name, findings in findings_by_method.items():
+                    findings.alike.append(float(nf.metrics.motion_ssim(previous[name], now[name])))
                     if name != "truth":
                         findings.psnr.append(nf.psnr(truth, now[name]))
                         findings.ssim.append(float(nf.ssim(truth, now[name])))
-            last = now
+            previous = now
         folder.mkdir(parents=True, exist_ok=True)
-        path.write_text(json.dumps({name: vars(findings) for name, findings in found.items()}))
+        path.write_text(json.dumps({name: vars(findings) for name, findings in findings_by_method.items()}))
     return {name: Findings(**findings) for name, findings in json.loads(path.read_text()).items()}
 
 
-def flown(world: World, tree: nf.orthoview.OrthoTree, folder: Path, most: int) -> Iterator[dict[str, Findings]]:
-    """Yield the parts of the flight, of which at most `most` are measured now."""
+def flown(world: World, tree: nf.orthoview.OrthoTree, folder: Path, max_measured: int) -> Iterator[dict[str, Findings]]:
+    """Yield the parts of the flight, of which at most `max_measured` are measured now."""
     missing = [n for n in range(PARTS) if not (folder / f"popping-{n}.json").is_file()]
-    later = set(missing[most:])
+    later = set(missing[max_measured:])
     return (part(world, tree, n, folder) for n in range(PARTS) if n not in later)
 
 
@@ -118,11 +118,12 @@ def plot(parts: list[dict[str, Findings]], path: Path) -> None:
     figure, axis = subplots(figsize=(8, 3.8))
     colors = {"truth": "black", "orthoviews": "tab:red", "steady": "tab:blue"}
     for name, color in colors.items():
-        for n, found in enumerate(parts):
+        for n, findings_by_method in enumerate(parts):
             # Parts are drawn wider than they are: 0.3 s would be a line.
-            times = (n + 0.9 * np.arange(len(found[name].alike)) / len(found[name].alike)) * SECONDS / PARTS
+            alike = findings_by_method[name].alike
+            times = (n + 0.9 * np.arange(len(alike)) / len(alike)) * SECONDS / PARTS
             label = {"steady": "orthoviews, steady"}.get(name, name) if n == 0 else None
-            axis.plot(times, found[name].alike, color=color, linewidth=1.2, label=label)
+            axis.plot(times, alike, color=color, linewidth=1.2, label=label)
     axis.set(
         xlabel=f"time, s; each part has {FRAMES - FIRST} pictures ({(FRAMES - FIRST) / RATE:.1f} s, drawn wider)",
         ylabel="motion-compensated SSIM",
@@ -150,23 +151,22 @@ def main() -> None:
 
 def flight(world: World, tree: Tree, out: Path, parts: int) -> None:
     """Table of the similarity of consecutive pictures, and their errors."""
-    found = list(flown(world, tree, out, parts))
-    truth = np.concatenate([part["truth"].alike for part in found])
+    measured_parts = list(flown(world, tree, out, parts))
+    truth = np.concatenate([part["truth"].alike for part in measured_parts])
     rows = []
     for name in METHODS:
         alike, psnr, ssim = (
-            np.concatenate([getattr(part[name], what) for part in found]) for what in ("alike", "psnr", "ssim")
+            np.concatenate([getattr(part[name], what) for part in measured_parts]) for what in ("alike", "psnr", "ssim")
         )
         numbers = [alike.mean(), np.percentile(alike, 1), alike.min(), (alike - truth).min()]
         rows.append([name, *numbers, *([psnr.mean(), ssim.mean()] if len(psnr) else [None, None])])
     header = "pictures | mean {:.4f} | 1st percentile {:.4f} | least {:.4f} | least above the truth's {:.4f}"
-    print(table(f"Flight, {len(found)} parts", header + " | PSNR {:.2f} | SSIM {:.4f}", rows))
-    plot(found, out / "orthoview_steady.png")
+    print(table(f"Flight, {len(measured_parts)} parts", header + " | PSNR {:.2f} | SSIM {:.4f}", rows))
+    plot(measured_parts, out / "orthoview_steady.png")
 
 
 def swaps(world: World, tree: Tree, out: Path, parts: int) -> None:
     """Table of the least similarity of consecutive pictures after the cut was swapped for a static camera."""
-    del out, parts
     rows = []
     for time in PLACES:
         camera = camera_at(world, time)
@@ -184,8 +184,8 @@ def fades(one: nf.Frame, other: nf.Frame) -> Iterator[str]:
     yield f"{nf.ssim(one, other):.4f}"
     for rate in (RATE, 30):
         steady = nf.orthoview.Steady()
-        shown = [steady.next(one, 0.0), *(steady.next(other, n / rate) for n in range(1, FADE))]
-        yield f"{min(nf.ssim(a, b) for a, b in pairwise(shown)):.4f}"
+        pictures = [steady.next(one, 0.0), *(steady.next(other, n / rate) for n in range(1, FADE))]
+        yield f"{min(nf.ssim(a, b) for a, b in pairwise(pictures)):.4f}"
 
 
 def bisector(tree: Tree, world: World, start: float) -> tuple[nf.Camera, nf.Camera]:
@@ -195,18 +195,17 @@ def bisector(tree: Tree, world: World, start: float) -> tuple[nf.Camera, nf.Came
         return set(tree.cut(camera_at(world, time)).keys(in_picture=True))
 
     low, high = start, start + 1 / RATE
-    first = directions(low)
-    while directions(high) == first:
+    first_directions = directions(low)
+    while directions(high) == first_directions:
         low, high = high, high + 1 / RATE
     while high - low > 1e-6:
         middle = (low + high) / 2
-        low, high = (middle, high) if directions(middle) == first else (low, middle)
+        low, high = (middle, high) if directions(middle) == first_directions else (low, middle)
     return camera_at(world, low), camera_at(world, high)
 
 
 def speed(world: World, tree: Tree, out: Path, parts: int) -> None:
     """Table of the time of a picture of 640 × 480 pixels."""
-    del out, parts
     frames = [tree.render(camera_at(world, 12 + n / RATE, (640, 480))) for n in range(2)]
     steady, count = nf.orthoview.Steady(), iter(range(1000))
 
@@ -222,7 +221,6 @@ def speed(world: World, tree: Tree, out: Path, parts: int) -> None:
 
 def blends(world: World, tree: Tree, out: Path, parts: int) -> None:
     """Compare splats that blend where they overlap, without geometry."""
-    del out, parts
     blends = {
         "nearest splat": Blend(),
         "opacity": Blend(opacity=True),
@@ -234,7 +232,7 @@ def blends(world: World, tree: Tree, out: Path, parts: int) -> None:
     for moment in PLACES:
         alike: dict[str, list[float]] = {name: [] for name in ("truth", *blends)}
         errors: dict[str, list[tuple[float, float]]] = {name: [] for name in blends}
-        last: dict[str, nf.Frame] = {}
+        previous: dict[str, nf.Frame] = {}
         for n in range(BLENDED):
             truth = truth_at(world, tree, moment + n / RATE, SMALL)
             sky = nf.render(world.scene, truth.camera, clip=nowhere, channels=("color",))
@@ -242,9 +240,9 @@ def blends(world: World, tree: Tree, out: Path, parts: int) -> None:
             for name, blend in blends.items():
                 now[name] = replace(truth, color=render_blended(tree, truth.camera, blend, sky).color)
                 errors[name].append((nf.psnr(truth, now[name]), float(nf.ssim(truth, now[name]))))
-            for name, frame in last.items():
+            for name, frame in previous.items():
                 alike[name].append(float(nf.metrics.motion_ssim(frame, now[name])))
-            last = now
+            previous = now
         for name, values in alike.items():
             quality = np.mean(errors[name], axis=0) if name in errors else (None, None)
             rows.append([moment, name, np.mean(values), min(values), *quality])

@@ -41,8 +41,8 @@ def eye(tree: nf.orthoview.OrthoTree, height: float) -> nf.Camera:
     """An eye that looks at the middle of a tree."""
     low, high = tree.bounds
     middle, width = (low + high) / 2, float((high - low).max())
-    place = middle + width / 2 * np.array([0.7, 0.0, 0.7])
-    return nf.Camera.look_at((place[0], low[1] + height * width, place[2]), middle, fov=FOV, size=SIZE)
+    position = middle + width / 2 * np.array([0.7, 0.0, 0.7])
+    return nf.Camera.look_at((position[0], low[1] + height * width, position[2]), middle, fov=FOV, size=SIZE)
 
 
 def pictures(tree: nf.orthoview.OrthoTree, camera: nf.Camera, repeat: int, title: str) -> str:
@@ -52,23 +52,23 @@ def pictures(tree: nf.orthoview.OrthoTree, camera: nf.Camera, repeat: int, title
     total = sum(view.count for view in splats)
     settings: dict[str, Any] = {"origin": (0.0, 0.0, 0.0)}
     draw = partial(_core.splat_orthoviews, splats, camera._core, Shot(cameras=(camera,), channels=("color",)).settings)
-    found: dict[str, tuple[Timing, int, int]] = {}
+    timings: dict[str, tuple[Timing, int, int]] = {}
     for name, grid in (("splats", 1), ("splats, 4 × 4 samples", 4)):
         settings["grid"] = grid
         counts = draw(**settings)["stats"]
         timing = best(partial(draw, **settings), repeat=repeat)
-        found[name] = timing, counts["splats_seen"], counts["splats_projected"]
+        timings[name] = timing, counts["splats_seen"], counts["splats_projected"]
     points, colors = points_of(tree, cut.keys())
-    found["points, NumPy's minimum.at"] = best(numpy_points(points, camera), repeat=3), total, total
-    if (drawn := pyrender_points(points, colors, camera)) is not None:
-        found["points, pyrender"] = best(drawn, repeat=3), total, total
+    timings["points, NumPy's minimum.at"] = best(numpy_points(points, camera), repeat=3), total, total
+    if (draw_points := pyrender_points(points, colors, camera)) is not None:
+        timings["points, pyrender"] = best(draw_points, repeat=3), total, total
     rows = [
-        [name, time.ms, time.cpu_ms, seen / time.wall / 1e6, projected / time.wall / 1e6]
-        for name, (time, seen, projected) in found.items()
+        [name, time.ms, time.cpu_ms, count_seen / time.wall / 1e6, projected / time.wall / 1e6]
+        for name, (time, count_seen, projected) in timings.items()
     ]
-    what = f"{title}: {len(cut)} cells, {len(splats)} views, {total / 1e6:.2f} million splats"
+    full_title = f"{title}: {len(cut)} cells, {len(splats)} views, {total / 1e6:.2f} million splats"
     header = "way | ms {:.1f} | CPU ms {:.1f} | million seen a second {:.1f} | million projected a second {:.1f}"
-    return table(what, header, rows)
+    return table(full_title, header, rows)
 
 
 def points_of(tree: nf.orthoview.OrthoTree, keys: list[Any]) -> tuple[NDArray[np.float64], NDArray[np.uint8]]:
@@ -77,9 +77,9 @@ def points_of(tree: nf.orthoview.OrthoTree, keys: list[Any]) -> tuple[NDArray[np
     for key in keys:
         view = tree.view(*key)
         if view is not None:
-            shown = np.isfinite(view.depth)
-            points.append(view.points()[shown])
-            colors.append(view.color[shown])
+            is_shown = np.isfinite(view.depth)
+            points.append(view.points()[is_shown])
+            colors.append(view.color[is_shown])
     return np.concatenate(points), np.concatenate(colors)
 
 
@@ -90,11 +90,11 @@ def numpy_points(points: NDArray[np.float64], camera: nf.Camera) -> Callable[[],
     def draw() -> NDArray[np.uint64]:
         x, y, depth = camera.project(points).T
         with np.errstate(invalid="ignore"):
-            seen = (x >= 0) & (x < width) & (y >= 0) & (y < height)
-        pixel = y[seen].astype(np.int64) * width + x[seen].astype(np.int64)
-        key = depth[seen].astype(np.float32).view(np.uint32).astype(np.uint64) << np.uint64(32)
+            is_visible = (x >= 0) & (x < width) & (y >= 0) & (y < height)
+        pixel = y[is_visible].astype(np.int64) * width + x[is_visible].astype(np.int64)
+        key = depth[is_visible].astype(np.float32).view(np.uint32).astype(np.uint64) << np.uint64(32)
         keys = np.full(width * height, np.iinfo(np.uint64).max, np.uint64)
-        np.minimum.at(keys, pixel, key | np.flatnonzero(seen).astype(np.uint64))
+        np.minimum.at(keys, pixel, key | np.flatnonzero(is_visible).astype(np.uint64))
         return keys
 
     return draw
@@ -141,10 +141,10 @@ def full(side: int) -> _core.OrthoCells:
         count = -(-side // (1 << (lowest + subtree)))
         masks = []
         for level in range(lowest, min(lowest + subtree, levels)):
-            within = 1 << (subtree - level % subtree)
-            mask = np.zeros((within, within, within), np.uint32)
-            shown = min(within, max(side >> level, 1))
-            mask[:shown, 0, :shown] = 511
+            cells_along = 1 << (subtree - level % subtree)
+            mask = np.zeros((cells_along, cells_along, cells_along), np.uint32)
+            shown_along = min(cells_along, max(side >> level, 1))
+            mask[:shown_along, 0, :shown_along] = 511
             masks.append(mask.reshape(-1))
         for x in range(count):
             for z in range(count):

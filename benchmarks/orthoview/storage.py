@@ -59,18 +59,18 @@ class Leaf:
 
 def main() -> None:
     plots = start(__doc__, "--plots").plots
-    found = [leaf for leaf in map(measure, worlds()) if leaf is not None]
+    leaves = [leaf for leaf in map(measure, worlds()) if leaf is not None]
     header = (
         "leaf | triangles {:,} | a km² {:,.0f} | a pixel {:.3g} | geometry, kB {:,.1f} | of it shared meshes {:,.1f}"
     )
     header += " | merged, kB {:,.1f} | views, kB {:,.1f} | merged, bytes a triangle {:.1f} | geometry / views {:.3g}"
-    print(table(f"Geometry and nine views of {SIZE}² pixels", header, [leaf.row for leaf in found]))
-    worlds_of = dict.fromkeys(leaf.world for leaf in found)
-    rows = [crossing_row(world, [leaf for leaf in found if leaf.world == world]) for world in worlds_of]
+    print(table(f"Geometry and nine views of {SIZE}² pixels", header, [leaf.row for leaf in leaves]))
+    worlds_of = dict.fromkeys(leaf.world for leaf in leaves)
+    rows = [crossing_row(world, [leaf for leaf in leaves if leaf.world == world]) for world in worlds_of]
     columns = ["world", "triangles a leaf", "a pixel {:.2g}", *(f"a km², {side:g} m {{:,.0f}}" for side in SIDES)]
     print(table("Where merged geometry takes as much as views", columns, rows))
     if plots is not None:
-        draw(found, plots / "orthoview_storage.png")
+        draw(leaves, plots / "orthoview_storage.png")
 
 
 def worlds() -> Iterator[tuple[str, Any, float]]:
@@ -94,11 +94,11 @@ def measure(case: tuple[str, Any, float]) -> Leaf | None:
     geometry = cell_glb(part, grid, PLACE)
     if geometry is None:
         return None
-    place = (grid.corner(0, PLACE), side)
-    views = _core.OrthoViews.of_cell(part._core, place, DIRECTIONS, LAYOUT.format)
-    chunks = sum(map(len, _codec.encoded(views, LAYOUT).values()))
-    whole = part._derived(part._core.of_mesh(part._core.merged()), part._rest[:0])
-    merged = cell_glb(whole, grid, PLACE)
+    corner_and_side = (grid.corner(0, PLACE), side)
+    views = _core.OrthoViews.of_cell(part._core, corner_and_side, DIRECTIONS, LAYOUT.format)
+    chunks = sum(map(len, _codec.encode(views, LAYOUT).values()))
+    unshared = part._derived(part._core.of_mesh(part._core.merged()), part._rest[:0])
+    merged = cell_glb(unshared, grid, PLACE)
     assert merged is not None
     triangles = glb.header(geometry)[0]["asset"]["extras"]["triangles"]
     sizes = len(geometry), shared_bytes(part, step_of(grid)), len(merged), chunks
@@ -127,21 +127,21 @@ def shared_bytes(part: nf.Scene, step: float) -> int:
 def crossing_row(world: str, leaves: list[Leaf]) -> list[object]:
     """Row of a world: where the ratio is 1, by linear interpolation or extrapolation of its leaves' logarithms."""
     ordered = sorted(leaves, key=lambda leaf: leaf.triangles)
-    dense = np.log([leaf.triangles for leaf in ordered])
+    log_triangles = np.log([leaf.triangles for leaf in ordered])
     ratios = np.log([leaf.merged / leaf.views for leaf in ordered])
     changes = np.flatnonzero((ratios[:-1] < 0) & (ratios[1:] >= 0))
-    at = int(changes[0]) if len(changes) else len(ordered) - 2
-    slope = (ratios[at + 1] - ratios[at]) / (dense[at + 1] - dense[at])
-    crossing = float(np.exp(dense[at] - ratios[at] / slope))
+    left_index = int(changes[0]) if len(changes) else len(ordered) - 2
+    slope = (ratios[left_index + 1] - ratios[left_index]) / (log_triangles[left_index + 1] - log_triangles[left_index])
+    crossing = float(np.exp(log_triangles[left_index] - ratios[left_index] / slope))
     numbers = f"{crossing:,.0f}" + ("" if len(changes) else " (beyond)"), crossing / SIZE**2
     return [world, *numbers, *(crossing / (side / 1000) ** 2 for side in SIDES)]
 
 
-def draw(found: list[Leaf], path: Path) -> None:
+def draw(all_leaves: list[Leaf], path: Path) -> None:
     """Save the plot of bytes by triangles per pixel, both logarithmic."""
     figure, axes = subplots(figsize=(7.5, 4.8))
-    for number, world in enumerate(dict.fromkeys(leaf.world for leaf in found)):
-        leaves = [leaf for leaf in found if leaf.world == world]
+    for number, world in enumerate(dict.fromkeys(leaf.world for leaf in all_leaves)):
+        leaves = [leaf for leaf in all_leaves if leaf.world == world]
         dense: NDArray[np.float64] = np.array([leaf.triangles for leaf in leaves]) / SIZE**2
         for name, marker, style in (("merged", "o", "-"), ("geometry", "s", ":"), ("views", "x", "--")):
             values = [getattr(leaf, name) / 1000 for leaf in leaves]

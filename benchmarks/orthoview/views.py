@@ -43,12 +43,12 @@ def leaves() -> Iterator[Leaf]:
 
 
 def measure_leaf(leaf: Leaf) -> tuple[_core.OrthoViews, list[object]]:
-    scene, place = leaf.scene, (leaf.corner, leaf.side)
+    scene, corner_and_side = leaf.scene, (leaf.corner, leaf.side)
 
     def draw(way: str) -> Callable[[], _core.OrthoViews]:
         # Each leaf of a build is a new scene, whose search tree must be built before rays.
         fresh_ones = [copy_without_trees(scene)._core for _ in range(REPEAT + 1)]
-        return lambda: _core.OrthoViews.of_cell(fresh_ones.pop(), place, DIRECTIONS, LAYOUT.format, way=way)
+        return lambda: _core.OrthoViews.of_cell(fresh_ones.pop(), corner_and_side, DIRECTIONS, LAYOUT.format, way=way)
 
     times = [best(draw(way), repeat=REPEAT).ms for way in ("triangles", "rays")]
     row = [leaf.name, scene.triangle_count, scene.triangle_count / (4 * SIZE * SIZE), *times, time_renderer(leaf)]
@@ -88,9 +88,9 @@ def time_embree(leaf: Leaf) -> float | str:
     rays = []
     for direction in DIRECTIONS:
         (right, up, toward), (width, height, deep) = axes_of(direction, leaf.side)
-        place = (np.arange(2 * SIZE) + 0.5) / (2 * SIZE) - 0.5
+        steps = (np.arange(2 * SIZE) + 0.5) / (2 * SIZE) - 0.5
         center = leaf.box.mean(axis=0) - scene.origin + toward * deep / 2
-        points = center + place[None, :, None] * width * right - place[:, None, None] * height * up
+        points = center + steps[None, :, None] * width * right - steps[:, None, None] * height * up
         rays.append((points.reshape(-1, 3), np.broadcast_to(-toward, (4 * SIZE * SIZE, 3))))
 
     def job() -> None:
@@ -109,13 +109,13 @@ def step_rows(views: _core.OrthoViews) -> list[list[object]]:
     jobs: dict[str, tuple[Callable[[], object], int | None]] = {
         "drawing a child into its parent": (lambda: parent.add(next(adds), views), pixels * (10 + 2 * 16)),
         "reducing a parent": (parent.finish, pixels * (4 * 16 + 10)),
-        "connected pixels": (lambda: views.connected(_codec.CONNECTED), None),
-        "compressing and packing, connected pixels included": (lambda: _codec.encoded(views, LAYOUT), None),
+        "connected pixels": (lambda: views.connected(_codec.CONNECTION_LIMITS), None),
+        "compressing and packing, connected pixels included": (lambda: _codec.encode(views, LAYOUT), None),
     }
     times = {name: best(job) for name, (job, _) in jobs.items()}
     return [
-        [name, time.ms, moved and moved / time.wall / 1e9]
-        for (name, time), (_, moved) in zip(times.items(), jobs.values(), strict=True)
+        [name, time.ms, bytes_moved and bytes_moved / time.wall / 1e9]
+        for (name, time), (_, bytes_moved) in zip(times.items(), jobs.values(), strict=True)
     ]
 
 

@@ -30,8 +30,8 @@ Seen = NDArray[np.bool_]
 
 
 @dataclass(frozen=True)
-class Way:
-    """A way to store the colours of a view."""
+class ColorCodec:
+    """Encoder and decoder of the colours of a view."""
 
     name: str
     encode: Callable[[Picture, Seen], bytes]
@@ -52,10 +52,10 @@ def main() -> None:
     print(table(f"Quality {QUALITIES[-1]} over levels: PSNR with a tree without losses", header, rows))
 
 
-def ways() -> list[Way]:
-    def by_zstd(level: int) -> Way:
+def color_codecs() -> list[ColorCodec]:
+    def by_zstd(level: int) -> ColorCodec:
         codec = Zstd(level=level)
-        return Way(
+        return ColorCodec(
             f"zstd {level}",
             lambda picture, _: bytes(codec.encode(picture)),
             lambda data: np.frombuffer(codec.decode(data), np.uint8).reshape(SIZE, SIZE, 3),
@@ -64,47 +64,47 @@ def ways() -> list[Way]:
     def decode(data: bytes) -> Picture:
         return _webp.decode(data, SIZE)
 
-    def lossy(quality: int) -> Way:
-        return Way(f"WebP {quality}", lambda picture, seen: _webp.encode(picture, quality, seen), decode)
+    def lossy(quality: int) -> ColorCodec:
+        return ColorCodec(f"WebP {quality}", lambda picture, seen: _webp.encode(picture, quality, seen), decode)
 
     return [
         by_zstd(3),
         by_zstd(9),
         by_zstd(19),
-        Way("WebP lossless", lambda picture, _: _webp.encode(picture), decode),
+        ColorCodec("WebP lossless", lambda picture, _: _webp.encode(picture), decode),
         *map(lossy, QUALITIES),
-        Way("WebP 90, black about it", lambda picture, _: _webp.encode(picture, 90), decode),
+        ColorCodec("WebP 90, black about it", lambda picture, _: _webp.encode(picture, 90), decode),
     ]
 
 
 def leaf_rows(leaf: Leaf) -> Iterable[list[object]]:
     layout = layout_of()
     views = leaf.views(layout)
-    chunks = _codec.encoded(views, layout)
-    shown = sorted({number for number, _ in chunks})
-    others = sum(len(chunk) for (_, channel), chunk in chunks.items() if channel != "color") / len(shown)
-    pictures, seen = views.colors()[shown], views.depths()[shown, ..., 0] > 0
-    first = 0.0
-    for way in ways():
-        files, writing = timed(lambda encode: [*map(encode, pictures, seen)], way.encode)
-        decoded, reading = timed(lambda decode, files: np.array([*map(decode, files)]), way.decode, files)
-        size = sum(map(len, files)) / len(shown)
-        first = first or size
-        sizes = size / 1e3, size / first, (size + others) / 1e3
-        times = (time.ms / len(shown) for time in (writing, reading))
-        yield [leaf.name, way.name, *sizes, *times, *picture_quality(pictures, decoded, seen)]
+    chunks = _codec.encode(views, layout)
+    directions = sorted({number for number, _ in chunks})
+    other_bytes = sum(len(chunk) for (_, channel), chunk in chunks.items() if channel != "color") / len(directions)
+    pictures, is_shown = views.colors()[directions], views.depths()[directions, ..., 0] > 0
+    first_size = 0.0
+    for codec in color_codecs():
+        files, writing = timed(lambda encode: [*map(encode, pictures, is_shown)], codec.encode)
+        decoded, reading = timed(lambda decode, files: np.array([*map(decode, files)]), codec.decode, files)
+        size = sum(map(len, files)) / len(directions)
+        first_size = first_size or size
+        sizes = size / 1e3, size / first_size, (size + other_bytes) / 1e3
+        times = (time.ms / len(directions) for time in (writing, reading))
+        yield [leaf.name, codec.name, *sizes, *times, *picture_quality(pictures, decoded, is_shown)]
 
 
-def picture_quality(right: Picture, decoded: Picture, seen: Seen) -> list[object]:
-    if (right == decoded)[seen].all():
+def picture_quality(expected: Picture, decoded: Picture, is_shown: Seen) -> list[object]:
+    if (expected == decoded)[is_shown].all():
         return ["exact", "1"]
-    pairs = zip(right, decoded, seen, strict=True)
+    pairs = zip(expected, decoded, is_shown, strict=True)
     ssim = [nf.ssim(one, other, data_range=255, mask=mask, masking="windows") for one, other, mask in pairs]
-    return [psnr(right, decoded, seen), np.mean(ssim)]
+    return [psnr(expected, decoded, is_shown), np.mean(ssim)]
 
 
-def psnr(right: Picture, decoded: Picture, seen: Seen) -> float:
-    return nf.psnr(right[seen][:, None], decoded[seen][:, None], data_range=255)
+def psnr(expected: Picture, decoded: Picture, is_shown: Seen) -> float:
+    return nf.psnr(expected[is_shown][:, None], decoded[is_shown][:, None], data_range=255)
 
 
 # Levels --------------------------------------------------------------------------------------------------------------
@@ -127,7 +127,7 @@ def small_leaves(world: Leaf) -> Views:
     """Views of the leaves below a cell."""
     count = 1 << (LEVELS - 1)
     side = world.side / count
-    found: Views = {}
+    views_by_place: Views = {}
     for column, layer, row in itertools.product(range(count), repeat=3):
         corner = np.add(world.corner, np.multiply((column, layer, row), side))
         x, y, z = corner.tolist()
@@ -135,33 +135,33 @@ def small_leaves(world: Leaf) -> Views:
         if part.triangle_count:
             views = Leaf("", part, (x, y, z), side).views(layout_of())
             if not all(views.empty()):
-                found[column, layer, row] = views
-    return found
+                views_by_place[column, layer, row] = views
+    return views_by_place
 
 
 def compose_parents(children: Views) -> Views:
-    made: dict[Place, _core.OrthoParent] = {}
+    parents: dict[Place, _core.OrthoParent] = {}
     for octant in OCTANTS:
         for (x, y, z), views in children.items():
             if octant == (x % 2, y % 2, z % 2):
                 place = (x // 2, y // 2, z // 2)
-                made.setdefault(place, _core.OrthoParent(DIRECTIONS, layout_of().format)).add(octant, views)
-    return {place: parent.finish() for place, parent in made.items()}
+                parents.setdefault(place, _core.OrthoParent(DIRECTIONS, layout_of().format)).add(octant, views)
+    return {place: parent.finish() for place, parent in parents.items()}
 
 
 def decode_stored(views: _core.OrthoViews, quality: int) -> _core.OrthoViews:
     """Decode the views as readers do."""
     colors, depths = views.colors(), views.depths()
-    for picture, seen in zip(colors, depths[..., 0] > 0, strict=True):
-        picture[:] = np.where(seen[..., None], _webp.decode(_webp.encode(picture, quality, seen), SIZE), 0)
+    for picture, is_shown in zip(colors, depths[..., 0] > 0, strict=True):
+        picture[:] = np.where(is_shown[..., None], _webp.decode(_webp.encode(picture, quality, is_shown), SIZE), 0)
     return _core.OrthoViews.from_arrays(DIRECTIONS, layout_of().format, colors, depths, views.normals())
 
 
 def cell_psnr(exact: Views, other: Views) -> float:
     """PSNR of the non-empty pixels of all cells."""
-    right, found = (np.concatenate([views[place].colors() for place in exact]) for views in (exact, other))
-    seen = np.concatenate([exact[place].depths()[..., 0] > 0 for place in exact])
-    return psnr(right, found, seen)
+    exact_colors, colors = (np.concatenate([views[place].colors() for place in exact]) for views in (exact, other))
+    is_shown = np.concatenate([exact[place].depths()[..., 0] > 0 for place in exact])
+    return psnr(exact_colors, colors, is_shown)
 
 
 if __name__ == "__main__":

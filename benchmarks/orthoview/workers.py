@@ -31,15 +31,15 @@ def main() -> None:
         low, high = np.maximum(low, middle - given.side / 2), np.minimum(high, middle + given.side / 2)
         low[1], high[1] = source.bounds[:, 1]
     cell = given.cell or float((high - low)[[0, 2]].max()) / 32
-    rows, first, digests = [], 0.0, set()
+    rows, one_worker_seconds, digests = [], 0.0, set()
     for workers in (1, 2):
         seconds = []
         for _ in range(given.repeat):
             spent, digest, tree = spread(source, np.array([low, high]), cell, workers)
             seconds.append(spent)
             digests.add(digest)
-        first = first or min(seconds)
-        rows.append([workers, min(seconds), first / min(seconds), f"{tree.done}"])
+        one_worker_seconds = one_worker_seconds or min(seconds)
+        rows.append([workers, min(seconds), one_worker_seconds / min(seconds), f"{tree.done}"])
     print(table(f"{tree}", "workers | s {:.1f} | times as fast {:.2f} | done", rows))
     print("same bytes" if len(digests) == 1 else "DIFFERENT BYTES")
 

@@ -61,8 +61,8 @@ def tokyo(given: argparse.Namespace) -> Iterator[Row]:
 
 def asteroids(given: argparse.Namespace) -> Iterator[Row]:
     """29,264 rocks of 97,000 polygons in a ring: those on one side of it, up to all."""
-    for share in (0.03, 0.1, 0.3, 1.0):
-        yield {"world": "asteroids", "share": share, "cell": given.cell}
+    for fraction in (0.03, 0.1, 0.3, 1.0):
+        yield {"world": "asteroids", "share": fraction, "cell": given.cell}
 
 
 def world(given: argparse.Namespace) -> Iterator[Row]:
@@ -84,19 +84,19 @@ SERIES = {"tokyo": tokyo, "asteroids": asteroids, "world": world, "forest": fore
 def build(job: Row) -> Row:
     """Build a tree and measure it."""
     source, aabb = open_world(job)
-    before = resident("VmHWM")
+    memory_before = resident("VmHWM")
     with folder_or_temporary() as folder:
         settings: dict[str, Any] = {"cell": job["cell"], "aabb": aabb, "size": SIZE, "directions": DIRECTIONS}
         tree, spent = timed(nf.orthoview.build, source, folder / "tree.zarr", **settings, geometry=False)
-    held = {name: tree.held[name] for name in ("leaves", "cells", "bytes", "chunks")}
-    return held | {
+    contents = {name: tree.held[name] for name in ("leaves", "cells", "bytes", "chunks")}
+    return contents | {
         "seconds": spent.wall,
         "cpu": spent.cpu,
         "side": job.get("side", job.get("share")),
         "triangles": source.query(aabb).triangle_count,
         "levels": tree.levels,
         "memory": resident("VmHWM"),
-        "before": before,
+        "before": memory_before,
         "done": tree.done,
     }
 
@@ -115,9 +115,9 @@ def open_world(job: Row) -> tuple[nf.SceneSource, np.ndarray]:
         source = nf.datasets.world(100)
     else:
         source = nf.datasets.forest()
-    half = job["side"] / 2
+    half_side = job["side"] / 2
     middle = source.bounds.mean(axis=0) if job["world"] == "tokyo" else np.zeros(3)
-    aabb = np.array([middle - half, middle + half])
+    aabb = np.array([middle - half_side, middle + half_side])
     aabb[:, 1] = -np.inf, np.inf
     aabb[:, 1] = (source if job["world"] == "tokyo" else source.query(aabb)).bounds[:, 1]
     # A square ends with its last leaf, since its sides belong to leaves.
@@ -146,16 +146,16 @@ def report(name: str, rows: list[Row]) -> str:
 
 def slope(rows: list[Row], key: str) -> float:
     """Slope of the logarithm of a value over that of the triangles."""
-    found = np.polyfit(np.log([row["triangles"] for row in rows]), np.log([row[key] for row in rows]), 1)
-    return float(found[0])
+    coefficients = np.polyfit(np.log([row["triangles"] for row in rows]), np.log([row[key] for row in rows]), 1)
+    return float(coefficients[0])
 
 
 def plot(name: str, rows: list[Row], folder: Path) -> None:
     """Plot time, bytes and memory against triangles, both axes logarithmic."""
     figure, axes = subplots(1, 3, figsize=(13, 3.8))
     count = np.array([row["triangles"] for row in rows], float)
-    shown = {"seconds": (1.0, "seconds, two cores"), "bytes": (1e-6, "megabytes")}
-    for axis, (key, (factor, label)) in zip(axes[:2], shown.items(), strict=True):
+    panels = {"seconds": (1.0, "seconds, two cores"), "bytes": (1e-6, "megabytes")}
+    for axis, (key, (factor, label)) in zip(axes[:2], panels.items(), strict=True):
         values = factor * np.array([row[key] for row in rows])
         axis.loglog(count, values, "o-", label=f"slope {slope(rows, key):.2f}")
         axis.loglog(count, values[-1] * count / count[-1], "--", color="#999999", label="proportional")

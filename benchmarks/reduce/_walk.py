@@ -42,8 +42,8 @@ class Change:
 
 def free_way(scene: nf.Scene, start: Sequence[float], length: float) -> Array:
     """Way (N, 3) of a given length from a place: straight on until a wall, then in the freest direction, not back."""
-    path, heading, left = [np.array(start, np.float64)], None, length
-    while left > 0.1 and len(path) < 20:
+    path, heading, remaining = [np.array(start, np.float64)], None, length
+    while remaining > 0.1 and len(path) < 20:
         forward = np.column_stack([np.cos(_TURNS), np.zeros(len(_TURNS)), np.sin(_TURNS)])
         side = np.column_stack([-forward[:, 2], forward[:, 1], forward[:, 0]])
         free = np.min(
@@ -51,12 +51,12 @@ def free_way(scene: nf.Scene, start: Sequence[float], length: float) -> Array:
         )
         if heading is not None:
             free = np.where(forward @ heading < -0.5, 0.0, free)
-        best = int(np.argmax(np.minimum(free, left + _MARGIN)))
-        way = min(float(free[best]) - _MARGIN, left)
-        if way <= 0.0:
+        index = int(np.argmax(np.minimum(free, remaining + _MARGIN)))
+        step = min(float(free[index]) - _MARGIN, remaining)
+        if step <= 0.0:
             break
-        path.append(path[-1] + way * forward[best])
-        heading, left = forward[best], left - way
+        path.append(path[-1] + step * forward[index])
+        heading, remaining = forward[index], remaining - step
     return np.array(path)
 
 
@@ -64,16 +64,16 @@ def at_distance(path: Array, metres: float) -> tuple[Array, Array]:
     """Place on a path after some metres, and the direction of the way there."""
     steps = np.diff(path, axis=0)
     lengths = np.linalg.norm(steps, axis=1)
-    before = np.concatenate([[0.0], np.cumsum(lengths)])
-    piece = min(int(np.searchsorted(before, metres, side="right")) - 1, len(steps) - 1)
-    return path[piece] + (metres - before[piece]) / lengths[piece] * steps[piece], steps[piece] / lengths[piece]
+    starts = np.concatenate([[0.0], np.cumsum(lengths)])
+    piece = min(int(np.searchsorted(starts, metres, side="right")) - 1, len(steps) - 1)
+    return path[piece] + (metres - starts[piece]) / lengths[piece] * steps[piece], steps[piece] / lengths[piece]
 
 
 def cameras_around(position: Array) -> list[nf.Camera]:
     """Four views all around from a place."""
     turns = np.radians([0.0, 90.0, 180.0, 270.0])
-    ways = np.column_stack([np.cos(turns), np.zeros(4), np.sin(turns)])
-    return [nf.Camera.look_at(position, position + way, fov=FOV, size=SIZE) for way in ways]
+    directions = np.column_stack([np.cos(turns), np.zeros(4), np.sin(turns)])
+    return [nf.Camera.look_at(position, position + way, fov=FOV, size=SIZE) for way in directions]
 
 
 def measure(old: nf.ReducedScene, new: nf.ReducedScene, position: Array, stride: int = 30) -> Change:
@@ -88,30 +88,31 @@ def measure(old: nf.ReducedScene, new: nf.ReducedScene, position: Array, stride:
     rows: list[Array] = []
     for camera in cameras_around(position):
         frames = [reduced.render(camera, channels=("position",), method="exact") for reduced in (old, new)]
-        first, second = (frame.require("position").astype(np.float64) + frame.origin for frame in frames)
+        old_points, new_points = (frame.require("position").astype(np.float64) + frame.origin for frame in frames)
         rays = camera.rays()[1].reshape(-1, 3)
-        points = first[stride // 2 :: stride, stride // 2 :: stride].reshape(-1, 3)
+        points = old_points[stride // 2 :: stride, stride // 2 :: stride].reshape(-1, 3)
         numbers = np.arange(SIZE[0] * SIZE[1]).reshape(SIZE[1], SIZE[0])
         pixels = numbers[stride // 2 :: stride, stride // 2 :: stride].ravel()
-        second = second.reshape(-1, 3)
-        shown = np.flatnonzero(np.isfinite(second).all(axis=1))
-        is_far = np.all([_away(points, reduced) > reduced.r2 + 1.0 for reduced in (old, new)], axis=0)
-        if not len(shown) or not is_far.any():
+        new_points = new_points.reshape(-1, 3)
+        surface_pixels = np.flatnonzero(np.isfinite(new_points).all(axis=1))
+        is_far = np.all([_horizontal_distances(points, reduced) > reduced.r2 + 1.0 for reduced in (old, new)], axis=0)
+        if not len(surface_pixels) or not is_far.any():
             continue
-        errors, nearest = cKDTree(second[shown]).query(points[is_far])
+        errors, nearest = cKDTree(new_points[surface_pixels]).query(points[is_far])
         sight = points[is_far] - old.center
         reach = np.linalg.norm(sight, axis=1)
         # If the nearest point is farther away than a pixel is wide, this one is occluded in the new picture.
-        found = errors <= reach / FOCAL
-        turned = np.linalg.norm(np.cross(rays[pixels[is_far]], rays[shown[nearest]]), axis=1)
-        across = np.linalg.norm(np.cross(step, sight / reach[:, None]), axis=1)
+        is_visible = errors <= reach / FOCAL
+        turned = np.linalg.norm(np.cross(rays[pixels[is_far]], rays[surface_pixels[nearest]]), axis=1)
+        step_across = np.linalg.norm(np.cross(step, sight / reach[:, None]), axis=1)
         measured = FOCAL * np.tan(np.arcsin(turned))
         nearer = reach - sight @ step / reach
-        rows.append(np.column_stack([reach, measured, FOCAL * across / reach, FOCAL * across / nearer])[found])
+        predicted, exact = FOCAL * step_across / reach, FOCAL * step_across / nearer
+        rows.append(np.column_stack([reach, measured, predicted, exact])[is_visible])
     return Change(float(np.linalg.norm(step)), *np.concatenate(rows or [np.empty((0, 4))]).T)
 
 
-def _away(points: Array, reduced: nf.ReducedScene) -> Array:
+def _horizontal_distances(points: Array, reduced: nf.ReducedScene) -> Array:
     """Horizontal distances from a centre; NaN for pixels without a surface, which compares as false."""
     return np.asarray(np.hypot(points[:, 0] - reduced.center[0], points[:, 2] - reduced.center[2]))
 
@@ -122,20 +123,20 @@ def draw(
     """Draw a strip of frames, the centres along the way from above, and measured by predicted jumps."""
     figure, empty = subplots(figsize=(13.0, 7.6))
     empty.remove()
-    above, below = figure.subfigures(2, 1, height_ratios=(1.0, 1.1))
-    strip = above.subplots(2, 6)
+    upper, lower = figure.subfigures(2, 1, height_ratios=(1.0, 1.1))
+    strip = upper.subplots(2, 6)
     for axes, frame in zip(strip.flat, frames, strict=False):
         axes.imshow(frame.to_image())
         stats = frame.stats
-        share = "" if stats["fade"] == 1.0 else f", fade {100 * stats['fade']:.0f} %"
-        axes.set_title(f"region {stats['region']}{share}", fontsize=9)
+        fade = "" if stats["fade"] == 1.0 else f", fade {100 * stats['fade']:.0f} %"
+        axes.set_title(f"region {stats['region']}{fade}", fontsize=9)
         axes.set(xticks=[], yticks=[])
-    left, axes = below.subplots(1, 2)
+    left, axes = lower.subplots(1, 2)
     _draw_map(left, path, regions)
     measured, predicted = (np.concatenate([getattr(c, field) for c in changes]) for field in ("measured", "predicted"))
     axes.plot(predicted, measured, ".", markersize=2, color="#c8102e", alpha=0.4, rasterized=True)
-    most = float(predicted.max(initial=1.0))
-    axes.plot([0.0, most], [0.0, most], color="0.3", linewidth=0.8)
+    maximum = float(predicted.max(initial=1.0))
+    axes.plot([0.0, maximum], [0.0, maximum], color="0.3", linewidth=0.8)
     axes.set(xlabel="predicted jump f·|ΔO⊥|/ρ, px", ylabel="measured jump, px", title="far points at the changes")
     axes.grid(alpha=0.3)
     figure.suptitle(name)

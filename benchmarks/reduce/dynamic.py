@@ -31,14 +31,14 @@ def drive(turn: str, rate: float = RATE) -> Array:
     # The street's middle is at z = -66, and traffic keeps to the right.
     street = -66.0 + side * 1.6
     straight, arc = CENTER[2] - 15.0 - (street + radius), 0.5 * np.pi * radius
-    way = np.arange(0.0, 200.0, SPEED / rate)
-    turned = np.clip((way - straight) / radius, 0.0, 0.5 * np.pi)
-    beyond = np.maximum(way - straight - arc, 0.0)
-    x = lane + side * (radius * (1.0 - np.cos(turned)) + beyond)
-    z = CENTER[2] - 15.0 - np.minimum(way, straight) - radius * np.sin(turned)
+    metres = np.arange(0.0, 200.0, SPEED / rate)
+    turned = np.clip((metres - straight) / radius, 0.0, 0.5 * np.pi)
+    after_turn = np.maximum(metres - straight - arc, 0.0)
+    x = lane + side * (radius * (1.0 - np.cos(turned)) + after_turn)
+    z = CENTER[2] - 15.0 - np.minimum(metres, straight) - radius * np.sin(turned)
     # Cars are modelled with their front towards +z.
     heading = np.pi - side * turned
-    poses = np.tile(np.eye(4), (len(way), 1, 1))
+    poses = np.tile(np.eye(4), (len(metres), 1, 1))
     poses[:, 0, 0], poses[:, 0, 2] = np.cos(heading), np.sin(heading)
     poses[:, 2, 0], poses[:, 2, 2] = -np.sin(heading), np.cos(heading)
     poses[:, 0, 3], poses[:, 2, 3] = x, z
@@ -103,12 +103,12 @@ def changes(path: Array) -> Array:
 def jumps(scene: nf.Scene, view: nf.Camera, rate: float) -> tuple[str, dict[str, Array]]:
     """Table of steps and jumps of every method, and the paths."""
     poses = drive("left", rate)
-    away, rows, paths = distances(poses), [], {}
+    metres, rows, paths = distances(poses), [], {}
     for method in METHODS:
         paths[method] = projected(view, poses, method)
         masks = lone_car(scene, view, poses, method)
         jump, pixels = changes(paths[method]), changes(centroids(masks))
-        numbers = steps(paths[method]).max(), jump.max(), away[1 + int(jump.argmax())], np.median(jump), pixels.max()
+        numbers = steps(paths[method]).max(), jump.max(), metres[1 + int(jump.argmax())], np.median(jump), pixels.max()
         rows.append([method, *numbers, sum(map(torn, masks))])
     header = (
         "method | greatest step, px {:.1f} | greatest jump, px {:.2f} | at, m from O {:.1f} | median jump, px {:.2f}"
@@ -124,20 +124,20 @@ def jumps(scene: nf.Scene, view: nf.Camera, rate: float) -> tuple[str, dict[str,
 def hiding(reduced: nf.ReducedScene, view: nf.Camera, turn: str, stride: int) -> str:
     """Table of the car's visible pixels among all other objects: both methods, and the ideal picture without a map."""
     poses = drive(turn)[::stride]
-    away, number = distances(poses), reduced.scene.object_names.index(CAR)
+    metres, number = distances(poses), reduced.scene.object_names.index(CAR)
     how: list[dict[str, Any]] = [{"method": "exact"}, {"method": "vertex"}, {"method": "exact", "env": False}]
     counts = []
     for pose in poses:
-        frames = (reduced.render(view, at={CAR: pose}, channels=("object_id",), **one) for one in how)
+        frames = (reduced.render(view, at={CAR: pose}, channels=("object_id",), **settings) for settings in how)
         exact, vertex, ideal = (frame.require("object_id") == number for frame in frames)
         counts.append([exact.sum(), (vertex ^ exact).sum(), (exact ^ ideal).sum(), (vertex ^ ideal).sum()])
     numbers, rows = np.array(counts), []
     for low, high in ((0.0, R1), (R1, R2), (R2, 65.0), (65.0, END)):
-        mine = numbers[(away >= low) & (away < high)]
-        if len(mine):
-            total = mine.sum(axis=0)
-            shares = ((n, 100.0 * n / max(total[0], 1)) for n in total[1:])
-            rows.append([(max(low, away.min()), high), len(mine), total[0], *shares])
+        counts_in_range = numbers[(metres >= low) & (metres < high)]
+        if len(counts_in_range):
+            total = counts_in_range.sum(axis=0)
+            differences = ((n, 100.0 * n / max(total[0], 1)) for n in total[1:])
+            rows.append([(max(low, metres.min()), high), len(counts_in_range), total[0], *differences])
     pairs = ("vertex ≠ exact", "exact ≠ exact without a map", "vertex ≠ exact without a map")
     names = (f"{pair} {{:,}} ({{:.2f}} %)" for pair in pairs)
     header = ["m from O {:.0f}–{:.0f}", "pictures", "car's pixels (exact) {:,}", *names]
@@ -145,21 +145,22 @@ def hiding(reduced: nf.ReducedScene, view: nf.Camera, turn: str, stride: int) ->
     return table(f"Pixels of the car {TURNS[turn]}, map of 6 × {reduced.env.face_size}²", header, rows)
 
 
-def draw(paths: dict[str, Array], away: Array, rate: float, path: Path) -> None:
+def draw(paths: dict[str, Array], metres: Array, rate: float, path: Path) -> None:
     """Draw the car's path in the image, and its speed in pixels per picture by distance."""
     figure, (left, right) = subplots(1, 2, figsize=(12, 4))
-    for (name, places), style in zip(paths.items(), (":", "-", "--"), strict=True):
+    for (name, positions), style in zip(paths.items(), (":", "-", "--"), strict=True):
         # The line is interrupted at jumps, because the car is nowhere in between.
-        shown = np.insert(places, np.flatnonzero(steps(places) > 5.0 * np.median(steps(places))) + 1, np.nan, axis=0)
-        left.plot(*shown.T, style, label=name)
-        right.plot(away[1:], steps(places), style, label=name)
+        lengths = steps(positions)
+        line = np.insert(positions, np.flatnonzero(lengths > 5.0 * np.median(lengths)) + 1, np.nan, axis=0)
+        left.plot(*line.T, style, label=name)
+        right.plot(metres[1:], lengths, style, label=name)
         for radius, marker in ((R1, "o"), (R2, "s")):
-            left.plot(*places[np.argmax(away > radius)], marker, color="0.3", markersize=6, fillstyle="none")
-    for place, text in (
-        (paths["truth"][0], f"{away[0]:.0f} m"),
-        (paths["continuous"][-1] + [0.0, 1.5], f"{away[-1]:.0f} m"),
+            left.plot(*positions[np.argmax(metres > radius)], marker, color="0.3", markersize=6, fillstyle="none")
+    for position, text in (
+        (paths["truth"][0], f"{metres[0]:.0f} m"),
+        (paths["continuous"][-1] + [0.0, 1.5], f"{metres[-1]:.0f} m"),
     ):
-        left.annotate(text, place, xytext=(9, 0), textcoords="offset points", va="center")
+        left.annotate(text, position, xytext=(9, 0), textcoords="offset points", va="center")
     left.set(xlabel="x, px", ylabel="y, px", title="The car's middle in the image; circles at $r_1$, squares at $r_2$")
     left.invert_yaxis()
     for radius, text in ((R1, "$r_1$"), (R2, "$r_2$")):
@@ -178,8 +179,8 @@ def draw(paths: dict[str, Array], away: Array, rate: float, path: Path) -> None:
 def city(blocks: int, detail: int) -> nf.Scene:
     """City with a single moving car, because others would obstruct it."""
     scene = nf.datasets.city(blocks=blocks, detail=detail)
-    others = {f"car_{k}" for k in range(8)} - {CAR}
-    return scene.subset(objects=[name for name in scene.object_names if name not in others])
+    other_cars = {f"car_{k}" for k in range(8)} - {CAR}
+    return scene.subset(objects=[name for name in scene.object_names if name not in other_cars])
 
 
 def main() -> None:

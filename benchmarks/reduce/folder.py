@@ -17,8 +17,8 @@ def main() -> None:
     import trimesh
 
     rows = []
-    found = [("city", nf.datasets.city(blocks=2 if quick else 4))]
-    for name, scene in [*found, *scenes.present("Tokyo core", "FlightHelmet", "garage")]:
+    cities = [("city", nf.datasets.city(blocks=2 if quick else 4))]
+    for name, scene in [*cities, *scenes.present("Tokyo core", "FlightHelmet", "garage")]:
         reach = float(np.ptp(scene.bounds, axis=0)[[0, 2]].max())
         middle = scene.bounds.mean(axis=0)
         reduced = nf.reduce(scene, center=middle, r1=reach / 8, r2=reach / 4, face_size=256, samples=1)

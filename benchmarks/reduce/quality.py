@@ -70,8 +70,8 @@ def discontinuity(case: Case, size: tuple[int, int], plots: Path | None) -> str:
         frames = {name: light.render(camera, channels=("color", "position")) for name, light in methods.items()}
         values = [measures(truth, frame, case) for frame in frames.values()]
         all_values.append(values)
-        away = np.linalg.norm(np.subtract(camera.position, case.center))
-        rows.append([number + 1, away, *zip(*values, strict=True)])
+        distance = np.linalg.norm(np.subtract(camera.position, case.center))
+        rows.append([number + 1, distance, *zip(*values, strict=True)])
         if plots is not None and number == VIEWS - 1:
             draw_torn(truth, frames, case.label, plots / f"torn_{case.name.split()[0]}_{case.r2:g}.png")
     if not rows:
@@ -96,13 +96,13 @@ def errors(case: Case, size: tuple[int, int], faces: list[int], plots: Path | No
     for face_size in faces:
         frame = case.reduce(face_size).render(camera, **how)
         by_size.append((float(face_size), nf.psnr(ideal, frame), nf.ssim(ideal, frame)))
-    for away in (0.25, 0.5, 1.0, 2.0, 4.0, 8.0):
+    for distance in (0.25, 0.5, 1.0, 2.0, 4.0, 8.0):
         step = np.subtract(camera.position, case.center)
-        user = np.add(case.center, step / np.linalg.norm(step) * away)
-        moved = nf.Camera(tuple(user), camera.orientation, fov=camera.fov, size=size)
-        truth = nf.render(case.scene, moved, samples=4, channels=("color",))
-        frame = reduced.render(moved, env=False, **how)
-        by_distance.append((away, nf.psnr(truth, frame), nf.ssim(truth, frame)))
+        user = np.add(case.center, step / np.linalg.norm(step) * distance)
+        user_camera = nf.Camera(tuple(user), camera.orientation, fov=camera.fov, size=size)
+        truth = nf.render(case.scene, user_camera, samples=4, channels=("color",))
+        frame = reduced.render(user_camera, env=False, **how)
+        by_distance.append((distance, nf.psnr(truth, frame), nf.ssim(truth, frame)))
     if plots is not None:
         draw_errors(by_size, by_distance, case.label, plots / f"errors_{case.name.split()[0]}_{case.r2:g}.png")
     rows = [(f"map of 6 × {n:g}²", *quality) for n, *quality in by_size]
@@ -117,14 +117,14 @@ def draw_torn(truth: nf.Frame, frames: Mapping[str, nf.Frame], title: str, path:
     axes[0, 0].imshow(truth.to_image())
     axes[0, 0].set_title("truth")
     axes[1, 0].remove()
-    shown: Any = None
+    image: Any = None
     for column, (name, frame) in enumerate(frames.items(), start=1):
         axes[0, column].imshow(frame.to_image())
         axes[0, column].set_title(name)
         torn = np.abs(nf.metrics.discontinuity(frame))
-        shown = axes[1, column].imshow(np.clip(torn, 0.0, 4.0), cmap="inferno", vmin=0.0, vmax=4.0)
+        image = axes[1, column].imshow(np.clip(torn, 0.0, 4.0), cmap="inferno", vmin=0.0, vmax=4.0)
         axes[1, column].set_title(f"its discontinuity, mean {np.nanmean(torn):.2f}")
-    figure.colorbar(shown, ax=axes[1, :].tolist()[1:], shrink=0.8, label="|δ|")
+    figure.colorbar(image, ax=axes[1, :].tolist()[1:], shrink=0.8, label="|δ|")
     for axis in axes.flat:
         axis.set(xticks=[], yticks=[])
     figure.suptitle(title)
@@ -138,10 +138,10 @@ def draw_errors(by_size: Points, by_distance: Points, title: str, path: Path) ->
         (axes[0], by_size, "texels across a face of the map"),
         (axes[1], by_distance, "metres from the centre"),
     ):
-        at, psnr, _ = zip(*points, strict=True)
-        axis.plot(at, psnr, marker="o")
+        positions, psnr, _ = zip(*points, strict=True)
+        axis.plot(positions, psnr, marker="o")
         axis.set_xscale("log", base=2)
-        axis.set_xticks(at, [f"{value:g}" for value in at])
+        axis.set_xticks(positions, [f"{value:g}" for value in positions])
         axis.minorticks_off()
         axis.set_xlabel(label)
         axis.grid(visible=True, alpha=0.3)

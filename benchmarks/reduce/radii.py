@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 
 import nearfar as nf
 from benchmarks.harness import scenes
 from benchmarks.harness.report import start, table
 from benchmarks.harness.views import views
+from nearfar._camera.density import with_density
 
 USERS = 10
 R1, R2 = 30.0, 50.0
@@ -17,18 +16,11 @@ DENSITY = 20.0
 """Density in pixels per degree at which tears are measured."""
 
 
-def dense(view: nf.Camera) -> nf.Camera:
-    """The same view with the density `DENSITY`."""
-    assert isinstance(view.fov, nf.Fov)
-    more = DENSITY / np.radians(view.width / (view.fov.right - view.fov.left))
-    return replace(view, size=(round(view.width * more), round(view.height * more)))
-
-
 def measures(reduced: nf.ReducedScene, view: nf.Camera, truth: nf.Frame) -> list[float]:
     """PSNR in decibels and SSIM of a picture, its mean tear along r2 in pixels, and its share that is a kink."""
     frame = reduced.render(view, channels=("color",), method="exact")
-    placed = reduced.render(dense(view), channels=("position",), method="exact", env=False)
-    torn = nf.metrics.boundary_tear(placed, center=reduced.center, radius=reduced.r2)
+    positions = reduced.render(with_density(view, DENSITY), channels=("position",), method="exact", env=False)
+    torn = nf.metrics.boundary_tear(positions, center=reduced.center, radius=reduced.r2)
     return [nf.psnr(truth, frame), nf.ssim(truth, frame), torn.tear or 0.0, torn.kink or 0.0]
 
 
@@ -45,8 +37,8 @@ def compare(scene: nf.Scene, size: tuple[int, int], users: int) -> str:
     rows.append(["mean", *zip(*np.mean(values, axis=0), strict=True)])
     names = ("PSNR, dB", "SSIM", "tear, px", "of which kink, px")
     header = ["user", *(f"{name} {{:.3g}} → {{:.3g}}" for name in names)]
-    drawn = " and ".join(f"{one.stats['drawn']:,}" for one in (published, chosen))
-    title = f"Continuous pictures with r₁ = {R1:g} m → {chosen.r1:.3g} m, r₂ = {R2:g} m; {drawn} triangles are drawn"
+    counts = " and ".join(f"{reduced.stats['drawn']:,}" for reduced in (published, chosen))
+    title = f"Continuous pictures with r₁ = {R1:g} m → {chosen.r1:.3g} m, r₂ = {R2:g} m; {counts} triangles are drawn"
     return table(title, header, rows)
 
 

@@ -15,7 +15,7 @@ import nearfar as nf
 from benchmarks.harness import scenes
 from benchmarks.harness.report import start, table
 from benchmarks.harness.timing import best
-from benchmarks.harness.tokyo import whole
+from benchmarks.harness.tokyo import load_arrays
 from nearfar._reduce.drawing import MorphKind
 
 R1, R2 = 30.0, 50.0
@@ -113,7 +113,7 @@ def main() -> None:
     print(bakes(name, scene, center, [128, 256] if quick else [256, 512, 1024]))
     print(frames(name, scene, center, (480, 270) if quick else (1920, 1080)))
     print(poses((480, 270) if quick else (1920, 1080)))
-    if not quick and (arrays := whole()) is not None:
+    if not quick and (arrays := load_arrays()) is not None:
         scene = nf.Scene.from_arrays(*arrays)
         scene._core.build()
         print(bakes("the whole of Tokyo", scene, center, [1024]))

@@ -2,37 +2,136 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+from PIL import Image, ImageDraw, ImageFont
 from scipy import stats
 
 import nearfar as nf
-from benchmarks.harness.report import start, table
-from benchmarks.reduce._study import draw_disparity, draw_tasks
+from benchmarks.harness.report import save_figure, start, subplots, table
+from nearfar.datasets import count_task, sphere_task, tape_task
+
+Array = NDArray[np.float64]
+Picture = NDArray[np.uint8]
 
 IPD = 0.064
 """Distance of both eyes, metres."""
 RADIUS = 0.4
 """Radius of the ball whose disparity is measured, metres."""
 R1, R2, CENTER = 30.0, 50.0, np.array([0.0, 1.7, 0.0])
+BALLS = 12
+"""Number of places at which the flying ball is shown in one picture."""
+USER = {"count": (6.0, 0.0, 0.0), "tape": (5.0, 0.0, 0.0), "ball": (5.0, 0.0, 0.0)}
+"""Position of the user relative to the centre, metres."""
+TEXT = {
+    "count": "How many spheres are there?",
+    "tape": "To which board does the tape lead?",
+    "ball": "On which box does the ball land?",
+}
 
-Array = NDArray[np.float64]
+
+def draw_tasks(path: Path, size: tuple[int, int]) -> None:
+    """Draw the truth, the conventional and the continuous picture of each task, one row per task."""
+    rows = []
+    count = _still(count_task(5), "count", size, 90.0, 2.0)
+    tape = _still(tape_task(1), "tape", size, 40.0, -1.5)
+    for name, answers in (("count", count), ("tape", tape), ("ball", _ball(size))):
+        columns = [_captioned(picture, f"{TEXT[name]}  {title}") for title, picture in answers.items()]
+        gap = np.full((columns[0].shape[0], 6, 3), 255, np.uint8)
+        rows.append(np.concatenate([columns[0], gap, columns[1], gap, columns[2]], axis=1))
+    Image.fromarray(np.concatenate(rows)).save(path, quality=88, optimize=True)
+
+
+def _view(task: Any, name: str, size: tuple[int, int], degrees: float, up: float) -> nf.Camera:
+    eye = np.add(task.center, USER[name])
+    # Users turn towards the middle of the objects.
+    direction = np.subtract(task.target, eye)
+    return nf.Camera.look_at(
+        eye, np.add(eye, (direction[0], up, direction[2])), fov=nf.Fov.symmetric(degrees, size[0] / size[1]), size=size
+    )
+
+
+def _methods(scene: nf.Scene, task: Any) -> dict[str, nf.Scene | nf.ReducedScene]:
+    settings = nf.MapSettings(face_size=2048, samples=2, channels=("color", "object_id"))
+    reduced = nf.reduce(scene, center=task.center, r1=task.r1, r2=task.r2, settings=settings)
+    return {"Truth": scene, "Conventional": reduced.with_morph("none"), "Continuous": reduced}
+
+
+def _frame(source: nf.Scene | nf.ReducedScene, view: nf.Camera, **how: Any) -> nf.Frame:
+    if isinstance(source, nf.ReducedScene):
+        return source.render(view, samples=8, channels=("color", "object_id"), **how)
+    return nf.render(source, view, samples=8, channels=("color", "object_id"), **how)
+
+
+def _still(
+    scene_and_task: tuple[nf.Scene, Any], name: str, size: tuple[int, int], degrees: float, up: float
+) -> dict[str, Picture]:
+    scene, task = scene_and_task
+    view = _view(task, name, size, degrees, up)
+    return {method: _frame(source, view).to_image() for method, source in _methods(scene, task).items()}
+
+
+def _ball(size: tuple[int, int]) -> dict[str, Picture]:
+    """Pictures in which the ball is shown at several times."""
+    scene, task = sphere_task(3)
+    view = _view(task, "ball", size, 40.0, 1.0)
+    number = scene.object_names.index("ball")
+    pictures = {}
+    for name, source in _methods(scene, task).items():
+        how: dict[str, Any] = {"conventional_dynamic": "user"} if name == "Conventional" else {}
+        combined: Picture | None = None
+        for time in np.linspace(0.3, 1.0, BALLS) * task.duration:
+            frame = _frame(source, view, at={"ball": task.pose(time)}, **how)
+            picture, mask = frame.to_image(), frame.require("object_id") == number
+            combined = picture if combined is None else np.where(mask[..., None], picture, combined)
+        assert combined is not None
+        pictures[name] = combined
+    return pictures
+
+
+def _captioned(picture: Picture, text: str) -> Picture:
+    """A picture under a line of text."""
+    height = max(14, picture.shape[1] // 32)
+    line = Image.new("RGB", (picture.shape[1], round(1.6 * height)), "white")
+    ImageDraw.Draw(line).text((4, 0.2 * height), text, "black", ImageFont.load_default(height))
+    return np.concatenate([np.asarray(line), picture[..., :3]])
+
+
+def draw_disparity(
+    distances: Array, curves: Mapping[str, tuple[Array, Array, Array]], radii: tuple[float, float], path: Path
+) -> None:
+    """Draw the disparity of the truth, of the continuous method by calculation, and in pictures."""
+    figure, grid = subplots(1, len(curves), figsize=(10, 3.8), sharey=True, squeeze=False)
+    for axes, (title, (calculated, in_pictures, truth)) in zip(grid[0], curves.items(), strict=True):
+        axes.plot(distances, truth, color="0.5", label="truth")
+        axes.plot(distances, calculated, color="#c8102e", label="continuous, calculated")
+        axes.plot(distances, in_pictures, "o", color="#c8102e", fillstyle="none", label="continuous, in pictures")
+        for radius, text in zip(radii, ("$r_1$", "$r_2$"), strict=True):
+            axes.axvline(radius, color="0.8", linewidth=0.8, zorder=0)
+            axes.annotate(text, (radius, 0.95), xytext=(3, 0), xycoords=("data", "axes fraction"),
+                          textcoords="offset points")  # fmt: skip
+        axes.set(xlabel="m from the centre", title=f"user {title}")
+        axes.grid(visible=True, alpha=0.3)
+    grid[0][0].set(ylabel="disparity, arc minutes")
+    grid[0][0].legend()
+    save_figure(figure, path)
 
 
 def ball() -> nf.Scene:
     """One ball that can be placed anywhere."""
     angle = np.linspace(0.0, np.pi, 33)
-    around = np.linspace(0.0, 2.0 * np.pi, 65)
-    x = np.sin(angle)[:, None] * np.cos(around)
-    z = np.sin(angle)[:, None] * np.sin(around)
+    azimuth = np.linspace(0.0, 2.0 * np.pi, 65)
+    x = np.sin(angle)[:, None] * np.cos(azimuth)
+    z = np.sin(angle)[:, None] * np.sin(azimuth)
     y = np.broadcast_to(np.cos(angle)[:, None], x.shape)
     vertices = RADIUS * np.stack([x, y, z], axis=-1).reshape(-1, 3)
-    first = (np.arange(32)[:, None] * 65 + np.arange(64)).reshape(-1)
+    corner = (np.arange(32)[:, None] * 65 + np.arange(64)).reshape(-1)
     faces = np.concatenate([
-        np.stack([first, first + 1, first + 65], axis=1), np.stack([first + 1, first + 66, first + 65], axis=1)
+        np.stack([corner, corner + 1, corner + 65], axis=1), np.stack([corner + 1, corner + 66, corner + 65], axis=1)
     ])  # fmt: skip
     scene = nf.Scene.from_arrays(vertices, faces.astype(np.uint32))
     return scene.with_dynamic(scene.object_names)
@@ -49,27 +148,27 @@ def disparities(distances: Array, user: Array, width: int) -> tuple[Array, Array
     eyes = [user + np.array([side * IPD / 2.0, 0.0, 0.0]) for side in (-1.0, 1.0)]
     rows = []
     for distance in distances:
-        place = CENTER + np.array([0.0, 0.0, -distance])
+        position = CENTER + np.array([0.0, 0.0, -distance])
         pose = np.eye(4)
-        pose[:3, 3] = place
-        shown = [nf.morph(place[None], user=eye, center=CENTER, r1=R1, r2=R2)[0] for eye in eyes]
-        calculated = _angle(shown[0] - eyes[0]) - _angle(shown[1] - eyes[1])
-        middle = 0.5 * (shown[0] - eyes[0] + shown[1] - eyes[1])
+        pose[:3, 3] = position
+        morphed = [nf.morph(position[None], user=eye, center=CENTER, r1=R1, r2=R2)[0] for eye in eyes]
+        calculated = _angle(morphed[0] - eyes[0]) - _angle(morphed[1] - eyes[1])
+        middle = 0.5 * (morphed[0] - eyes[0] + morphed[1] - eyes[1])
         # Wide enough for the ball and for the disparity of the truth.
         fov = nf.Fov.symmetric(2.0 * np.degrees(np.arctan(1.6 * RADIUS / distance) + IPD / distance + 0.002), 1.0)
-        seen = []
-        for source, way in ((reduced, middle), (scene, place - user)):
+        disparities_seen = []
+        for source, direction in ((reduced, middle), (scene, position - user)):
             angles = []
             for eye in eyes:
-                view = nf.Camera.look_at(eye, eye + way, fov=fov, size=(width, width))
+                view = nf.Camera.look_at(eye, eye + direction, fov=fov, size=(width, width))
                 how: dict[str, Any] = {"at": {name: pose}, "channels": ("object_id",)}
                 if source is reduced:
                     frame = reduced.render(view, method="exact", env=False, **how)
                 else:
                     frame = nf.render(scene, view, **how)
                 angles.append(_middle(frame, view))
-            seen.append(angles[0] - angles[1])
-        rows.append([calculated, *seen])
+            disparities_seen.append(angles[0] - angles[1])
+        rows.append([calculated, *disparities_seen])
     arc_minutes = np.degrees(np.array(rows)) * 60.0
     return arc_minutes[:, 0], arc_minutes[:, 1], arc_minutes[:, 2]
 
@@ -88,15 +187,15 @@ def _middle(frame: nf.Frame, view: nf.Camera) -> float:
 def disparity(quick: bool, plots: Path | None) -> str:
     """Table and plot of the disparity by distance, for a user at the centre and one beside it."""
     distances = np.array([20.0, 45.0] if quick else [5, 10, 20, 29, 32, 35, 38, 41, 44, 47, 49, 49.9, 50.1, 60, 80])
-    rows, drawn = [], {}
+    rows, curves = [], {}
     for text, step in (("at O", (0.0, 0.0, 0.0)), ("8 m aside", (8.0, 0.0, 0.0))):
-        drawn[text] = disparities(distances, CENTER + np.array(step), 200 if quick else 1200)
+        curves[text] = disparities(distances, CENTER + np.array(step), 200 if quick else 1200)
     for n, distance in enumerate(distances):
-        rows.append([distance, *(drawn[text][part][n] for text in drawn for part in (2, 0, 1))])
+        rows.append([distance, *(curves[text][curve][n] for text in curves for curve in (2, 0, 1))])
     if plots is not None:
-        draw_disparity(distances, drawn, (R1, R2), plots / "disparity.png")
+        draw_disparity(distances, curves, (R1, R2), plots / "disparity.png")
     names = ("truth", "continuous, calculated", "continuous, in pictures")
-    header = ["m from O {:g}", *(f"{text}: {name} {{:.2f}}" for text in drawn for name in names)]
+    header = ["m from O {:g}", *(f"{text}: {name} {{:.2f}}" for text in curves for name in names)]
     return table(f"Disparity in arc minutes, eyes {IPD * 1000:.0f} mm apart, r₁ = {R1:g}, r₂ = {R2:g} m", header, rows)
 
 

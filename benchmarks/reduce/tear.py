@@ -48,10 +48,10 @@ def views(center: Point, seed: int) -> Iterator[nf.Camera]:
     fov = nf.Fov.symmetric(60, 16 / 9)
     width = round(DENSITY * float(np.degrees(fov.right - fov.left)))
     for _ in range(MAX_TRIES):
-        around, ahead = draw.uniform(0.0, 2.0 * np.pi, 2)
-        away = REACH * np.sqrt(draw.uniform())
-        user = np.add(center, (away * np.cos(around), 0.0, away * np.sin(around)))
-        toward = np.add(user, (np.cos(ahead), -0.05, np.sin(ahead)))
+        position_angle, azimuth = draw.uniform(0.0, 2.0 * np.pi, 2)
+        distance = REACH * np.sqrt(draw.uniform())
+        user = np.add(center, (distance * np.cos(position_angle), 0.0, distance * np.sin(position_angle)))
+        toward = np.add(user, (np.cos(azimuth), -0.05, np.sin(azimuth)))
         yield nf.Camera.look_at(user, toward, fov=fov, size=(width, round(width * 9 / 16)))
 
 
@@ -73,19 +73,19 @@ def places_of(frame: nf.Frame) -> Positions:
 def visible_mask(frame: nf.Frame, truth: nf.Frame) -> Mask:
     """Pixels (H, W) whose points are visible in the truth, to 1 % of their distance and a pixel to each side."""
     camera, points = frame.camera, places_of(frame)
-    known = np.isfinite(points).all(axis=-1)
-    away = np.linalg.norm(places_of(truth) - camera.position, axis=-1)
-    away = np.pad(np.where(np.isfinite(away), away, np.inf), 1, mode="edge")
-    height, width = known.shape
-    farthest = np.max([away[y : y + height, x : x + width] for y in range(3) for x in range(3)], axis=0)
-    at = camera.project(points[known])[:, :2]
-    column, row = (np.nan_to_num(np.floor(values), nan=-1.0) for values in at.T)
-    inside = (column >= 0) & (row >= 0) & (column < width) & (row < height)
-    limit = np.full(len(at), np.inf)
-    limit[inside] = farthest[row[inside].astype(int), column[inside].astype(int)]
-    found = np.zeros_like(known)
-    found[known] = np.linalg.norm(points[known] - camera.position, axis=1) <= 1.01 * limit
-    return found
+    is_known = np.isfinite(points).all(axis=-1)
+    distances = np.linalg.norm(places_of(truth) - camera.position, axis=-1)
+    distances = np.pad(np.where(np.isfinite(distances), distances, np.inf), 1, mode="edge")
+    height, width = is_known.shape
+    farthest = np.max([distances[y : y + height, x : x + width] for y in range(3) for x in range(3)], axis=0)
+    pixels = camera.project(points[is_known])[:, :2]
+    column, row = (np.nan_to_num(np.floor(values), nan=-1.0) for values in pixels.T)
+    is_inside = (column >= 0) & (row >= 0) & (column < width) & (row < height)
+    limit = np.full(len(pixels), np.inf)
+    limit[is_inside] = farthest[row[is_inside].astype(int), column[is_inside].astype(int)]
+    visible = np.zeros_like(is_known)
+    visible[is_known] = np.linalg.norm(points[is_known] - camera.position, axis=1) <= 1.01 * limit
+    return visible
 
 
 def only(frame: nf.Frame, kept: Mask) -> nf.Frame:
@@ -98,15 +98,15 @@ def parts(scene: nf.Scene, frame: nf.Frame, truth: nf.Frame, end: Mask) -> dict[
     numbers = frame.require("object_id")
     crossing = [n for n in np.unique(numbers[end]) if n >= 0 and (numbers[~end] == n).any()]
     ground = [n for n, name in enumerate(scene.object_names) if name.startswith("ground")]
-    found = {
+    masks = {
         "whole boundary": [(frame, False)],
         "surfaces across r₂": [(frame, True)],
         "the same, as far as the user sees them": [(only(frame, visible_mask(frame, truth)), True)],
         "each object by itself": [(only(frame, numbers == n), True) for n in crossing],
     }
     if ground:
-        found["the ground by itself"] = [(only(frame, np.isin(numbers, ground)), False)]
-    return found
+        masks["the ground by itself"] = [(only(frame, np.isin(numbers, ground)), False)]
+    return masks
 
 
 def tears(name: str, scene: nf.Scene, center: Point, count: int, seed: int) -> str:
@@ -117,12 +117,12 @@ def tears(name: str, scene: nf.Scene, center: Point, count: int, seed: int) -> s
         reduced = nf.reduce(scene, center=center, r1=r1, r2=50.0, face_size=16, samples=1)
         where: dict[str, Any] = {"center": reduced.center, "radius": reduced.r2}
         sums: dict[str, Sums] = {}
-        taken = 0
+        view_count = 0
         for camera in views(center, seed):
             frames = pictures(reduced, camera)
             if not all(_count(nf.metrics.boundary_tear(frame, **where)) >= MIN_EDGE for frame in frames):
                 continue
-            taken += 1
+            view_count += 1
             truth = nf.render(scene, camera, channels=("position",), backend="cpu")
             for method, frame in enumerate(frames):
                 end = _rho(frame, center) > reduced.r2
@@ -130,17 +130,17 @@ def tears(name: str, scene: nf.Scene, center: Point, count: int, seed: int) -> s
                     added = sums.setdefault(part, np.zeros((2, 3)))
                     for one, surfaces in each:
                         added[method] += _weighted(nf.metrics.boundary_tear(one, **where, surfaces=surfaces))
-            if taken == count:
+            if view_count == count:
                 break
-        rows += [_row(r1, part, taken, added) for part, added in sums.items()]
+        rows += [_row(r1, part, view_count, added) for part, added in sums.items()]
     header = "r₁, r₂, m {:.3g}, 50 | where | views | conventional, px {:.3g} | continuous, px {:.3g}"
     header += " | of which kink {:.2g} | ratio {:.3g}"
     return table(f"Tear along r₂, {name}, {DENSITY:g} pixels a degree", header, rows)
 
 
 def _rho(frame: nf.Frame, center: Point) -> Positions:
-    away = places_of(frame) - center
-    return np.asarray(np.hypot(away[..., 0], away[..., 2]))
+    offsets = places_of(frame) - center
+    return np.asarray(np.hypot(offsets[..., 0], offsets[..., 2]))
 
 
 def _count(one: nf.metrics.BoundaryTear) -> float:

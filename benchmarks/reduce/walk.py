@@ -53,14 +53,14 @@ def cases(quick: bool) -> Iterator[Case]:
         yield Case("centre of Tokyo", scene, free_way(scene, center_for(scene, R2), LENGTH))
 
 
-def ahead(regions: nf.Regions) -> tuple[float, list[float]]:
+def times_ahead(regions: nf.Regions) -> tuple[float, list[float]]:
     """Milliseconds of the first reduction, which builds the trees, and of each further one in the background, alone."""
-    reduced, first = timed(regions.reduced, 0)
+    reduced, first_timing = timed(regions.reduced, 0)
     times = []
     for center in regions.centers[1:]:
         reduced, spent = timed(lambda before, center: before.recentered(center).result(), reduced, center)
         times.append(spent.ms)
-    return first.ms, times
+    return first_timing.ms, times
 
 
 def walk(case: Case, regions: nf.Regions, size: tuple[int, int]) -> Walked:
@@ -72,9 +72,9 @@ def walk(case: Case, regions: nf.Regions, size: tuple[int, int]) -> Walked:
     for number in range(count):
         seconds = number / RATE
         time.sleep(max(0.0, started + seconds - time.perf_counter()))
-        position, way = at_distance(case.path, seconds * SPEED)
-        aside = np.array([way[0] - 0.6 * way[2], 0.05, way[2] + 0.6 * way[0]])
-        camera = nf.Camera.look_at(position, position + aside, fov=FOV, size=size)
+        position, direction = at_distance(case.path, seconds * SPEED)
+        view_direction = np.array([direction[0] - 0.6 * direction[2], 0.05, direction[2] + 0.6 * direction[0]])
+        camera = nf.Camera.look_at(position, position + view_direction, fov=FOV, size=size)
         frame = walker.render(camera, seconds)
         stats = frame.stats
         walked.frames += 1
@@ -91,17 +91,17 @@ def walk(case: Case, regions: nf.Regions, size: tuple[int, int]) -> Walked:
 
 def jumps(case: Case, walked: Walked, regions: nf.Regions) -> list[Change]:
     """Measure the jump of far points at every change, with maps that have range."""
-    radii, kept = regions.radii, dict[int, nf.ReducedScene]()
+    radii, reductions = regions.radii, dict[int, nf.ReducedScene]()
     how: dict[str, Any] = {"r1": radii.r1, "r2": radii.r2, "face_size": 1024, "samples": 1}
-    found = []
+    changes = []
     for before, after, position in walked.changes:
         for number in (before, after):
-            if number not in kept:
+            if number not in reductions:
                 center = regions.centers[number]
-                kept[number] = nf.reduce(case.scene, center=center, channels=("color", "range"), **how)
-        found.append(measure(kept[before], kept[after], position))
-        kept = {after: kept[after]}
-    return found
+                reductions[number] = nf.reduce(case.scene, center=center, channels=("color", "range"), **how)
+        changes.append(measure(reductions[before], reductions[after], position))
+        reductions = {after: reductions[after]}
+    return changes
 
 
 def report(case: Case, quick: bool, plots: Path | None) -> str:
@@ -109,7 +109,7 @@ def report(case: Case, quick: bool, plots: Path | None) -> str:
     size = 128 if quick else 1024
     settings: dict[str, Any] = {"reach": REACH, "hysteresis": HYSTERESIS, "r2": R2, "face_size": size}
     regions, planning = timed(nf.regions, case.scene, case.path, **settings)
-    first, times = ahead(regions)
+    first_ms, times = times_ahead(regions)
     walked = walk(case, regions, (96, 54) if quick else (320, 180))
     bytes_made = regions.bytes[regions.bytes > 0] / 1e6
     rows = [
@@ -117,7 +117,7 @@ def report(case: Case, quick: bool, plots: Path | None) -> str:
         ["centres, and metres between neighbours", f"{len(regions)}, {regions.spacing:.2f}"],
         ["r1, r2, m", f"{regions.radii.r1:.1f}, {regions.radii.r2:.0f}"],
         ["planned in, ms", f"{planning.ms:.0f}"],
-        ["first region, with the scene's trees, ms", f"{first:.0f}"],
+        ["first region, with the scene's trees, ms", f"{first_ms:.0f}"],
         ["next region, mean and greatest, ms", f"{np.mean(times):.0f}, {np.max(times):.0f}"],
         ["maps made on the walk", f"{len(bytes_made)}"],
         ["a region, mean and greatest, MB", f"{bytes_made.mean():.1f}, {bytes_made.max():.1f}"],
@@ -139,10 +139,10 @@ def report(case: Case, quick: bool, plots: Path | None) -> str:
 
 
 def _row(number: int, change: Change) -> list[object]:
-    most, clear = int(np.argmax(change.measured)), change.predicted > 5.0
+    number_of_greatest, clear = int(np.argmax(change.measured)), change.predicted > 5.0
     ratios = (np.median(change.measured[clear] / by[clear]) for by in (change.predicted, change.exact) if clear.any())
     middles = (np.median(values) for values in (change.ranges, change.measured, change.predicted))
-    greatest = change.measured[most], change.predicted[most]
+    greatest = change.measured[number_of_greatest], change.predicted[number_of_greatest]
     return [number, change.step, len(change.ranges), *middles, *greatest, *(ratios if clear.any() else ["–", "–"])]
 
 

@@ -43,7 +43,7 @@ def row(name: str, timing: Timing, reference: Timing | None, error: float | None
 def ours(scene: nf.Scene, camera: nf.Camera, reference: Timing | None) -> list[list[object]]:
     channels = (("range",), ("object_id",), ("position", "normal"), ("color",), ("color", "range", "object_id"))
     times = {
-        ", ".join(each): best(partial(nf.render, scene, camera, channels=each), repeat=REPEAT) for each in channels
+        ", ".join(names): best(partial(nf.render, scene, camera, channels=names), repeat=REPEAT) for names in channels
     }
     return [row(name, timing, reference) for name, timing in times.items()]
 
@@ -73,8 +73,8 @@ def embree(scene: nf.Scene, camera: nf.Camera) -> Timing | None:
     mesh: Any = TriangleMesh
     mesh(device_scene, scene.triangles())
     origins = (starts - scene.origin).reshape(-1, 3).astype(np.float32)
-    flat = directions.reshape(-1, 3).astype(np.float32)
-    return best(lambda: device_scene.run(origins, flat, output=True), repeat=REPEAT)
+    flat_directions = directions.reshape(-1, 3).astype(np.float32)
+    return best(lambda: device_scene.run(origins, flat_directions, output=True), repeat=REPEAT)
 
 
 def pyrender(scene: nf.Scene, camera: nf.Camera) -> Timing | None:
@@ -83,11 +83,11 @@ def pyrender(scene: nf.Scene, camera: nf.Camera) -> Timing | None:
     if peer is None:
         return None
     mesh = peer.Mesh([peer.Primitive(positions=scene.triangles().reshape(-1, 3))])
-    whole = opengl.scene_of(mesh, camera, origin=scene.origin)
+    peer_scene = opengl.scene_of(mesh, camera, origin=scene.origin)
     renderer = peer.OffscreenRenderer(*SIZE)
     flags = peer.RenderFlags.DEPTH_ONLY | peer.RenderFlags.SKIP_CULL_FACES
     try:
-        return best(lambda: renderer.render(whole, flags), repeat=REPEAT)
+        return best(lambda: renderer.render(peer_scene, flags), repeat=REPEAT)
     finally:
         renderer.delete()
 
@@ -100,8 +100,8 @@ def main() -> None:
         reference = embree(scene, camera)
         rows = ours(scene, camera, reference)
         rows += [row("embreex, tracing alone", reference, reference)] if reference else []
-        drawn = pyrender(scene, camera)
-        rows += [row("pyrender, depth alone", drawn, reference)] if drawn else []
+        peer_timing = pyrender(scene, camera)
+        rows += [row("pyrender, depth alone", peer_timing, reference)] if peer_timing else []
         print(table(f"Ground truth, 1080p, {name}, {scene.triangle_count:,} triangles", header, rows))
         print(table(f"Anti-aliasing, 480x270, {name}", header, by_samples(scene)))
 

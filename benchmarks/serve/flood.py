@@ -10,13 +10,12 @@ import statistics
 import threading
 import time
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import closing, contextmanager
 from typing import Any
 from urllib.parse import urlsplit
 
 from benchmarks.harness import scenes
 from benchmarks.harness.report import start, table
-from benchmarks.harness.timing import timed
 from nearfar.serve._server import Server
 from nearfar.serve._site import Site
 from nearfar.stream._on_demand import OnDemand
@@ -48,57 +47,51 @@ def flood(url: str) -> Iterator[tuple[Any, Any]]:
 def _flood(url: str, refused: Any, accepted: Any) -> None:
     places = itertools.count()
     clients = [f"127.0.3.{address + 1}" for address in range(ADDRESSES) for _ in range(CLIENTS)]
-    threads = [threading.Thread(target=_ask, args=(url, client, places, refused, accepted)) for client in clients]
-    for thread in threads:
-        thread.start()
-    for thread in threads:
-        thread.join()
+    for client in clients:
+        threading.Thread(target=_ask_forever, args=(url, client, places, refused, accepted)).start()
 
 
-def _ask(url: str, address: str, places: Iterator[int], refused: Any, accepted: Any) -> None:
-    while True:
-        number = next(places)
-        line = http.client.HTTPConnection(urlsplit(url).netloc, timeout=300, source_address=(address, 0))
-        line.request("GET", f"/at/{2 * (number % 97) - 96},1.75,{2 * (number % 79) - 78}/parts")
-        answer = line.getresponse()
-        with (accepted if answer.status == 200 else refused).get_lock():
-            (accepted if answer.status == 200 else refused).value += 1
-        if answer.status != 200:
-            time.sleep(0.02)
-        answer.read()
-        line.close()
+def _ask_forever(url: str, address: str, places: Iterator[int], refused: Any, accepted: Any) -> None:
+    for number in places:
+        with ask(url, f"/at/{2 * (number % 97) - 96},1.75,{2 * (number % 79) - 78}/parts", address) as response:
+            count = accepted if response.status == 200 else refused
+            with count.get_lock():
+                count.value += 1
+            if response.status != 200:
+                time.sleep(0.02)
+            response.read()
 
 
-def file_time(url: str) -> float:
+@contextmanager
+def ask(url: str, path: str, address: str = "127.0.0.1") -> Iterator[http.client.HTTPResponse]:
+    """Request a path over a new connection from a local address; yield the response."""
+    with closing(http.client.HTTPConnection(urlsplit(url).netloc, timeout=300, source_address=(address, 0))) as server:
+        server.request("GET", path)
+        with server.getresponse() as response:
+            yield response
+
+
+def file_ms(url: str) -> float:
     """Milliseconds of a request for a file of the page over a new connection."""
-
-    def ask() -> None:
-        line = http.client.HTTPConnection(urlsplit(url).netloc, timeout=300)
-        line.request("GET", "/page.css")
-        line.getresponse().read()
-        line.close()
-
-    return timed(ask)[1].ms
+    start = time.perf_counter()
+    with ask(url, "/page.css") as response:
+        response.read()
+    return 1e3 * (time.perf_counter() - start)
 
 
-def first_ring(url: str, number: int) -> float:
+def first_ring_seconds(url: str, number: int) -> float:
     """Seconds until a new client is notified of the coarse ring 0."""
     start = time.perf_counter()
-    line = http.client.HTTPConnection(urlsplit(url).netloc, timeout=300, source_address=(f"127.0.4.{number + 1}", 0))
-    line.request("GET", f"/at/{8 * number - 31},3.75,5/parts")
-    answer = line.getresponse()
-    while json.loads(answer.readline())["event"] != "ring":
-        pass
-    taken = time.perf_counter() - start
-    answer.close()
-    line.close()
-    return taken
+    with ask(url, f"/at/{8 * number - 31},3.75,5/parts", f"127.0.4.{number + 1}") as response:
+        while json.loads(response.readline())["event"] != "ring":
+            pass
+        return time.perf_counter() - start
 
 
 def measure(url: str, first: int) -> list[float]:
     """Cells of a row: times of a file, and of five new clients."""
-    rings = [first_ring(url, number) for number in range(first, first + 5)]
-    times = [file_time(url) for _ in range(300)]
+    rings = [first_ring_seconds(url, number) for number in range(first, first + 5)]
+    times = [file_ms(url) for _ in range(300)]
     return [statistics.median(times), statistics.quantiles(times, n=100)[98], statistics.median(rings)]
 
 

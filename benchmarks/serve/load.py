@@ -7,6 +7,7 @@ cores. Memory is reported after each round of loads.
 from __future__ import annotations
 
 import hashlib
+import itertools
 import re
 import shutil
 import socket
@@ -23,7 +24,7 @@ from benchmarks.harness.timing import resident
 
 SMALL, TYPICAL = ("small.bin", 5_000), ("typical.bin", 300_000)
 """Names and bytes of files: a ring's list of texels, and a ring's geometry."""
-ASKED = {
+REQUESTS = {
     "5 kB": (SMALL[0], None),
     "300 kB": (TYPICAL[0], None),
     "10 kB of 300 kB": (TYPICAL[0], "bytes=100000-109999"),
@@ -99,26 +100,26 @@ def load(url: str, connections: int, seconds: int, part: str | None) -> tuple[fl
     """Requests and megabytes per second, median and 99th percentile in milliseconds, number of errors."""
     headers = [] if part is None else ["-H", f"Range: {part}"]
     command = ["wrk", "-t", "1", "-c", str(connections), "-d", f"{seconds}s", "--latency", *headers, url]
-    told = subprocess.run(command, check=True, capture_output=True, text=True).stdout
+    report = subprocess.run(command, check=True, capture_output=True, text=True).stdout
     units = {"us": 1e-3, "ms": 1.0, "s": 1e3, "m": 6e4}
 
-    def milliseconds(share: int) -> float:
-        value, unit = re.findall(rf"{share}%\s+([\d.]+)(us|ms|s|m)\b", told)[0]
+    def milliseconds(percentile: int) -> float:
+        value, unit = re.findall(rf"{percentile}%\s+([\d.]+)(us|ms|s|m)\b", report)[0]
         return float(value) * units[unit]
 
-    count, taken = re.findall(r"(\d+) requests in ([\d.]+)s", told)[0]
-    size, unit = re.findall(r"Transfer/sec:\s+([\d.]+)([KMG]?)B", told)[0]
+    count, duration = re.findall(r"(\d+) requests in ([\d.]+)s", report)[0]
+    size, unit = re.findall(r"Transfer/sec:\s+([\d.]+)([KMG]?)B", report)[0]
     rate = float(size) * 1024 ** " KMG".index(unit or " ") / 1e6
-    bad = re.findall(r"Socket errors: connect (\d+), read (\d+), write (\d+), timeout (\d+)", told)
-    refused = re.findall(r"Non-2xx or 3xx responses: (\d+)", told)
-    errors = sum(int(number) for numbers in bad for number in numbers) + sum(int(number) for number in refused)
-    return int(count) / float(taken), rate, milliseconds(50), milliseconds(99), errors
+    failed = re.findall(r"Socket errors: connect (\d+), read (\d+), write (\d+), timeout (\d+)", report)
+    refused = re.findall(r"Non-2xx or 3xx responses: (\d+)", report)
+    errors = sum(map(int, [*refused, *itertools.chain(*failed)]))
+    return int(count) / float(duration), rate, milliseconds(50), milliseconds(99), errors
 
 
-def row(url: str, server: str, what: str, connections: int, seconds: int) -> list[Any]:
+def row(url: str, server: str, request: str, connections: int, seconds: int) -> list[Any]:
     """Cells of a load's row."""
-    file, part = ASKED[what]
-    return [what, server, connections, *load(f"{url}files/{file}", connections, seconds, part)]
+    file, part = REQUESTS[request]
+    return [request, server, connections, *load(f"{url}files/{file}", connections, seconds, part)]
 
 
 def run(folder: Path, seconds: int, rounds: int) -> None:
@@ -131,12 +132,11 @@ def run(folder: Path, seconds: int, rounds: int) -> None:
             load(f"{url}files/{SMALL[0]}", 10, 1, None)
             sizes = [megabytes(process)]
             for number in range(rounds):
-                found = [row(url, name, what, connections, seconds) for what in ASKED for connections in CONNECTIONS]
-                rows += [] if number else found
+                loads = [row(url, name, *load, seconds) for load in itertools.product(REQUESTS, CONNECTIONS)]
+                rows += [] if number else loads
                 sizes.append(megabytes(process))
             memory.append([name, *sizes[:2], max(sizes), sizes[-1]])
-    order = list(ASKED)
-    rows.sort(key=lambda cells: (order.index(cells[0]), cells[2]))
+    rows.sort(key=lambda cells: ([*REQUESTS].index(cells[0]), cells[2]))
     print(table("Load", HEADER, rows))
     header = f"server | MB before {{:.0f}} | after a round {{:.0f}} | most {{:.0f}} | after {rounds} {{:.0f}}"
     print(table("Memory", header, memory))

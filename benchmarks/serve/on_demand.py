@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import http.client
 import json
-import statistics
 import time
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
-from urllib.parse import urlsplit
+from functools import partial
+from urllib.request import urlopen
 
 import numpy as np
 
@@ -57,53 +56,42 @@ Times = tuple[float, ...]
 
 def ask(url: str, place: Place) -> tuple[Times, tuple[int, int]]:
     """Request a place, and fetch each file as soon as its part lists it; return seconds, and bytes of both stages."""
-    connection = http.client.HTTPConnection(urlsplit(url).netloc)
     start = time.perf_counter()
-    connection.request("GET", "/at/{},{},{}/parts".format(*place))
-    answer = connection.getresponse()
-    came: dict[tuple[int, int], float] = {}
+    arrivals: dict[tuple[int, int], float] = {}
     sizes = [0, 0]
-    while line := answer.readline():
-        told = json.loads(line)
-        for name in told.get("files", ()):
-            sizes[told["stage"]] += len(fetch(url, name))
-        if told["event"] == "ring":
-            came[told["stage"], told["ring"]] = time.perf_counter() - start
+    with urlopen(url + "at/{},{},{}/parts".format(*place)) as response:
+        for line in response:
+            part = json.loads(line)
+            for name in part.get("files", ()):
+                with urlopen(url + name) as file:
+                    sizes[part["stage"]] += len(file.read())
+            if part["event"] == "ring":
+                arrivals[part["stage"], part["ring"]] = time.perf_counter() - start
     last = len(PUBLISHED)
-    return tuple(came[key] for key in ((0, 0), (0, last), (1, 0), (1, last))), (sizes[0], sizes[1])
+    return tuple(arrivals[key] for key in ((0, 0), (0, last), (1, 0), (1, last))), (sizes[0], sizes[1])
 
 
-def fetch(url: str, name: str) -> bytes:
-    """Content of a file over a new connection, since the server closes idle ones."""
-    files = http.client.HTTPConnection(urlsplit(url).netloc)
-    files.request("GET", f"/{name}")
-    content = files.getresponse().read()
-    files.close()
-    return content
-
-
-def row(name: str, found: list[tuple[Times, tuple[int, int]]]) -> list[object]:
-    """Medians over requests."""
-    seconds = (statistics.median(values) for values in zip(*(times for times, _ in found), strict=True))
-    sizes = (statistics.median(values) / 1e3 for values in zip(*(sizes for _, sizes in found), strict=True))
-    return [name, *seconds, *sizes]
+def row(name: str, results: list[tuple[Times, tuple[int, int]]]) -> list[object]:
+    """Medians over requests: seconds, and kilobytes."""
+    times, sizes = (np.median(values, axis=0) for values in zip(*results, strict=True))
+    return [name, *times, *sizes / 1e3]
 
 
 def measure(name: str, load: Callable[[], nf.Scene], places: tuple[Place, ...]) -> list[list[object]]:
     """Rows of a scene: one client after the other, then two at once; no place is requested twice."""
-    maker, made = timed(lambda: OnDemand(load(), radii=PUBLISHED))
-    _, tree = timed(nf.cast_rays, maker.scene, np.array([[0.0, 1.7, 0.0]]), np.array([[0.0, -1.0, 0.0]]))
-    name = f"{name}, {maker.scene.triangle_count / 1e6:.1f} M triangles"
-    with Server({"": Site.of_scene(maker, None)}) as server, ThreadPoolExecutor(2) as pool:
-        half = len(places) // 2
-        alone = [ask(server.url, place) for place in places[:half]]
-        pairs = zip(places[half::2], places[half + 1 :: 2], strict=True)
-        both = [found for pair in pairs for found in pool.map(lambda place: ask(server.url, place), pair)]
-    print(f"{name}: there with its trees after {made.wall + tree.wall:.1f} s")
+    regions, loading = timed(lambda: OnDemand(load(), radii=PUBLISHED))
+    _, tree = timed(nf.cast_rays, regions.scene, np.array([[0.0, 1.7, 0.0]]), np.array([[0.0, -1.0, 0.0]]))
+    name = f"{name}, {regions.scene.triangle_count / 1e6:.1f} M triangles"
+    with Server({"": Site.of_scene(regions, None)}) as server, ThreadPoolExecutor(2) as pool:
+        request, middle = partial(ask, server.url), len(places) // 2
+        single = [*map(request, places[:middle])]
+        pairs = zip(places[middle::2], places[middle + 1 :: 2], strict=True)
+        double = [result for pair in pairs for result in pool.map(request, pair)]
+    print(f"{name}: loaded with its search trees after {loading.wall + tree.wall:.1f} s")
     print(f"{resident() / 1e9:.1f} GB at the end, {resident('VmHWM') / 1e9:.1f} GB at most so far")
-    for place, (times, _) in zip(places, alone + both, strict=True):
+    for place, (times, _) in zip(places, single + double, strict=True):
         print(f"  {place}: {', '.join(f'{value:.2f}' for value in times)} s", flush=True)
-    return [row(name, alone), row(f"{name}, two clients at once", both)]
+    return [row(name, single), row(f"{name}, two clients at once", double)]
 
 
 def whole_of_tokyo() -> nf.Scene:
@@ -115,10 +103,10 @@ def whole_of_tokyo() -> nf.Scene:
 
 
 def main() -> None:
-    given = start(__doc__, "--quick", tokyo=(bool, "the whole of Tokyo alone, 29.8 million triangles"))
-    if given.tokyo:
+    options = start(__doc__, "--quick", tokyo=(bool, "the whole of Tokyo alone, 29.8 million triangles"))
+    if options.tokyo:
         rows = measure("whole of Tokyo", whole_of_tokyo, WARDS)
-    elif given.quick:
+    elif options.quick:
         rows = measure("city, small", lambda: scenes.city(quick=True), STREETS[:4])
     else:
         rows = measure("city", lambda: nf.datasets.city(blocks=12, detail=2), STREETS)

@@ -44,18 +44,16 @@ COSTS = (
 
 def load(users: int, hertz: float, seconds: float, *options: str, inside: str | None = None) -> Figures:
     """Measure users on a server; return the figures of both."""
-    within = ["ip", "netns", "exec", inside] if inside else []
-    arguments = [str(users), str(GROUP), str(hertz), str(seconds), *options]
-    command = [*within, str(EXAMPLES / "rooms_load"), *arguments]
+    prefix = ["ip", "netns", "exec", inside] if inside else []
+    command = [*prefix, str(EXAMPLES / "rooms_load"), *map(str, (users, GROUP, hertz, seconds)), *options]
     with ahead_of_others():
-        told: Figures = json.loads(subprocess.run(command, check=True, stdout=subprocess.PIPE).stdout)
-    return told
+        return dict(json.loads(subprocess.run(command, check=True, stdout=subprocess.PIPE).stdout))
 
 
 def times(figures: Figures) -> list[float]:
     """Columns of HEADER."""
-    shown = [figures[name][part] or float("nan") for name in ("round_trip", "way") for part in ("median", "99")]
-    return [*shown, figures["residence"]["99"], figures["residence"]["share_within_1.02"]]
+    trips = [figures[name][part] or float("nan") for name in ("round_trip", "way") for part in ("median", "99")]
+    return [*trips, figures["residence"]["99"], figures["residence"]["share_within_1.02"]]
 
 
 def costs(figures: Figures) -> list[float]:
@@ -70,50 +68,49 @@ def link(loss: float) -> Iterator[list[str]]:
     """Carry packets between two namespaces; yield the options that make the server run in one of them."""
     command = [str(EXAMPLES / "link"), *NEAR, *FAR, str(DELAY_MS), str(MBIT), str(loss)]
     with ahead_of_others():
-        running = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
-    with running:
-        assert running.stdout
-        assert running.stdin
-        if running.stdout.readline().strip() != "ready":
+        process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+    with process:
+        assert process.stdout
+        assert process.stdin
+        if process.stdout.readline().strip() != "ready":
             raise SystemExit("link: it needs Linux, root, `ip` and /dev/net/tun")
         yield ["--in", NEAR[0], "--serve", f"{NEAR[1]}:0"]
-        running.stdin.close()
+        process.stdin.close()
 
 
-def measure_users(seconds: float, way: list[str]) -> None:
+def measure_users(seconds: float, protocol: list[str]) -> None:
     """Measure users on loopback."""
     rows = []
     for users in USERS:
-        figures = load(users, HERTZ, seconds, *way)
+        figures = load(users, HERTZ, seconds, *protocol)
         rows.append([users, figures["poses_per_second"], *times(figures), *costs(figures)])
     print(table("Users", f"users | poses/s each {{:.1f}} | {HEADER} | {COSTS}", rows))
 
 
-def measure_losses(seconds: float, way: list[str]) -> None:
+def measure_losses(seconds: float, protocol: list[str]) -> None:
     """Measure users behind a link that loses packets."""
     rows = []
     for users, loss in itertools.product(LINK_USERS, LOSSES):
         with link(loss) as options:
-            figures = load(users, HERTZ, seconds, *options, *way, inside=FAR[0])
+            figures = load(users, HERTZ, seconds, *options, *protocol, inside=FAR[0])
         rows.append([users, loss, *times(figures), figures["unsettled"]])
     title = f"A link of {DELAY_MS} ms and {MBIT} Mb/s in each direction"
     print(table(title, f"users | loss % | {HEADER} | unsettled {{:.0f}}", rows))
 
 
-def measure_attacks(seconds: float, way: list[str]) -> None:
+def measure_attacks(seconds: float, protocol: list[str]) -> None:
     """Measure users while eight others misbehave in the group of the first four."""
     rows = []
     for attack in ("nobody", *ATTACKS, "nobody"):
         options = [] if attack == "nobody" else ["--attack", attack]
-        figures = load(ATTACKED_USERS, HERTZ, seconds, *options, *way)
+        figures = load(ATTACKED_USERS, HERTZ, seconds, *options, *protocol)
         rows.append([attack, *times(figures), figures["unsettled"]])
     print(table("Attacks", f"meanwhile | {HEADER} | unsettled {{:.0f}}", rows))
 
 
-def measure_hour(way: list[str]) -> None:
+def measure_hour(protocol: list[str]) -> None:
     """Measure the server's memory over an hour of eight users."""
-    options = ["--stay", str(STAY_SECONDS), *way]
-    figures = load(8, HOUR_RATE * HERTZ, HOUR_SECONDS, *options)
+    figures = load(8, HOUR_RATE * HERTZ, HOUR_SECONDS, "--stay", str(STAY_SECONDS), *protocol)
     print(f"{figures['poses_per_second'] * 8 * HOUR_SECONDS:.0f} poses; MB after each tenth of an hour:")
     print(", ".join(f"{kilobytes / 1e3:.2f}" for kilobytes in figures["kilobytes"]), "\n")
 
@@ -127,12 +124,12 @@ def main() -> None:
     )
     command = ["cargo", "build", "--release", "--quiet", "-p", "nearfar-serve", "--examples"]
     subprocess.run(command, cwd=ROOT, check=True)
-    parts = arguments.parts or ["users", "link", "attacks", "hour"]
+    parts, protocol = arguments.parts or ["users", "link", "attacks", "hour"], ["--by", arguments.by]
     for name, measure in {"users": measure_users, "link": measure_losses, "attacks": measure_attacks}.items():
         if name in parts:
-            measure(arguments.seconds, ["--by", arguments.by])
+            measure(arguments.seconds, protocol)
     if "hour" in parts:
-        measure_hour(["--by", arguments.by])
+        measure_hour(protocol)
 
 
 if __name__ == "__main__":

@@ -60,24 +60,24 @@ def measure(name: str, size: tuple[int, int], repeat: int, backend: str) -> tupl
     rows, stages, numbers = [], [], []
     for plane in (*PLANES, FAR):
         rig = base.with_plane(plane)
-        kept: dict[str, nf.StereoFrame] = {}
+        frames: dict[str, nf.StereoFrame] = {}
 
-        def draw(name: str, rig: nf.stereo.HybridRig = rig, kept: dict[str, Any] = kept, **how: Any) -> None:
-            kept[name] = rig.render(scene, HEAD, AHEAD, far=FAR, **settings, **how)
+        def draw(name: str, rig: nf.stereo.HybridRig = rig, frames: dict[str, Any] = frames, **how: Any) -> None:
+            frames[name] = rig.render(scene, HEAD, AHEAD, far=FAR, **settings, **how)
 
         jobs: dict[str, Callable[[], Any]] = {"plain": partial(plain, scene, rig, **settings)}
         jobs |= {cull: partial(draw, cull, cull=cull) for cull in CULLS}
         jobs["resolved"] = partial(draw, "resolved", assembly="resolved")
-        taken = in_turns(jobs, repeat, clock if is_on_adapter else time.process_time)
-        times = {kind: timing.wall for kind, timing in taken.items()}
-        scores = {kind: score(truth, kept[kind]) for kind in ("occlusion", "resolved")}
-        found = {"plane": plane, **times, **found_stages(kept["occlusion"])}
-        found |= {f"ssim_{kind}": value for kind, value in scores.items()}
-        numbers.append(found)
+        timings = in_turns(jobs, repeat, clock if is_on_adapter else time.process_time)
+        times = {kind: timing.wall for kind, timing in timings.items()}
+        scores = {kind: score(truth, frames[kind]) for kind in ("occlusion", "resolved")}
+        numbers_at_plane = {"plane": plane, **times, **stage_seconds(frames["occlusion"])}
+        numbers_at_plane |= {f"ssim_{kind}": value for kind, value in scores.items()}
+        numbers.append(numbers_at_plane)
         saved = [(times[kind], 100 * (1 - times[kind] / times["plain"])) for kind in KINDS]
-        passes = [(taken["plain"].cpu, taken["occlusion"].cpu)] if is_on_adapter else []
+        passes = [(timings["plain"].cpu, timings["occlusion"].cpu)] if is_on_adapter else []
         rows.append([plane, rig.max_error(FAR), times["plain"], *saved, *passes, *scores.values()])
-        stages.append([plane, *stage_row(rig, scene, kept["occlusion"], found)])
+        stages.append([plane, *stage_row(rig, scene, frames["occlusion"], numbers_at_plane)])
     header = ["m, m {:g}", "error, px {:.2f}", "plain, s {:.2f}"]
     header += [f"{kind}, s (saved) {{:.2f}} ({{:.0f}} %)" for kind in KINDS]
     header += ["adapter's clock, plain / occlusion, s {:.2f} / {:.2f}"] if is_on_adapter else []
@@ -92,11 +92,11 @@ def score(truth: list[nf.Frame], frame: nf.StereoFrame) -> float:
     return float(np.mean([similarity(a, b) for a, b in zip(truth, (frame.left, frame.right), strict=True)]))
 
 
-def found_stages(frame: nf.StereoFrame) -> dict[str, float]:
+def stage_seconds(frame: nf.StereoFrame) -> dict[str, float]:
     """Seconds of each stage; those of plain stereo are divided equally between both eyes."""
-    found = dict(frame.stats["seconds"])
-    eyes = found.pop("eyes", 0.0)
-    return {stage: found.get(stage, eyes / 2 if stage in ("left", "right") else 0.0) for stage in STAGES}
+    seconds_of = dict(frame.stats["seconds"])
+    eyes = seconds_of.pop("eyes", 0.0)
+    return {stage: seconds_of.get(stage, eyes / 2 if stage in ("left", "right") else 0.0) for stage in STAGES}
 
 
 STAGE_HEADER = [
@@ -107,36 +107,36 @@ STAGE_HEADER = [
 
 
 def stage_row(
-    rig: nf.stereo.HybridRig, scene: nf.Scene, frame: nf.StereoFrame, found: dict[str, float]
+    rig: nf.stereo.HybridRig, scene: nf.Scene, frame: nf.StereoFrame, seconds_of: dict[str, float]
 ) -> list[object]:
     """Seconds, primitives and fragments of each view, as in Fig. 5."""
     counted = rig.triangles(scene, HEAD, AHEAD, far=FAR)
     views = [counted[view] for view in ("left", "right", "center")]
-    whole = 2 * rig.size[0] * rig.size[1]
-    pixels = [frame.stats["pixels"].get(view, whole / 2) for view in ("left", "right")]
+    pixel_count = 2 * rig.size[0] * rig.size[1]
+    pixels = [frame.stats["pixels"].get(view, pixel_count / 2) for view in ("left", "right")]
     pixels.append(frame.stats["pixels"].get("center", 0))
-    seconds = " / ".join(f"{found[stage]:.2f}" for stage in STAGES)
-    triangles, shown = (" / ".join(f"{view / 1000:,.0f}" for view in counts) for counts in (views, pixels))
-    shares = sum(views) / max(counted["plain"], 1), sum(pixels) / whole
-    return [seconds, triangles, counted["thrice"], shares[0], shown, shares[1]]
+    seconds = " / ".join(f"{seconds_of[stage]:.2f}" for stage in STAGES)
+    triangles, pixel_counts = (" / ".join(f"{view / 1000:,.0f}" for view in counts) for counts in (views, pixels))
+    shares = sum(views) / max(counted["plain"], 1), sum(pixels) / pixel_count
+    return [seconds, triangles, counted["thrice"], shares[0], pixel_counts, shares[1]]
 
 
-def draw(path: Path, found: dict[str, list[dict[str, float]]]) -> None:
+def draw(path: Path, numbers_of: dict[str, list[dict[str, float]]]) -> None:
     """Draw time by stage and SSIM by plane, one column for each scene."""
-    figure, grid = subplots(2, len(found), figsize=(4.2 * len(found), 7), layout="constrained", squeeze=False)
-    for column, (name, numbers) in enumerate(found.items()):
+    figure, grid = subplots(2, len(numbers_of), figsize=(4.2 * len(numbers_of), 7), layout="constrained", squeeze=False)
+    for column, (name, numbers) in enumerate(numbers_of.items()):
         upper, lower = grid[:, column]
-        places, bottom = np.arange(len(numbers)), np.zeros(len(numbers))
+        positions, bottom = np.arange(len(numbers)), np.zeros(len(numbers))
         for stage in STAGES:
             values = np.array([entry[stage] for entry in numbers])
-            upper.bar(places, values, bottom=bottom, label=stage)
+            upper.bar(positions, values, bottom=bottom, label=stage)
             bottom += values
-        upper.plot(places, [entry["plain"] for entry in numbers], "k_", markersize=22, label="plain stereo")
-        upper.set(title=name, xticks=places, ylabel="seconds" if not column else "")
+        upper.plot(positions, [entry["plain"] for entry in numbers], "k_", markersize=22, label="plain stereo")
+        upper.set(title=name, xticks=positions, ylabel="seconds" if not column else "")
         upper.set_xticklabels([f"{entry['plane']:g} m" for entry in numbers])
         for kind, assembly, marker in (("occlusion", "bilinear", "o"), ("resolved", "resolved", "s")):
-            lower.plot(places, [entry[f"ssim_{kind}"] for entry in numbers], marker=marker, label=assembly)
-        lower.set(xticks=places, xlabel="mono plane", ylabel="SSIM against plain stereo" if not column else "")
+            lower.plot(positions, [entry[f"ssim_{kind}"] for entry in numbers], marker=marker, label=assembly)
+        lower.set(xticks=positions, xlabel="mono plane", ylabel="SSIM against plain stereo" if not column else "")
         lower.set_xticklabels([f"{entry['plane']:g} m" for entry in numbers])
     figure.legend(*grid[0, 0].get_legend_handles_labels(), loc="outside upper center", ncols=6, fontsize="small")
     grid[1, 0].legend(fontsize="small")
@@ -155,12 +155,12 @@ def main() -> None:
     )
     width, height = map(int, arguments.size.split("x"))
     size = (168, 189) if arguments.quick else (width, height)
-    found = {}
+    numbers_of = {}
     for name in arguments.scenes.split(","):
-        text, found[name] = measure(name, size, 1 if arguments.quick else arguments.repeat, arguments.backend)
+        text, numbers_of[name] = measure(name, size, 1 if arguments.quick else arguments.repeat, arguments.backend)
         print(text, flush=True)
     if arguments.plots is not None:
-        draw(arguments.plots / f"stereo_render_{arguments.backend}.png", found)
+        draw(arguments.plots / f"stereo_render_{arguments.backend}.png", numbers_of)
 
 
 if __name__ == "__main__":

@@ -28,9 +28,9 @@ def errors() -> str:
     rows: list[list[object]] = [["the paper's Vive, 1344 px, 64 mm", *paper, None, None]]
     for name in nf.hmd.names():
         hmd = nf.hmd.get(name)
-        found = (HybridRig.of(hmd, mono_plane=m).max_error() for m in PLANES)
+        headset_errors = (HybridRig.of(hmd, mono_plane=m).max_error() for m in PLANES)
         planes = mono_plane_for(hmd=hmd, error_px=1.0), mono_plane_for(hmd=hmd, kink_deg=0.5)
-        rows.append([f"{name}, {hmd.render_size[0]} px, {hmd.ipd * 1000:.0f} mm", *found, *planes])
+        rows.append([f"{name}, {hmd.render_size[0]} px, {hmd.ipd * 1000:.0f} mm", *headset_errors, *planes])
     planes_of = ("m for 1 px {:.1f}", "m for a bend of 0.5° {:.1f}")
     header = ["headset", *(f"m = {m:g} m {{:.2f}}" for m in PLANES), *planes_of]
     return table("Greatest error in pixels, to the side, of infinitely far points", header, rows)
@@ -65,9 +65,9 @@ def draw(path: Path) -> None:
     left.legend()
     left.grid(alpha=0.3)
     field = PAPER.error_field("left", math.inf)
-    shown = right.imshow(np.linalg.norm(field, axis=-1), cmap="viridis")
+    image = right.imshow(np.linalg.norm(field, axis=-1), cmap="viridis")
     right.set(xticks=[], yticks=[], title="left eye, m = 8 m, infinitely far points")
-    figure.colorbar(shown, ax=right, label="error, pixels")
+    figure.colorbar(image, ax=right, label="error, pixels")
     save_figure(figure, path)
 
 

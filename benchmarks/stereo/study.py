@@ -34,10 +34,10 @@ def association() -> tuple[float, float]:
 
 
 def main() -> None:
-    both = tuple(map(sum, zip(*DECISIONS.values(), strict=True)))
-    assert sum(both) == PAIRS - INVALID
+    totals = tuple(map(sum, zip(*DECISIONS.values(), strict=True)))
+    assert sum(totals) == PAIRS - INVALID
     rows = []
-    for name, (hybrid, stereo) in {**DECISIONS, "all": (both[0], both[1])}.items():
+    for name, (hybrid, stereo) in {**DECISIONS, "all": (totals[0], totals[1])}.items():
         count = hybrid + stereo
         low, high = interval(hybrid, count)
         shares = 100 * hybrid / count, (100 * low, 100 * high)

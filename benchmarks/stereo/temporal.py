@@ -28,12 +28,12 @@ def measure(name: str, scene: nf.Scene, size: tuple[int, int]) -> str:
     settings: dict[str, Any] = {"backend": "cpu", "channels": ("color",)}
     rows = []
     for motion, step in STEPS.items():
-        smooth, places = nf.stereo.TemporalAntialiasing(), [np.add(HEAD, (step * n, 0.0, 0.0)) for n in range(COUNT)]
-        found = [timed(smooth.render, rig, scene, position, **settings) for position in places]
-        truth = rig.render(scene, places[-1], samples=64, **settings)
-        row: list[object] = [motion, error(found[-1][0], truth), min(time.wall for _, time in found)]
+        smooth, positions = nf.stereo.TemporalAntialiasing(), [np.add(HEAD, (step * n, 0.0, 0.0)) for n in range(COUNT)]
+        frames = [timed(smooth.render, rig, scene, position, **settings) for position in positions]
+        truth = rig.render(scene, positions[-1], samples=64, **settings)
+        row: list[object] = [motion, error(frames[-1][0], truth), min(time.wall for _, time in frames)]
         for samples in (1, 4, 8):
-            once, time = timed(rig.render, scene, places[-1], samples=samples, **settings)
+            once, time = timed(rig.render, scene, positions[-1], samples=samples, **settings)
             row += [error(once, truth), time.wall]
         rows.append(row)
     header = "head | temporal, RMSE in codes {:.2f} | s {:.3f}"

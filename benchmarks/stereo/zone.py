@@ -6,7 +6,6 @@ from functools import partial
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
 import nearfar as nf
 from benchmarks.harness.report import save_figure, start, subplots, table
@@ -27,7 +26,7 @@ def beam() -> nf.Scene:
     ends = np.array(BEAM)
     axis = ends[1] - ends[0]
     bar = trimesh.creation.box((0.06, 0.06, float(np.linalg.norm(axis))))
-    bar.apply_transform(turned_to(axis))
+    bar.apply_transform(trimesh.geometry.align_vectors((0.0, 0.0, 1.0), axis))
     bar.apply_translation(ends.mean(axis=0))
     bar.visual.face_colors = (224, 96, 48)
     floor = trimesh.creation.box((80.0, 0.1, 80.0)).apply_translation((0.0, -0.05, 0.0))
@@ -38,29 +37,22 @@ def beam() -> nf.Scene:
     return nf.Scene.from_trimesh(scene)
 
 
-def turned_to(axis: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Matrix (4, 4) that rotates z to an axis."""
-    import trimesh
-
-    return np.asarray(trimesh.geometry.align_vectors((0.0, 0.0, 1.0), axis))
-
-
 def greatest_turn(rig: nf.stereo.HybridRig) -> float:
     """Maximum change of the beam's direction, degrees, over ten of the paper's pixels of the left eye's picture."""
     camera = rig.cameras(HEAD)[0]
     fov = rig.left.fov
     density = PAPER.size[0] / (fov.right - fov.left)
     start, end = (np.subtract(point, camera.position) for point in BEAM)
-    away = 1.0 / np.linspace(-1.0 / start[2], -1.0 / end[2], 2000)
-    places = []
-    for depth in away:
-        share = (depth + start[2]) / (start[2] - end[2])
-        point = start + share * (end - start)
-        places.append(rig.shown("left", point[:2] / depth, depth=float(depth)))
-    path = np.array(places) * density
-    along = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(path, axis=0), axis=1))])
-    steps = np.arange(0.0, along[-1], 10.0)
-    even = np.stack([np.interp(steps, along, column) for column in path.T], axis=-1)
+    depths = 1.0 / np.linspace(-1.0 / start[2], -1.0 / end[2], 2000)
+    tangents = []
+    for depth in depths:
+        fraction = (depth + start[2]) / (start[2] - end[2])
+        point = start + fraction * (end - start)
+        tangents.append(rig.shown("left", point[:2] / depth, depth=float(depth)))
+    path = np.array(tangents) * density
+    lengths = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(path, axis=0), axis=1))])
+    steps = np.arange(0.0, lengths[-1], 10.0)
+    even = np.stack([np.interp(steps, lengths, column) for column in path.T], axis=-1)
     angles = np.unwrap(np.arctan2(*np.diff(even, axis=0).T))
     return float(np.degrees(np.abs(np.diff(angles)).max()))
 
@@ -71,9 +63,9 @@ def measure(size: tuple[int, int], repeat: int) -> str:
     rows = []
     base = nf.stereo.HybridRig(left=PAPER.left, right=PAPER.right, mono_plane=PLANE, size=size)
     for rig in (base, *(base.with_plane((PLANE, end)) for end in ENDS)):
-        taken = best(partial(rig.render, scene, HEAD, backend="cpu", channels=("color",)), repeat=repeat)
+        timing = best(partial(rig.render, scene, HEAD, backend="cpu", channels=("color",)), repeat=repeat)
         end = f"{PLANE:g} to {rig.planes[1]:g}" if rig.has_zone else f"{PLANE:g}"
-        rows.append([end, rig.max_error(), greatest_turn(rig), taken.wall])
+        rows.append([end, rig.max_error(), greatest_turn(rig), timing.wall])
     header = "plane or zone, m | greatest error, px {:.1f} | greatest turn of a beam in ten pixels, degrees {:.3f}"
     header += " | frame of beams, s {:.2f}"
     return table(f"Zones, {size[0]} × {size[1]} pixels an eye", header, rows)

@@ -12,12 +12,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
-from nearfar.stream._client_pictures import SceneParts
-from nearfar.stream._head_path import HeadPath
-from nearfar.stream._measures import mean_over_time, measured
+from nearfar.stream._client_pictures import SceneParts, mean_over_time, measured
+from nearfar.stream._client_settings import HeadPath
 from nearfar.stream._strategies import STRATEGIES
 
-USERS, AWAY = 20, 2.0
+USERS, USER_DISTANCE = 20, 2.0
 """Number of users, and their distance in metres from the centre."""
 ALPHA = 0.05 / 6
 """Significance level of each of six comparisons, for a total of 5 % (Bonferroni)."""
@@ -31,7 +30,10 @@ Point = tuple[float, float, float]
 def users(center: Point, seed: int = 1) -> list[tuple[Point, float]]:
     """Pseudo-random places and directions (degrees about the vertical) of users."""
     turns = np.random.default_rng(seed).uniform(0.0, 2.0 * np.pi, (USERS, 2))
-    return [((center[0] + AWAY * math.cos(at), center[1], center[2] + AWAY * math.sin(at)), look) for at, look in turns]
+    x, y, z = center
+    return [
+        ((x + USER_DISTANCE * math.cos(angle), y, z + USER_DISTANCE * math.sin(angle)), look) for angle, look in turns
+    ]
 
 
 def camera_of(eye: Point, look: float, size: tuple[int, int]) -> nf.Camera:
@@ -46,17 +48,17 @@ def quality(
     """(users, strategies) means of OVC and OFC, from the request until the slowest strategy has all of its files."""
     lines = {name: nf.stream.simulate(bundle, link=link, strategy=name) for name in STRATEGIES}
     end = max(lines[name].total for name in ("vis0", "vis1", "clovrd"))
-    found: dict[str, list[list[float]]] = {"ovc": [], "ofc": []}
+    means: dict[str, list[list[float]]] = {"ovc": [], "ofc": []}
     for eye, look in users(bundle.center):
-        own = replace(parts, cameras=(camera_of(eye, look, size),), most=ALL_STATES)
+        user_parts = replace(parts, cameras=(camera_of(eye, look, size),), max_cached=ALL_STATES)
         path = HeadPath.parse(eye, bundle.center)
         rows = []
         for name in STRATEGIES:
             line = nf.stream.simulate(bundle, link=link, strategy=name, head_path=eye, duration=end)
-            rows.append(fill(line, measure_pictures(thin(line), own, path, every=end)))
-        for kind, values in found.items():
+            rows.append(fill(line, measure_pictures(thin(line), user_parts, path, every=end)))
+        for kind, values in means.items():
             values.append([mean_over_time(row["time"], row[kind], end) for row in rows])
-    return {kind: np.array(values) for kind, values in found.items()}
+    return {kind: np.array(values) for kind, values in means.items()}
 
 
 def thin(line: nf.stream.Timeline) -> nf.stream.Timeline:
@@ -68,13 +70,13 @@ def thin(line: nf.stream.Timeline) -> nf.stream.Timeline:
     return replace(line, frames={name: values[keep] for name, values in line.frames.items()})
 
 
-def fill(line: nf.stream.Timeline, found: dict[str, Any]) -> dict[str, Any]:
+def fill(line: nf.stream.Timeline, pictures: dict[str, Any]) -> dict[str, Any]:
     """Interpolate the omitted portions linearly in their numbers."""
     if line.strategy != "vis1":
-        return found
-    numbers = np.arange(len(line.frames["time"]))
-    known = np.searchsorted(line.frames["time"], found["time"])
-    return {name: np.interp(numbers, known, values) for name, values in found.items()} | {"time": line.frames["time"]}
+        return pictures
+    times = line.frames["time"]
+    numbers, known = np.arange(len(times)), np.searchsorted(times, pictures["time"])
+    return {name: np.interp(numbers, known, values) for name, values in pictures.items()} | {"time": times}
 
 
 def measure_pictures(line: nf.stream.Timeline, parts: SceneParts, path: HeadPath, *, every: float) -> dict[str, Any]:
@@ -99,10 +101,9 @@ def significance(values: NDArray[np.float64]) -> tuple[float, float, list[Pair]]
 
     chi, p = stats.friedmanchisquare(*values.T)
     pairs = []
-    for one, two in combinations(range(len(STRATEGIES)), 2):
-        found = stats.wilcoxon(values[:, one], values[:, two], method="asymptotic")
+    for (first, a), (second, b) in combinations(zip(STRATEGIES, values.T, strict=True), 2):
+        pair_p = float(stats.wilcoxon(a, b, method="asymptotic").pvalue)
         # The statistic is symmetric; the sign is that of the difference.
-        sign = np.sign(np.median(values[:, one] - values[:, two]))
-        names = (STRATEGIES[one], STRATEGIES[two])
-        pairs.append(Pair(names, float(sign * abs(stats.norm.isf(found.pvalue / 2.0))), float(found.pvalue)))
+        z = float(np.sign(np.median(a - b)) * abs(stats.norm.isf(pair_p / 2.0)))
+        pairs.append(Pair((first, second), z, pair_p))
     return float(chi), float(p), pairs

@@ -36,35 +36,29 @@ class Loading:
         return 8.0 * (self.geometry + self.maps) / rate + self.decode_geometry + self.decode_maps
 
 
-def loadings(place: Place, bundle: nf.stream.Bundle) -> tuple[list[Loading], float]:
+def measure(place: Place, bundle: nf.stream.Bundle) -> tuple[list[Loading], float]:
     """Loading of four encodings of the same rings, and MB of their plain vertices and corners with copies expanded.
 
     A vertex takes 32 bytes (position, normal and texture coordinates in float32), a triangle 12.
     """
     maps = sum(row["color"] + row["range"] for row in bundle.summary())
     decode_maps = best(lambda: bundle.map(bundle.count), repeat=3, warm=False).wall
-    found = []
+    loadings = []
     for instanced in (True, False):
         rings = nf.stream.assign(place.make(instanced=instanced), center=place.center, radii=PUBLISHED)
         for compressed in (True, False):
             near = min((Near.encode(rings, compressed=compressed) for _ in range(2)), key=lambda near: near.seconds)
             name = f"{'instances' if instanced else 'copies'}, {'meshopt' if compressed else 'plain'}"
             sent = sum(near.bytes_by_ring(images=False)) + sum(near.bytes_by_ring(images=True))
-            seconds = best(partial(loaded, near), repeat=3, warm=False).wall
-            found.append(Loading(name, near.seconds, sent, maps, seconds, decode_maps))
-    return found, expanded(near)
+            seconds = best(partial(decode, near), repeat=3, warm=False).wall
+            loadings.append(Loading(name, near.seconds, sent, maps, seconds, decode_maps))
+    meshes = (mesh for scene in near.scenes() if scene for mesh in _core.scene_parts(scene._core)["meshes"])
+    return loadings, sum(32 * mesh.vertex_count + 12 * mesh.face_count for mesh in meshes) / 1e6
 
 
-def loaded(near: Near) -> nf.Scene:
+def decode(near: Near) -> nf.Scene:
     """Decode the scene that a client draws."""
     return one_scene(near.scenes())
-
-
-def expanded(near: Near) -> float:
-    """MB of plain vertices and corners."""
-    meshes = (mesh for scene in near.scenes() if scene for mesh in _core.scene_parts(scene._core)["meshes"])
-    count: int = sum(32 * mesh.vertex_count + 12 * mesh.face_count for mesh in meshes)
-    return count / 1e6
 
 
 HEADER = (
@@ -73,10 +67,10 @@ HEADER = (
 )
 
 
-def rows(found: list[Loading]) -> list[list[object]]:
+def rows(loadings: list[Loading]) -> list[list[object]]:
     """Make a row for each encoding; the last columns are loading times relative to the first encoding's."""
-    totals = [[each.total(rate) for rate in RATES] for each in found]
+    totals = [[each.total(rate) for rate in RATES] for each in loadings]
     return [
-        [each.name, each.geometry / 1e3, each.encode, each.decode_geometry, *own, *np.divide(own, totals[0])]
-        for each, own in zip(found, totals, strict=True)
+        [each.name, each.geometry / 1e3, each.encode, each.decode_geometry, *times, *np.divide(times, totals[0])]
+        for each, times in zip(loadings, totals, strict=True)
     ]

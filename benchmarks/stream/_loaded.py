@@ -16,6 +16,8 @@ from benchmarks.harness.loads import Network
 from nearfar.stream._strategies import Plan, Strategy, plan_of
 from tests.support.reader_cases import SECONDS
 
+Bundle = nf.stream.Bundle
+
 SIZE = (320, 200)
 """Size of the picture in pixels: small, because it is drawn in software."""
 
@@ -28,7 +30,7 @@ DONE = """(last) => {
   return problem || (Math.max(-1, ...marks) >= last ? 'done' : '');
 }"""
 
-TOLD = """() => ({
+REPORT = """() => ({
   marks: performance.getEntriesByType('mark').filter(({ name }) => name.startsWith('nearfar:'))
     .map(({ name, startTime, detail }) => ({ event: name.slice(8), time: startTime, ring: detail.ring })),
   files: performance.getEntriesByType('resource').map((entry) => ({
@@ -63,7 +65,7 @@ def stages(strategy: Strategy, last: int) -> dict[str, int]:
     return {"picture": picture, "first_ring": last if strategy == "vis0" else 1, "total": last}
 
 
-def plan(bundle: nf.stream.Bundle, strategy: Strategy) -> Plan:
+def plan(bundle: Bundle, strategy: Strategy) -> Plan:
     return plan_of(strategy, bundle._region, bundle.number, bundle._manifest["dynamic"])
 
 
@@ -83,25 +85,25 @@ def show(page: Any, url: str, strategy: Strategy, last: int) -> None:
     """Open a bundle's page by a strategy, and wait until the last ring is shown."""
     page.goto(f"{url}?strategy={strategy}")
     deadline = time.monotonic() + SECONDS
-    while (found := page.evaluate(DONE, last)) != "done":
-        if found or time.monotonic() > deadline:
-            raise RuntimeError(f"{strategy}: {found or 'the last ring does not come'}")
+    while (state := page.evaluate(DONE, last)) != "done":
+        if state or time.monotonic() > deadline:
+            raise RuntimeError(f"{strategy}: {state or 'the last ring does not come'}")
         time.sleep(0.25)
 
 
-def load(way: Network, chromium: Any, url: str, bundle: nf.stream.Bundle, strategy: Strategy) -> Loaded:
+def load(network: Network, chromium: Any, url: str, bundle: Bundle, strategy: Strategy) -> Loaded:
     """Open the page by a strategy and wait until all is shown."""
     steps = plan(bundle, strategy)
     last = len(steps.radii)
-    with way.page(chromium, SIZE) as page:
+    with network.page(chromium, SIZE) as page:
         page.add_init_script(BEFORE)
         show(page, url, strategy, last)
-        told = page.evaluate(TOLD)
-    return _loaded(told, steps, strategy, last)
+        report = page.evaluate(REPORT)
+    return _loaded(report, steps, strategy, last)
 
 
-def _loaded(told: dict[str, Any], steps: Plan, strategy: Strategy, last: int) -> Loaded:
-    files = {file["url"].partition("?")[0]: file for file in told["files"]}
+def _loaded(report: dict[str, Any], steps: Plan, strategy: Strategy, last: int) -> Loaded:
+    files = {file["url"].partition("?")[0]: file for file in report["files"]}
     manifest = next(file for url, file in files.items() if url.endswith("/manifest.json"))
     start = manifest["begin"]
     base = manifest["url"].removesuffix("manifest.json")
@@ -110,21 +112,14 @@ def _loaded(told: dict[str, Any], steps: Plan, strategy: Strategy, last: int) ->
         return max(float(files[base + name]["end"]) for name in files_until(steps, ring))
 
     def first(event: str, ring: int) -> float:
-        return min(float(mark["time"]) for mark in told["marks"] if mark["event"] == event and mark["ring"] >= ring)
+        return min(float(mark["time"]) for mark in report["marks"] if mark["event"] == event and mark["ring"] >= ring)
 
-    times = {
-        name: {
-            kind: (at - start) / 1e3
-            for kind, at in (
-                ("received", received(ring)),
-                ("ready", first("arrived", ring)),
-                ("shown", first("shown", ring)),
-            )
-        }
-        for name, ring in stages(strategy, last).items()
-    }
-    own = [file for file in told["files"] if file["begin"] >= start]
-    return Loaded(**times, bytes=sum(file["bytes"] for file in own), protocol=manifest["protocol"], page=start / 1e3)
+    times = {}
+    for name, ring in stages(strategy, last).items():
+        moments = {"received": received(ring), "ready": first("arrived", ring), "shown": first("shown", ring)}
+        times[name] = {kind: (moment - start) / 1e3 for kind, moment in moments.items()}
+    size = sum(file["bytes"] for file in report["files"] if file["begin"] >= start)
+    return Loaded(**times, bytes=size, protocol=manifest["protocol"], page=start / 1e3)
 
 
 # requests alone -------------------------------------------------------------------------------------------------------
@@ -134,32 +129,32 @@ REPLAY = """async (steps) => {
   const times = {};
   const waiting = [];
   let open = 0;
-  const next = () => {
+  const startWaiting = () => {
     while (open < 6 && waiting.length) {
       open++;
       waiting.shift()();
     }
   };
-  const fetched = async (name) => {
-    await new Promise((done) => { waiting.push(done); next(); });
-    const answer = await fetch(name);
-    if (!answer.ok) throw new Error(`${name}: ${answer.status}`);
-    await answer.arrayBuffer();
+  const load = async (name) => {
+    await new Promise((done) => { waiting.push(done); startWaiting(); });
+    const response = await fetch(name);
+    if (!response.ok) throw new Error(`${name}: ${response.status}`);
+    await response.arrayBuffer();
     times[name] = (performance.now() - begin) / 1000;
     open--;
-    next();
+    startWaiting();
   };
-  const asked = new Map();
+  const loads = new Map();
   const get = (name) => {
-    if (!asked.has(name)) asked.set(name, fetched(name));
-    return asked.get(name);
+    if (!loads.has(name)) loads.set(name, load(name));
+    return loads.get(name);
   };
   await get('manifest.json');
-  for (const [place, step] of steps.entries()) {
-    const own = step.asked.map(get);
-    const after = steps[place + 1];
-    if (after?.isAhead) after.files.forEach(get);
-    await Promise.all(own);
+  for (const [number, step] of steps.entries()) {
+    const loading = step.requests.map(get);
+    const next = steps[number + 1];
+    if (next?.isAhead) next.files.forEach(get);
+    await Promise.all(loading);
   }
   return times;
 }"""
@@ -183,29 +178,26 @@ def by_stage(times: dict[str, float], steps: Plan, strategy: Strategy) -> dict[s
     return {name: max(times[file] for file in files_until(steps, ring)) for name, ring in rings.items()}
 
 
-def round_trip(way: Network, chromium: Any, url: str, bundle: nf.stream.Bundle) -> float:
+def round_trip(network: Network, chromium: Any, url: str, bundle: Bundle) -> float:
     """Milliseconds from a request to its short response on the idle link, including browser and server."""
     files = bundle._manifest["files"]
-    least = min(files, key=lambda name: int(files[name]["bytes"]))
-    with way.page(chromium, SIZE) as page:
+    smallest = min(files, key=lambda name: int(files[name]["bytes"]))
+    with network.page(chromium, SIZE) as page:
         page.goto(f"{url}NOTHING")
-        return float(np.median(page.evaluate(TRIPS, least)))
+        return float(np.median(page.evaluate(TRIPS, smallest)))
 
 
-def requests(way: Network, chromium: Any, url: str, bundle: nf.stream.Bundle, strategy: Strategy) -> dict[str, float]:
+def requests(network: Network, chromium: Any, url: str, bundle: Bundle, strategy: Strategy) -> dict[str, float]:
     """Seconds from the request of the manifest until the files of each stage had arrived."""
     steps = plan(bundle, strategy)
-    given = [{"asked": step.requests, "files": step.files, "isAhead": step.is_ahead} for step in steps.steps]
-    with way.page(chromium, SIZE) as page:
+    replayed = [{"requests": step.requests, "files": step.files, "isAhead": step.is_ahead} for step in steps.steps]
+    with network.page(chromium, SIZE) as page:
         # An address of the server without scripts; the connection stays open.
         page.goto(f"{url}NOTHING")
-        times = page.evaluate(REPLAY, given)
-    return by_stage(times, steps, strategy)
+        return by_stage(page.evaluate(REPLAY, replayed), steps, strategy)
 
 
-def simulated_requests(
-    bundle: nf.stream.Bundle, link: nf.stream.Link, strategy: Strategy, seed: int
-) -> dict[str, float]:
+def simulated_requests(bundle: Bundle, link: nf.stream.Link, strategy: Strategy, seed: int) -> dict[str, float]:
     """The same for a simulated load from `nearfar serve`, without decoding."""
     line = nf.stream.simulate(bundle, link=link, strategy=strategy, gzip=True, seed=seed)
     # The first connection is already open.

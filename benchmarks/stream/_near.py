@@ -19,6 +19,7 @@ from benchmarks.harness.timing import timed
 from nearfar import _core
 from nearfar.stream._decode import join_rings, ring_scene
 from nearfar.stream._encode import Files, Geometry, TextureFiles, Textures
+from nearfar.stream._manifest import geometry_files
 from nearfar.stream._radii import PUBLISHED
 
 STEP = 2.0**-10
@@ -110,28 +111,23 @@ class Near:
 
     def names(self, ring: int, *, images: bool) -> set[str]:
         """Names of a ring's files: textures, or the others."""
-        entry = self.entries[ring - 1]
-        named = [] if entry["geometry"] is None else [entry["geometry"], *entry["parts"]]
-        return {name for name in named if name.endswith(".webp") == images}
+        return {name for name in geometry_files(self.entries[ring - 1]) if name.endswith(".webp") == images}
 
     def bytes_by_ring(self, *, images: bool) -> list[int]:
         """Bytes of each ring from 1 on; each file counts once."""
-        seen: set[str] = set()
-        counts = []
+        counted: set[str] = set()
+        sizes = []
         for ring in range(1, len(self.entries) + 1):
-            new = self.names(ring, images=images) - seen
-            seen |= new
-            counts.append(sum(len(self.files.content[name]) for name in new))
-        return counts
+            new = self.names(ring, images=images) - counted
+            counted |= new
+            sizes.append(sum(len(self.files.content[name]) for name in new))
+        return sizes
 
     def scenes(self) -> list[nf.Scene | None]:
         """Decode the geometry of each ring."""
-        return [
-            None
-            if entry["geometry"] is None
-            else ring_scene(entry["geometry"], entry["parts"], self.files.content.__getitem__, entry["geometry"])
-            for entry in self.entries
-        ]
+        read = self.files.content.__getitem__
+        named = [(entry["geometry"], entry["parts"]) for entry in self.entries]
+        return [None if name is None else ring_scene(name, parts, read, name) for name, parts in named]
 
 
 def one_scene(scenes: Sequence[nf.Scene | None], moving: nf.Scene | None = None) -> nf.Scene:
@@ -148,37 +144,31 @@ def in_front_of_map(near: nf.Scene, env: nf.EnvMap, morph: Literal["cylinder", "
 
 def gltfpack(folder: Path, name: str, *options: str) -> Path | None:
     """Process a file by gltfpack and return its output beside it; None if gltfpack is not on the path."""
-    program = shutil.which("gltfpack")
+    program, output = shutil.which("gltfpack"), folder / "packed.glb"
     if program is None:
         return None
-    made = folder / "packed.glb"
-    command: list[str | Path] = [program, *options, "-i", folder / name, "-o", made]
-    subprocess.run(command, check=True, capture_output=True)
-    return made
+    subprocess.run([program, *options, "-i", folder / name, "-o", output], check=True, capture_output=True)
+    return output
 
 
-class Packed:
-    """Plain files of rings in a folder, and gltfpack's versions of them."""
+def packed_rings(near: Near, folder: Path, *options: str) -> tuple[list[int], list[nf.Scene | None]] | None:
+    """Bytes and content of each ring after gltfpack, with instances and with images outside; None without gltfpack.
 
-    def __init__(self, near: Near, folder: Path) -> None:
-        self._near, self._folder = near, folder
-        for name, data in near.files.content.items():
-            (folder / Path(name).name).write_bytes(data)
-
-    def rings(self, *options: str) -> tuple[list[int], list[nf.Scene | None]] | None:
-        """Bytes and content of each ring, with instances and with images outside; None without gltfpack."""
-        sizes, scenes = list[int](), list[nf.Scene | None]()
-        for entry in self._near.entries:
-            if entry["geometry"] is None:
-                sizes.append(0)
-                scenes.append(None)
-                continue
-            made = gltfpack(self._folder, Path(entry["geometry"]).name, "-tr", "-mi", *options)
-            if made is None:
+    `near` has plain files, which are written to the folder.
+    """
+    for name, data in near.files.content.items():
+        (folder / Path(name).name).write_bytes(data)
+    sizes, scenes = list[int](), list[nf.Scene | None]()
+    for entry in near.entries:
+        size, scene = 0, None
+        if entry["geometry"] is not None:
+            file = gltfpack(folder, Path(entry["geometry"]).name, "-tr", "-mi", *options)
+            if file is None:
                 return None
-            sizes.append(made.stat().st_size)
-            scenes.append(nf.Scene.load(made))
-        return sizes, scenes
+            size, scene = file.stat().st_size, nf.Scene.load(file)
+        sizes.append(size)
+        scenes.append(scene)
+    return sizes, scenes
 
 
 def in_one_file(rings: nf.stream.Rings, folder: Path, *options: str) -> tuple[int, bytes | None]:
@@ -188,16 +178,16 @@ def in_one_file(rings: nf.stream.Rings, folder: Path, *options: str) -> tuple[in
     export = exporter(scene, groups, 2, named=False, images=False, compressed=False)
     data, _ = export.glb(1, uris=[None] * len(export.shared()))
     (folder / "one.glb").write_bytes(data)
-    made = gltfpack(folder, "one.glb", "-mi", *options)
-    return len(data), None if made is None else made.read_bytes()
+    packed = gltfpack(folder, "one.glb", "-mi", *options)
+    return len(data), None if packed is None else packed.read_bytes()
 
 
 def error(rings: nf.stream.Rings, ring: int, scene: nf.Scene | None) -> float:
     """Maximum distance in metres from a corner of a ring's objects to the nearest decoded one."""
     if scene is None:
         return 0.0
-    true, found = (corners(part) for part in (rings.scene.subset(objects=rings.objects(ring)), scene))
-    return float(cKDTree(found).query(true, workers=-1)[0].max())
+    original, decoded = (corners(part) for part in (rings.scene.subset(objects=rings.objects(ring)), scene))
+    return float(cKDTree(decoded).query(original, workers=-1)[0].max())
 
 
 def corners(scene: nf.Scene) -> Any:

@@ -29,22 +29,15 @@ def measured(place: int, *, instanced: bool, samples: int, quick: bool) -> dict[
     return dict(run_module("benchmarks.stream._stages", *map(int, (place, instanced, samples, quick))))
 
 
-class Watch:
-    """Wall and CPU seconds of named jobs."""
-
-    def __init__(self) -> None:
-        self.wall: dict[str, float] = {}
-        self.cpu: dict[str, float] = {}
-
-    def __call__(self, name: str, job: Callable[[], Result]) -> Result:
-        result, spent = timed(job)
-        self.wall[name], self.cpu[name] = spent.wall, spent.cpu
-        return result
-
-
 def stages(place: Place, *, instanced: bool, samples: int, folder: Path) -> dict[str, Any]:
     """Run an export, step by step like `nf.stream.export`; and one map alone, for comparison."""
-    watch = Watch()
+    wall, cpu = dict[str, float](), dict[str, float]()
+
+    def watch(name: str, job: Callable[[], Result]) -> Result:
+        result, spent = timed(job)
+        wall[name], cpu[name] = spent.wall, spent.cpu
+        return result
+
     before = resident()
     scene = watch("make the scene", lambda: place.make(instanced=instanced))
     loaded = resident()
@@ -65,8 +58,8 @@ def stages(place: Place, *, instanced: bool, samples: int, folder: Path) -> dict
     peak = resident("VmHWM")
     watch("one map", lambda: one_map(rings, samples))
     return {
-        "wall": watch.wall,
-        "cpu": watch.cpu,
+        "wall": wall,
+        "cpu": cpu,
         "rays": maps.rays / (6 * FACE_SIZE**2 * (samples + (samples > 1))),
         "triangles": scene.triangle_count,
         "arrays": arrays(scene),
@@ -95,24 +88,24 @@ WORK = ("search tree", "assign", "findings", "bake", "encode maps", "encode geom
 """Stages of an export of a scene that was just loaded."""
 
 
-def row(name: str, found: dict[str, Any], whole: float) -> list[object]:
+def row(name: str, stages: dict[str, Any], export_seconds: float) -> list[object]:
     """CPU seconds of the stages, their sum in CPU and wall seconds, and rays and CPU of all maps relative to one."""
-    wall, cpu = found["wall"], found["cpu"]
+    wall, cpu = stages["wall"], stages["cpu"]
     sums = (sum(spent[stage] for stage in WORK) for spent in (cpu, wall))
-    return [name, *(cpu[stage] for stage in WORK), *sums, whole, found["rays"], cpu["bake"] / cpu["one map"]]
+    return [name, *(cpu[stage] for stage in WORK), *sums, export_seconds, stages["rays"], cpu["bake"] / cpu["one map"]]
 
 
-def memory_row(name: str, found: dict[str, Any]) -> list[object]:
+def memory_row(name: str, stages: dict[str, Any]) -> list[object]:
     """GB, and the peak as a multiple of the scene with its search tree."""
-    sizes = [found[key] / 1e9 for key in ("arrays", "loaded", "with tree", "peak")]
-    return [name, found["triangles"], *sizes, sizes[3] / sizes[2]]
+    sizes = [stages[key] / 1e9 for key in ("arrays", "loaded", "with tree", "peak")]
+    return [name, stages["triangles"], *sizes, sizes[3] / sizes[2]]
 
 
 def main() -> None:
     place, instanced, samples, quick = map(int, sys.argv[1:])
     with folder_or_temporary() as folder:
-        found = stages(places(bool(quick))[place], instanced=bool(instanced), samples=samples, folder=folder)
-    print(json.dumps(found))
+        figures = stages(places(bool(quick))[place], instanced=bool(instanced), samples=samples, folder=folder)
+    print(json.dumps(figures))
 
 
 if __name__ == "__main__":

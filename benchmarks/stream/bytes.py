@@ -17,13 +17,13 @@ from benchmarks.harness.timing import best, timed
 from benchmarks.stream import _instances, _stages
 from benchmarks.stream._near import (
     Near,
-    Packed,
     Place,
     error,
     exporter,
     in_front_of_map,
     in_one_file,
     one_scene,
+    packed_rings,
     places,
 )
 from benchmarks.stream.maps import whole_range
@@ -58,7 +58,7 @@ def sizes(bundle: nf.stream.Bundle, near: Near, plain: Near, packed: dict[str, l
         "colour": [row["color"] for row in rows],
         "range": [row["range"] for row in rows],
         "plain GLB": [0, *plain.bytes_by_ring(images=False)],
-        **{name: [0, *found] for name, found in packed.items()},
+        **{name: [0, *ring_bytes] for name, ring_bytes in packed.items()},
         "whole map": whole_maps(bundle),
     }
 
@@ -101,16 +101,13 @@ def sizes_and_quality(place: Place, folder: Path) -> tuple[Measured, list[Any]]:
     rings = nf.stream.assign(scene, center=place.center, radii=PUBLISHED)
     near, plain = (Near.encode(rings, compressed=compressed, quality=None) for compressed in (True, False))
     (folder / "plain").mkdir()
-    peers = Packed(plain, folder / "plain")
-    found = {f"gltfpack {' '.join(options)}": peers.rings(*options) for options in PEERS}
-    packed = {name: both for name, both in found.items() if both is not None}
+    peers = {f"gltfpack {' '.join(options)}": packed_rings(plain, folder / "plain", *options) for options in PEERS}
+    packed = {name: both for name, both in peers.items() if both is not None}
     published = Near.encode(rings, compressed=True)
     measured = sizes(bundle, published, plain, {name: both[0] for name, both in packed.items()})
     print(sizes_table(place, near, measured))
     squeezed = sum(len(zlib.compress(data)) for name, data in near.files.content.items() if not name.endswith("webp"))
-    print(
-        f"geometry after zlib {squeezed / 1e3:,.0f} kB; the bundle with manifest and tileset took {spent.wall:.1f} s\n"
-    )
+    print(f"geometry after zlib {squeezed / 1e3:,.0f} kB; bundle, manifest and tileset took {spent.wall:.1f} s\n")
     print_one_file(rings, folder)
     decoded = {"bundle": near.scenes(), **{name: both[1] for name, both in packed.items()}}
     print(errors_table(place, rings, decoded))
@@ -121,8 +118,8 @@ def sizes_and_quality(place: Place, folder: Path) -> tuple[Measured, list[Any]]:
     for name, parts in decoded.items():
         compared[f"{name}: geometry alone"] = in_front_of_map(one_scene(parts, bundle._moving), last)
     print(table(f"{place.name}: pictures", PICTURES, picture_rows(place, scene, base, compared)))
-    del base, compared, decoded, packed, found
-    loadings, expanded = _instances.loadings(place, bundle)
+    del base, compared, decoded, packed, peers
+    loadings, expanded = _instances.measure(place, bundle)
     print(f"near part {expanded:.0f} MB plain with copies; maps {loadings[0].maps / 1e3:,.0f} kB, "
           f"decoded in {loadings[0].decode_maps:.2f} s\n")  # fmt: skip
     print(table(f"{place.name}: loading", _instances.HEADER, _instances.rows(loadings)))
@@ -150,10 +147,10 @@ PICTURES = (
 
 
 def picture_rows(
-    place: Place, truth: nf.Scene, base: nf.ReducedScene, others: Mapping[str, nf.ReducedScene]
+    place: Place, truth: nf.Scene, base: nf.ReducedScene, compared: Mapping[str, nf.ReducedScene]
 ) -> list[list[object]]:
     """PSNR and SSIM of all pictures, in sRGB codes: mean and least against the base, mean against the truth."""
-    sources = {"without loss": base, **others}
+    sources = {"without loss": base, **compared}
     against_base: dict[str, list[tuple[float, float]]] = {name: [] for name in sources}
     against_truth: dict[str, list[tuple[float, float]]] = {name: [] for name in sources}
     for camera in cameras(place):
@@ -163,11 +160,11 @@ def picture_rows(
             against_truth[name].append(similarity(true, picture))
             if name != "without loss":
                 against_base[name].append(similarity(pictures["without loss"], picture))
-    found: list[list[object]] = []
-    for name, own in against_base.items():
-        known = [*np.mean(own, axis=0), *np.min(own, axis=0)] if own else [None] * 4
-        found.append([name, *known, *np.mean(against_truth[name], axis=0)])
-    return found
+    rows: list[list[object]] = []
+    for name, values in against_base.items():
+        cells = [*np.mean(values, axis=0), *np.min(values, axis=0)] if values else [None] * 4
+        rows.append([name, *cells, *np.mean(against_truth[name], axis=0)])
+    return rows
 
 
 def similarity(reference: NDArray[np.uint8], test: NDArray[np.uint8]) -> tuple[float, float]:
@@ -175,11 +172,11 @@ def similarity(reference: NDArray[np.uint8], test: NDArray[np.uint8]) -> tuple[f
     return nf.psnr(reference, test, data_range=255), nf.ssim(reference, test, data_range=255)
 
 
-def draw(path: Path, found: Sequence[tuple[Place, Measured, list[Any]]]) -> None:
+def draw(path: Path, results: Sequence[tuple[Place, Measured, list[Any]]]) -> None:
     """Draw bytes of rings and loading times, a column for each place."""
-    figure, grid = subplots(2, len(found), figsize=(4.4 * len(found), 6.4), layout="constrained", squeeze=False)
-    colors = {name: f"C{number}" for number, name in enumerate(found[-1][1])}
-    for column, (place, measured, loadings) in enumerate(found):
+    figure, grid = subplots(2, len(results), figsize=(4.4 * len(results), 6.4), layout="constrained", squeeze=False)
+    colors = {name: f"C{number}" for number, name in enumerate(results[-1][1])}
+    for column, (place, measured, loadings) in enumerate(results):
         axes = grid[0, column]
         for name, values in measured.items():
             total = [sum(values[: ring + 1]) / 1e6 for ring in range(len(PUBLISHED) + 1)]
@@ -206,10 +203,10 @@ def speed_and_memory(quick: bool, samples: int) -> None:
         scene = place.make()
         with folder_or_temporary() as folder:
             settings: dict[str, Any] = {"center": place.center, "radii": PUBLISHED, "samples": samples}
-            _, whole = timed(nf.stream.export, scene, folder / "bundle", **settings)
-        found = stages(number, instanced=True)
-        seconds.append(_stages.row(place.name, found, whole.wall))
-        memory.append(_stages.memory_row(place.name, found))
+            _, export_time = timed(nf.stream.export, scene, folder / "bundle", **settings)
+        figures = stages(number, instanced=True)
+        seconds.append(_stages.row(place.name, figures, export_time.wall))
+        memory.append(_stages.memory_row(place.name, figures))
         for name, instanced in (("", True), (", copies", False)):
             rings = nf.stream.assign(place.make(instanced=instanced), center=place.center, radii=PUBLISHED)
             speeds.append(encoder_row(place.name + name, rings))
@@ -254,12 +251,12 @@ def main() -> None:
     samples = (4, "of the maps whose baking is timed")
     options = start(__doc__, "--quick", "--plots", samples=samples)
     speed_and_memory(options.quick, options.samples)
-    found = []
+    results = []
     for place in places(options.quick):
         with folder_or_temporary() as folder:
-            found.append((place, *sizes_and_quality(place, folder)))
+            results.append((place, *sizes_and_quality(place, folder)))
     if options.plots:
-        draw(options.plots / "stream_bytes.png", found)
+        draw(options.plots / "stream_bytes.png", results)
 
 
 if __name__ == "__main__":

@@ -45,15 +45,9 @@ class Figures:
     """Mean, standard deviation and maximum, milliseconds."""
 
 
-PRINTED = Figures(
-    "printed",
-    (26.3, 10.9),
-    ((4.07, 1.45), (4.37, 1.38), (7.13, 5.14)),
-    (3.56, 3.73, 14.9),
-    (3.56, 3.73, 14.9),
-    0.927,
-    (58.0, 14.0, 195.0),
-)
+PRINTED_MISSES = (3.56, 3.73, 14.9)
+PRINTED_SECONDS = ((4.07, 1.45), (4.37, 1.38), (7.13, 5.14))
+PRINTED = Figures("printed", (26.3, 10.9), PRINTED_SECONDS, PRINTED_MISSES, PRINTED_MISSES, 0.927, (58.0, 14.0, 195.0))
 
 
 def figures(name: str, outcomes: Sequence[Outcome], trips: np.ndarray | None = None) -> Figures:
@@ -83,21 +77,21 @@ def calibrate(uncalibrated: Figures) -> Person:
     return Person(search=max(PRINTED.seconds[0][0] - uncalibrated.seconds[0][0], 0.0))
 
 
-async def _play(
-    url: str, group: int, seed: int, settings: Settings, person: Person
-) -> tuple[list[Outcome], np.ndarray]:
-    async with nf.stream.client.join(url, room="collect", name=f"simulated {seed}", group=group) as room:
-        return await play(room, settings, person=person, seed=seed), room.round_trips
+Played = tuple[list[Outcome], np.ndarray]
+"""A user's outcomes, and its round trips in seconds."""
 
 
-def play_group(url: str, group: int, settings: Settings, person: Person) -> list[tuple[list[Outcome], np.ndarray]]:
+def play_group(url: str, group: int, settings: Settings, person: Person) -> list[Played]:
     """Let a group's users play in real time, in this process."""
 
-    async def all_of_them() -> list[tuple[list[Outcome], np.ndarray]]:
-        seeds = (100 * group + user for user in range(settings.users))
-        return await asyncio.gather(*(_play(url, group, seed, settings, person) for seed in seeds))
+    async def play_user(seed: int) -> Played:
+        async with nf.stream.client.join(url, room="collect", name=f"simulated {seed}", group=group) as room:
+            return await play(room, settings, person=person, seed=seed), room.round_trips
 
-    return asyncio.run(all_of_them())
+    async def play_users() -> list[Played]:
+        return await asyncio.gather(*(play_user(100 * group + user) for user in range(settings.users)))
+
+    return asyncio.run(play_users())
 
 
 def real(settings: Settings, person: Person) -> Figures:
@@ -105,24 +99,24 @@ def real(settings: Settings, person: Person) -> Figures:
     site = Site({"a.txt": b"a"}, has_page=False)
     context = multiprocessing.get_context("spawn")
     with Server({"": site}, rooms=Rooms()) as server, ProcessPoolExecutor(GROUPS, mp_context=context) as pool:
-        playing = [pool.submit(play_group, server.url, group, settings, person) for group in range(1, GROUPS + 1)]
-        users = [each.result() for each in playing]
-    trips = np.concatenate([found for group in users for _, found in group])
-    return figures("real server", [outcome for group in users for outcome in group[0][0]], trips)
+        futures = [pool.submit(play_group, server.url, group, settings, person) for group in range(1, GROUPS + 1)]
+        groups = [future.result() for future in futures]
+    trips = np.concatenate([user_trips for users in groups for _, user_trips in users])
+    return figures("real server", [outcome for users in groups for outcome in users[0][0]], trips)
 
 
-def show(found: Sequence[Figures]) -> None:
+def show(columns: Sequence[Figures]) -> None:
     """Print the table of the paper's figures."""
-    rows: list[list[object]] = [["spheres of a trial", *("{:.1f} ± {:.1f}".format(*each.spheres) for each in found)]]
+    rows: list[list[object]] = [["spheres of a trial", *("{:.1f} ± {:.1f}".format(*each.spheres) for each in columns)]]
     for number, level in enumerate(LEVELS):
-        rows.append([f"seconds, {level}", *("{:.2f} ± {:.2f}".format(*each.seconds[number]) for each in found)])
+        rows.append([f"seconds, {level}", *("{:.2f} ± {:.2f}".format(*each.seconds[number]) for each in columns)])
     for number, level in enumerate(LEVELS):
-        both = (f"{each.misses[number]:.2f} / {each.trial_misses[number]:.1f}" for each in found[1:])
-        rows.append([f"misses, {level}: of a sphere / of a trial", f"{PRINTED.misses[number]}", *both])
-    rows.append(["r of seconds and misses", *(f"{each.r:.3f}" for each in found)])
-    trips = (each.round_trip and "{:.1f} ± {:.1f}, at most {:.0f}".format(*each.round_trip) for each in found)
+        misses = (f"{each.misses[number]:.2f} / {each.trial_misses[number]:.1f}" for each in columns[1:])
+        rows.append([f"misses, {level}: of a sphere / of a trial", f"{PRINTED.misses[number]}", *misses])
+    rows.append(["r of seconds and misses", *(f"{each.r:.3f}" for each in columns)])
+    trips = (each.round_trip and "{:.1f} ± {:.1f}, at most {:.0f}".format(*each.round_trip) for each in columns)
     rows.append(["round trip, ms", *trips])
-    print(table("Sphere collection", ["", *(each.name for each in found)], rows))
+    print(table("Sphere collection", ["", *(each.name for each in columns)], rows))
 
 
 def _moments(values: Sequence[float]) -> tuple[float, float]:
@@ -132,19 +126,19 @@ def _moments(values: Sequence[float]) -> tuple[float, float]:
 COLORS = ("0.35", "C0", "C1", "C2")
 
 
-def draw(path: Path, names: Sequence[str], rows: Sequence[Figures]) -> None:
+def draw(path: Path, rows: Sequence[Figures]) -> None:
     """Seconds with their deviations, and misses, by level; the first row is the paper's."""
     figure, (left, right) = subplots(1, 2, figsize=(9, 3.6))
     width = 0.8 / len(rows)
     for number, (row, color) in enumerate(zip(rows, COLORS, strict=False)):
-        at = np.arange(len(names)) + (number - 0.5 * (len(rows) - 1)) * width
+        x = np.arange(len(LEVELS)) + (number - 0.5 * (len(rows) - 1)) * width
         means, deviations = zip(*row.seconds, strict=True)
         # Bars of deviations end at 0, as times do.
-        below = np.minimum(deviations, means)
-        left.bar(at, means, width, yerr=(below, deviations), color=color, capsize=3, label=row.name)
-        right.bar(at, row.misses, width, color=color)
+        bars = (np.minimum(deviations, means), deviations)
+        left.bar(x, means, width, yerr=bars, color=color, capsize=3, label=row.name)
+        right.bar(x, row.misses, width, color=color)
     for axes, label in ((left, "seconds of a sphere, ± one deviation"), (right, "misses of a sphere")):
-        axes.set_xticks(range(len(names)), names)
+        axes.set_xticks(range(len(LEVELS)), LEVELS)
         axes.set(ylabel=label)
     right.set(title="of a sphere or a trial: the paper does not say", ylim=(0.0, None))
     right.title.set_fontsize("small")
@@ -154,22 +148,18 @@ def draw(path: Path, names: Sequence[str], rows: Sequence[Figures]) -> None:
 
 
 def main() -> None:
-    chosen = start(
-        __doc__,
-        "--quick",
-        "--plots",
-        pairs=(8, "pairs of groups of the model"),
-        real=(bool, "also on a server, in real time"),
-    )
-    settings = Settings(duration=30.0, rest=1.0) if chosen.quick else Settings()
-    plain = simulate_groups("model, literature alone", settings, Person(), chosen.pairs)
+    pairs, on_server = (8, "pairs of groups of the model"), (bool, "also on a server, in real time")
+    options = start(__doc__, "--quick", "--plots", pairs=pairs, real=on_server)
+    settings = Settings(duration=30.0, rest=1.0) if options.quick else Settings()
+    plain = simulate_groups("model, literature alone", settings, Person(), options.pairs)
     person = calibrate(plain)
-    found = [PRINTED, plain, simulate_groups(f"model, {person.search:.2f} s of search", settings, person, chosen.pairs)]
-    if chosen.real:
-        found.append(real(settings, person))
-    show(found)
-    if chosen.plots is not None:
-        draw(chosen.plots / "collect.png", LEVELS, found)
+    calibrated = simulate_groups(f"model, {person.search:.2f} s of search", settings, person, options.pairs)
+    columns = [PRINTED, plain, calibrated]
+    if options.real:
+        columns.append(real(settings, person))
+    show(columns)
+    if options.plots is not None:
+        draw(options.plots / "collect.png", columns)
 
 
 if __name__ == "__main__":

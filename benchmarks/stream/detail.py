@@ -14,6 +14,7 @@ from benchmarks.harness import scenes
 from benchmarks.harness.report import folder_or_temporary, start, table
 from benchmarks.lod.scene import model, places
 from nearfar._base import data
+from nearfar.stream._manifest import geometry_files
 
 HEIGHT = 0.8
 """Height of the displayed model, metres."""
@@ -32,23 +33,22 @@ def bytes_of(bundle: nf.stream.Bundle, kind: str) -> int:
 
 def parts_of(bundle: nf.stream.Bundle) -> set[str]:
     """Files of the geometry: GLBs, buffers and textures."""
-    rings = bundle._rings
-    return {name for ring in rings for name in (ring["geometry"], *ring["parts"]) if name is not None}
+    return {name for ring in bundle._rings for name in geometry_files(ring)}
 
 
-def cut(scene: nf.Scene, distance: float, folder: Path) -> list[float]:
+def texture_row(scene: nf.Scene, distance: float, folder: Path) -> list[float]:
     """Bytes of the helmet's textures whole and cut, and the change of its picture for the nearest user."""
     center = (0.0, 0.4, distance)
-    whole, small = (
-        nf.stream.export(scene, folder / name, center=center, **SETTINGS, pixels_per_degree=value)
-        for name, value in (("whole", None), ("cut", PIXELS))
+    full, cut = (
+        nf.stream.export(scene, folder / str(value), center=center, **SETTINGS, pixels_per_degree=value)
+        for value in (None, PIXELS)
     )
     degrees = 2.0 * math.degrees(math.atan(HEIGHT / 2.0 / (distance - REACH)))
     size, fov = (round(PIXELS * degrees),) * 2, nf.Fov.symmetric(degrees)
     view = nf.Camera.look_at((0.0, 0.4, distance - REACH), (0.0, 0.36, 0.0), fov=fov, size=size)
-    one, other = (bundle.at(2, RADII[0]).render(view, samples=16) for bundle in (whole, small))
-    before, after = bytes_of(whole, "webp"), bytes_of(small, "webp")
-    return [distance, before / 1e3, after / 1e3, 1 - after / before, nf.psnr(one, other), float(nf.ssim(one, other))]
+    frames = [bundle.at(2, RADII[0]).render(view, samples=16) for bundle in (full, cut)]
+    before, after = bytes_of(full, "webp"), bytes_of(cut, "webp")
+    return [distance, before / 1e3, after / 1e3, 1 - after / before, nf.psnr(*frames), float(nf.ssim(*frames))]
 
 
 def in_room(folder: Path) -> list[float]:
@@ -59,10 +59,8 @@ def in_room(folder: Path) -> list[float]:
 
 def levels(folder: Path) -> list[list[object]]:
     """Triangles and bytes of a thousand objects in a ball of 20 m, by selection method."""
-    random = np.random.default_rng(0)
-    models = [model(seed) for seed in range(8)]
-    placed = places(random)
-    scene = nf.lod.place(models, np.arange(len(placed)) % len(models), placed)
+    models, matrices = [model(seed) for seed in range(8)], places(np.random.default_rng(0))
+    scene = nf.lod.place(models, np.arange(len(matrices)) % len(models), matrices)
     rows: list[list[object]] = []
     for lod in (None, "depth"):
         bundle = nf.stream.export(scene, folder / "balls", center=(0.0, 0.0, 0.0), **SETTINGS, lod=lod)
@@ -76,7 +74,7 @@ def main() -> None:
     start(__doc__)
     with folder_or_temporary() as folder:
         helmet = nf.Scene.load(data.require(scenes.FILES["FlightHelmet"]))
-        rows = [cut(helmet, distance, folder) for distance in DISTANCES]
+        rows = [texture_row(helmet, distance, folder) for distance in DISTANCES]
         header = "metres {:g} | textures, kB {:.1f} | cut, kB {:.1f} | saved {:.0%} | PSNR, dB {:.1f} | SSIM {:.5f}"
         print(table("FlightHelmet's textures", header, rows))
         print(table("textures of the room, kB", "whole {:.1f} | cut {:.1f}", [in_room(folder)]))

@@ -35,8 +35,8 @@ def packed(glb: bytes) -> tuple[Timing, int] | None:
     """Time and bytes of gltfpack's compression of a file with the same step of positions."""
     with folder_or_temporary() as folder:
         (folder / "given.glb").write_bytes(glb)
-        made, spent = timed(gltfpack, folder, "given.glb", "-c", "-vpf")
-        return None if made is None else (Timing(spent.wall, spent.wall), made.stat().st_size)
+        output, spent = timed(gltfpack, folder, "given.glb", "-c", "-vpf")
+        return None if output is None else (Timing(spent.wall, spent.wall), output.stat().st_size)
 
 
 def sizes(name: str, scene: nf.Scene) -> str:

@@ -120,14 +120,14 @@ def measure(case: Case, pairs: int) -> Measured:
     """Measure the continuity of consecutive pictures, of pairs at equal intervals."""
     step = 1.0 / RATE
     moments = np.linspace(0.0, max(case.seconds - step, 0.0), pairs if case.seconds else 1)
-    found, folded = [], 0
+    similarities, folded = [], 0
     for moment in moments:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
             pair = [case.picture(moment), case.picture(moment + step)]
-        found.append(next(nf.metrics.visual_continuity(pair)))
+        similarities.append(next(nf.metrics.visual_continuity(pair)))
         folded += sum(frame.stats.get("fold_margin", 1.0) < 0.0 for frame in pair)
-    return Measured(case, moments / max(case.seconds, step), np.array(found), folded)
+    return Measured(case, moments / max(case.seconds, step), np.array(similarities), folded)
 
 
 def draw(measured: list[Measured], folder: Path) -> None:
@@ -156,20 +156,20 @@ def draw(measured: list[Measured], folder: Path) -> None:
 
 
 def main() -> None:
-    given = start(__doc__, "--quick", "--plots")
+    options = start(__doc__, "--quick", "--plots")
     with folder_or_temporary() as folder:
-        city = City(folder, given.quick)
+        city = City(folder, options.quick)
         print(f"{city.scene.triangle_count:,} triangles, user {BESIDE:g} m beside the centre")
         measured = []
-        for case in cases(city, given.quick):
-            one = measure(case, 3 if given.quick else 8)
-            measured.append(one)
-            print(f"{case.name}: {one.continuity.min():.5f}", flush=True)
-    rows = [(one.case.name, one.continuity.min(), one.continuity.mean(), one.folded) for one in measured]
+        for case in cases(city, options.quick):
+            result = measure(case, 3 if options.quick else 8)
+            measured.append(result)
+            print(f"{case.name}: {result.continuity.min():.5f}", flush=True)
+    rows = [(result.case.name, result.continuity.min(), result.continuity.mean(), result.folded) for result in measured]
     header = "change | least {:.5f} | mean {:.5f} | folded pictures"
     print(table("continuity of consecutive pictures", header, rows))
-    if given.plots is not None:
-        draw(measured, given.plots)
+    if options.plots is not None:
+        draw(measured, options.plots)
 
 
 if __name__ == "__main__":

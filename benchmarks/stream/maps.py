@@ -15,7 +15,7 @@ from benchmarks.stream._near import large_city, street_center
 from nearfar import _core
 from nearfar.stream import _map_files as codec
 from nearfar.stream._decode import Decoded, Layout, decode_map
-from nearfar.stream._encode import ACROSS, Files, encode_maps, scale_of
+from nearfar.stream._encode import TILES_PER_ROW, Files, encode_maps, scale_of
 from nearfar.stream._manifest import names_of
 from nearfar.stream._maps import TILE
 from nearfar.stream._radii import PUBLISHED
@@ -27,30 +27,30 @@ ERROR = 2.0**-11
 def maps_table(rings: nf.stream.Rings, size: int, samples: int) -> tuple[str, nf.stream.RingMaps]:
     """Table of bytes and PSNR of each ring's map, as changes and whole, and the seconds and rays of all."""
     bake = partial(nf.stream.bake_maps, face_size=size, samples=samples)
-    first, one = timed(lambda: bake(nf.stream.assign(rings.scene, center=rings.center, radii=rings.radii[:1])))
+    first, two_rings = timed(lambda: bake(nf.stream.assign(rings.scene, center=rings.center, radii=rings.radii[:1])))
     maps, every = timed(bake, rings)
     scale, files = scale_of(maps, ERROR), Files()
-    listed = list(encode_maps(maps, files, quality=QUALITY, scale=scale))
-    layout = Layout(size, TILE, ACROSS, scale)
+    entries = list(encode_maps(maps, files, quality=QUALITY, scale=scale))
+    layout = Layout(size, TILE, TILES_PER_ROW, scale)
     rows: list[list[object]] = []
     totals = np.zeros(5)
-    for ring, described in enumerate(listed):
+    for ring, entry in enumerate(entries):
         env = maps.map(ring)
         assert env.range is not None
         codes = scale.codes(env.range)
-        shown, _ = decode_map(listed[: ring + 1], layout, decoded_from(files))
+        decoded, _ = decode_map(entries[: ring + 1], layout, decoded_from(files))
         color, ranges = (
-            sum(len(files.content[name]) for name in names_of(described.get(kind))) for kind in ("color", "range")
+            sum(len(files.content[name]) for name in names_of(entry.get(kind))) for kind in ("color", "range")
         )
-        whole = [codec.encode_color(face, QUALITY) for face in env.color]
-        again = np.stack([codec.decode_color(data, (size, size)) for data in whole])
-        tiles, sizes = 6 * (size // TILE) ** 2, np.array([color, ranges, sum(map(len, whole)), 0, 0])
+        images = [codec.encode_color(face, QUALITY) for face in env.color]
+        again = np.stack([codec.decode_color(data, (size, size)) for data in images])
+        tiles, sizes = 6 * (size // TILE) ** 2, np.array([color, ranges, sum(map(len, images)), 0, 0])
         if ring:
-            tiles = len(described["tiles"])
+            tiles = len(entry["tiles"])
             sizes[3:] = len(plainly_encoded(codes)), sum(len(whole_range(face, scale.step)) for face in codes)
             totals += sizes
         changed, kept = np.split(sizes / 1e3, [2])
-        quality = decibels(shown, env.color), decibels(again, env.color)
+        quality = decibels(decoded, env.color), decibels(again, env.color)
         rows.append([rings.radii[ring - 1] if ring else None, tiles, *changed, quality[0], *kept, quality[1]])
     changed, kept = np.split(totals / 1e3, [2])
     rows.append(["after ring 0", None, *changed, None, *kept, None])
@@ -58,7 +58,7 @@ def maps_table(rings: nf.stream.Rings, size: int, samples: int) -> tuple[str, nf
     header += " | range, plain {:,.0f} | in planes {:,.0f} | PSNR {:.2f}"
     plain, planes = (totals[:2].sum() / (totals[2] + total) for total in totals[3:])
     title = (
-        f"6 × {size}², {samples} samples: all rings {every.wall:.1f} s, rings 0 and 1 {one.wall:.1f} s; "
+        f"6 × {size}², {samples} samples: all rings {every.wall:.1f} s, rings 0 and 1 {two_rings.wall:.1f} s; "
         f"{maps.rays / first.rays:.2f} times the rays; after ring 0 {plain:.3f} of whole maps with plain "
         f"ranges, {planes:.3f} with planes"
     )
@@ -76,8 +76,8 @@ def codec_table(maps: nf.stream.RingMaps) -> str:
     env = maps.map(1)
     assert env.range is not None
     codes = scale.codes(env.range)
-    listed, encoding = timed(lambda: list(encode_maps(maps, files, quality=QUALITY, scale=scale)))
-    _, decoding = timed(decode_map, listed, Layout(size, TILE, ACROSS, scale), decoded_from(files))
+    entries, encoding = timed(lambda: list(encode_maps(maps, files, quality=QUALITY, scale=scale)))
+    _, decoding = timed(decode_map, entries, Layout(size, TILE, TILES_PER_ROW, scale), decoded_from(files))
     settings: dict[str, Any] = {"count": 1, "size": size, "tile": TILE, "step": scale.step}
     planes, planes_time = timed(lambda: [whole_range(face, scale.step) for face in codes])
     plain, plain_time = timed(plainly_encoded, codes)
@@ -118,10 +118,10 @@ def plainly_decoded(data: bytes, shape: tuple[int, ...]) -> Any:
     return np.cumsum(np.cumsum(residual, axis=1, dtype=np.uint16), axis=2, dtype=np.uint16)
 
 
-def decibels(shown: Any, truth: Any) -> float:
+def decibels(decoded: Any, truth: Any) -> float:
     """PSNR of two maps in sRGB codes."""
     shape = (-1, *truth.shape[2:])
-    codes = [_core.encode_srgb(np.ascontiguousarray(faces, np.float32)).reshape(shape) for faces in (truth, shown)]
+    codes = [_core.encode_srgb(np.ascontiguousarray(faces, np.float32)).reshape(shape) for faces in (truth, decoded)]
     return nf.psnr(*codes, data_range=255)
 
 

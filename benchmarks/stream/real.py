@@ -58,14 +58,14 @@ class Outcome:
 
     def median(self, stage: str, kind: str) -> float:
         """Median time over the loads at which a stage was received, ready or shown."""
-        return float(np.median([one[stage][kind] for one in self.real]))
+        return float(np.median([load[stage][kind] for load in self.real]))
 
 
 def all_places(quick: bool) -> list[Place]:
     """The city and the factory at two centres each."""
-    found = places(quick)
+    *cities, factory = places(quick)
     x, _, z = nf.datasets.factory_view(1)[0]
-    return [*found, replace(found[-1], name="factory, beside racks", center=(x, EYE_HEIGHT, z))]
+    return [*cities, factory, replace(factory, name="factory, beside racks", center=(x, EYE_HEIGHT, z))]
 
 
 def content(link: nf.stream.Link) -> nf.stream.Link:
@@ -78,20 +78,19 @@ def simulate_stages(
     bundle: nf.stream.Bundle, link: nf.stream.Link, strategy: Strategy, seed: int, *, decode_mbs: float
 ) -> dict[str, float]:
     """Seconds until each stage is ready in a simulation, on an open connection."""
-    line = nf.stream.simulate(
-        bundle, link=content(link), strategy=strategy, gzip=True, seed=seed, decode_mbs=decode_mbs
-    )
+    settings: dict[str, Any] = {"link": content(link), "strategy": strategy, "gzip": True, "seed": seed}
+    line = nf.stream.simulate(bundle, **settings, decode_mbs=decode_mbs)
     return {name: float(getattr(line, name)) - link.handshake * link.rtt for name in STAGES}
 
 
 def fit_decoding(bundle: nf.stream.Bundle, loads: list[Loaded]) -> float:
     """Megabytes per second with which a simulation over the fast link takes as long as the loads by clovrd."""
-    goal = float(np.median([one.total["ready"] for one in loads]))
+    goal = float(np.median([load.total["ready"] for load in loads]))
     low, high = 0.01, 1e4
     for _ in range(30):
         middle = (low * high) ** 0.5
-        slow = simulate_stages(bundle, FAST, "clovrd", 0, decode_mbs=middle)["total"] > goal
-        low, high = (middle, high) if slow else (low, middle)
+        is_slow = simulate_stages(bundle, FAST, "clovrd", 0, decode_mbs=middle)["total"] > goal
+        low, high = (middle, high) if is_slow else (low, middle)
     return float((low * high) ** 0.5)
 
 
@@ -114,7 +113,7 @@ def open_connection(link: nf.stream.Link, bundle: nf.stream.Bundle) -> Iterator[
     """Open a link, a browser at its end, and serve a bundle behind it; yield them with the address."""
     with (
         network(link, real=True) as way,
-        way.serve_bundle(Path(bundle._reader.place)) as url,
+        way.serve_bundle(Path(bundle._reader.location)) as url,
         way.browser(url) as chromium,
     ):
         yield way, chromium, url
@@ -126,61 +125,54 @@ def requests_alone(place: str, bundle: nf.stream.Bundle, loss: float, repeat: in
     with ahead_of_others(), open_connection(link, bundle) as (way, chromium, url):
         trip = round_trip(way, chromium, url, bundle)
         print(f"{place}: {way.name}; a round trip of a request takes {trip:.1f} ms")
-        ours = replace(content(link), rtt_ms=trip)
+        simulated_link = replace(content(link), rtt_ms=trip)
         for strategy in STRATEGIES:
             # Requests of clovr wait for cross-fades, which need frames; until the second ring they equal those of
             # clovrd.
             if strategy == "clovr":
                 continue
-            alone = [requests(way, chromium, url, bundle, strategy) for _ in range(repeat)]
-            yield Outcome(
-                place,
-                loss,
-                strategy,
-                real=[{name: {"received": seconds} for name, seconds in one.items()} for one in alone],
-                simulated=median_of_seeds(partial(simulated_requests, bundle, ours, strategy), loss),
-            )
+            loads = [requests(way, chromium, url, bundle, strategy) for _ in range(repeat)]
+            real = [{name: {"received": seconds} for name, seconds in load.items()} for load in loads]
+            simulated = median_of_seeds(partial(simulated_requests, bundle, simulated_link, strategy), loss)
+            yield Outcome(place, loss, strategy, real, simulated)
         print(way.real and way.real.counts())
 
 
-def loads(place: str, bundle: nf.stream.Bundle, loss: float, repeat: int, mbs: float) -> Iterator[Outcome]:
+def page_loads(place: str, bundle: nf.stream.Bundle, loss: float, repeat: int, mbs: float) -> Iterator[Outcome]:
     """Measure loads of the page by all strategies over a link with losses."""
     link = replace(LINK, loss=loss)
     with open_connection(link, bundle) as (way, chromium, url):
         print(f"{place}: {way.name}; decoding, uploads and frames like {mbs:.2f} MB/s")
         load(way, chromium, url, bundle, "clovrd")
         for strategy in STRATEGIES:
-            found = [load(way, chromium, url, bundle, strategy) for _ in range(repeat)]
+            loads = [load(way, chromium, url, bundle, strategy) for _ in range(repeat)]
+            real = [{name: getattr(each, name) for name in STAGES} for each in loads]
+            simulated = median_of_seeds(partial(simulate_stages, bundle, link, strategy, decode_mbs=mbs), loss)
             yield Outcome(
-                place,
-                loss,
-                strategy,
-                real=[{name: getattr(one, name) for name in STAGES} for one in found],
-                simulated=median_of_seeds(partial(simulate_stages, bundle, link, strategy, decode_mbs=mbs), loss),
-                megabytes=float(np.median([one.bytes for one in found])) / 1e6,
+                place, loss, strategy, real, simulated, float(np.median([each.bytes for each in loads])) / 1e6
             )
 
 
-def link_table(found: list[Outcome]) -> str:
+def link_table(outcomes: list[Outcome]) -> str:
     """Table of the link alone."""
     rows = []
-    for one in found:
-        pairs = [(one.median(name, "received"), one.simulated[name]) for name in STAGES]
-        times = (value for real, ours in pairs for value in (real, ours, ours / real))
-        rows.append([one.place, one.loss, one.strategy, *times])
+    for outcome in outcomes:
+        pairs = [(outcome.median(name, "received"), outcome.simulated[name]) for name in STAGES]
+        times = (value for real, simulated in pairs for value in (real, simulated, simulated / real))
+        rows.append([outcome.place, outcome.loss, outcome.strategy, *times])
     kinds = (", real {:.3f}", ", sim. {:.3f}", ", ratio {:.2f}")
     stages = (f"{name}{kind}" for name in ("picture", "first ring", "all") for kind in kinds)
     return table("Seconds until the files were there, requests alone", ["", "lost {:.0%}", "", *stages], rows)
 
 
-def page_table(found: list[Outcome]) -> str:
+def page_table(outcomes: list[Outcome]) -> str:
     """Table of the page."""
     rows: list[list[object]] = []
-    for one in found:
-        rows.append([one.place, one.loss, one.strategy, one.megabytes])
+    for outcome in outcomes:
+        rows.append([outcome.place, outcome.loss, outcome.strategy, outcome.megabytes])
         for name in STAGES:
-            rows[-1].append(tuple(one.median(name, kind) for kind in KINDS))
-            rows[-1].append((one.simulated[name], one.simulated[name] / one.median(name, "ready")))
+            rows[-1].append(tuple(outcome.median(name, kind) for kind in KINDS))
+            rows[-1].append((outcome.simulated[name], outcome.simulated[name] / outcome.median(name, "ready")))
     header = " | lost {:.0%} |  | MB {:.2f}"
     for name in ("picture", "first ring", "all"):
         header += f" | {name} {{:.2f}} / {{:.2f}} / {{:.2f}} | sim. {{:.2f}} ({{:.2f}})"
@@ -189,7 +181,7 @@ def page_table(found: list[Outcome]) -> str:
 
 
 def main() -> None:
-    given = start(
+    options = start(
         __doc__,
         "--quick",
         repeat=(5, "loads of each; the medians are printed"),
@@ -200,23 +192,23 @@ def main() -> None:
     )
     if reason := no_link():
         sys.exit(reason)
-    alone, whole = list[Outcome](), list[Outcome]()
-    for place in (place for place in all_places(given.quick) if given.place in place.name):
+    alone, page = list[Outcome](), list[Outcome]()
+    for place in (place for place in all_places(options.quick) if options.place in place.name):
         with folder_or_temporary() as folder:
             bundle = nf.stream.export(place.make(), folder / "bundle", center=place.center, by_footprint=True)
-            for loss in given.loss:
-                alone += requests_alone(place.name, bundle, loss, given.repeat)
-            if not given.link_only:
-                mbs = measure_decoding(bundle, given.repeat)
-                for loss in given.loss:
-                    whole += loads(place.name, bundle, loss, given.repeat, mbs)
+            for loss in options.loss:
+                alone += requests_alone(place.name, bundle, loss, options.repeat)
+            if not options.link_only:
+                mbs = measure_decoding(bundle, options.repeat)
+                for loss in options.loss:
+                    page += page_loads(place.name, bundle, loss, options.repeat, mbs)
         print(f"1-minute load of the machine: {os.getloadavg()[0]:.1f}", flush=True)
-        if given.json:
-            figures = {"requests": [asdict(one) for one in alone], "page": [asdict(one) for one in whole]}
-            given.json.write_text(json.dumps(figures, indent=1) + "\n")
+        if options.json:
+            figures = {"requests": [*map(asdict, alone)], "page": [*map(asdict, page)]}
+            options.json.write_text(json.dumps(figures, indent=1) + "\n")
     print(link_table(alone))
-    if whole:
-        print(page_table(whole))
+    if page:
+        print(page_table(page))
 
 
 if __name__ == "__main__":

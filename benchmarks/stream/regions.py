@@ -6,7 +6,7 @@ import nearfar as nf
 from benchmarks.harness.report import folder_or_temporary, start, table
 from benchmarks.harness.timing import resident, timed
 from benchmarks.stream._near import large_city
-from nearfar.stream._manifest import names_of
+from nearfar.stream._manifest import geometry_files, names_of
 from nearfar.stream._radii import PUBLISHED
 
 EYE_HEIGHT = 1.7
@@ -16,12 +16,9 @@ DISTANCES = (5.0, 10.0, 20.0, 80.0)
 
 def files_of(region: nf.stream.Bundle) -> tuple[set[str], set[str]]:
     """Files of a region's geometry with its parts, and files of its maps."""
-    geometry: set[str] = set()
-    maps: set[str] = set()
-    for ring in region._rings:
-        geometry |= {*names_of(ring["geometry"]), *ring["parts"]}
-        maps |= {*names_of(ring["map"]["color"]), *names_of(ring["map"].get("range"))}
-    return geometry, maps
+    maps = (ring["map"].get(kind) for ring in region._rings for kind in ("color", "range"))
+    geometry = set[str]().union(*map(geometry_files, region._rings))
+    return geometry, set[str]().union(*map(names_of, maps))
 
 
 def size(bundle: nf.stream.Bundle, names: set[str]) -> int:
@@ -38,8 +35,8 @@ def row(scene: nf.Scene, centers: list[tuple[float, float, float]], face_size: i
     before = [set().union(*(region[kind] for region in regions[:-1])) for kind in (0, 1)]
     last = [size(bundle, regions[-1][kind]) / 1e3 for kind in (0, 1)]
     new = [size(bundle, regions[-1][kind] - before[kind]) / 1e3 for kind in (0, 1)]
-    whole = bundle.nbytes / 1e6, manifest / 1e3, spent.wall, resident("VmHWM") / 2**30
-    return [len(centers), len(bundle.files), *last, *new, *whole]
+    totals = bundle.nbytes / 1e6, manifest / 1e3, spent.wall, resident("VmHWM") / 2**30
+    return [len(centers), len(bundle.files), *last, *new, *totals]
 
 
 def main() -> None:
@@ -52,10 +49,9 @@ def main() -> None:
     for distance, count in [*((distance, 2) for distance in DISTANCES), (DISTANCES[0], 9)]:
         centers = [(x, EYE_HEIGHT, z - distance * number) for number in range(count)]
         rows.append([distance, *row(scene, centers, face_size)])
-    header = (
-        "metres apart {:g} | centres | files | last: geometry, kB {:,.0f} | maps {:,.0f} | new of it: geometry {:,.0f}"
-    )
-    header += " | maps {:,.0f} | all, MB {:.2f} | manifest, kB {:.0f} | seconds {:.1f} | peak so far, GB {:.2f}"
+    header = "metres between centres {:g} | centres | files | last: geometry, kB {:,.0f} | maps {:,.0f}"
+    header += " | new of the last: geometry {:,.0f} | maps {:,.0f}"
+    header += " | all, MB {:.2f} | manifest, kB {:.0f} | seconds {:.1f} | peak so far, GB {:.2f}"
     print(table("regions", header, rows))
 
 

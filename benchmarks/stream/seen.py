@@ -65,11 +65,11 @@ def vis1(scene: nf.Scene, maps: nf.stream.RingMaps, map_bytes: int, size: int, u
     for number in range(1, PARTS + 1):
         sent += len(export.glb(number, uris=uris)[0])
         sent += sum(len(data) for (data, _, _), group in zip(shared, first, strict=True) if group == number)
-        shown = scene.subset(objects=[scene.object_names[place] for place in order[part < number]])
-        completion = nf.metrics.object_completion(truth, faces_of(shown, user, size))
+        sent_scene = scene.subset(objects=[scene.object_names[place] for place in order[part < number]])
+        completion = nf.metrics.object_completion(truth, faces_of(sent_scene, user, size))
         yield f"vis1, {number}/{PARTS} of geometry", sent, *completion
-    whole = in_front_of_map(shown, maps.map(last), "none")
-    picture = faces_of(whole, user, size)
+    with_map = in_front_of_map(sent_scene, maps.map(last), "none")
+    picture = faces_of(with_map, user, size)
     yield "vis1 with its map", sent + map_bytes, *nf.metrics.object_completion(truth, picture)
 
 
@@ -81,21 +81,21 @@ def sent_by_ring(bundle: nf.stream.Bundle) -> list[int]:
 
 def map_bytes(maps: nf.stream.RingMaps, size: int) -> int:
     """Bytes of the last map as a whole, with range."""
-    env = nf.stream.bake_maps(maps.rings, face_size=size).map(maps.rings.count)
+    env = nf.stream.bake_maps(maps.rings, face_size=size, samples=1).map(maps.rings.count)
     assert env.range is not None
     scale = scale_of(maps, 2.0**-11)
     ranges = sum(len(whole_range(face, scale.step)) for face in scale.codes(env.range))
     return ranges + sum(len(codec.encode_color(face, 90)) for face in env.color)
 
 
-def draw(path: Path, found: dict[float, tuple[list[Row], list[Row]]]) -> None:
+def draw(path: Path, results: dict[float, tuple[list[Row], list[Row]]]) -> None:
     """Draw OVC and OFC against bytes, a column for each place of the user."""
-    figure, grid = subplots(2, len(found), figsize=(4.6 * len(found), 6), layout="constrained", squeeze=False)
-    for column, (away, listed) in enumerate(found.items()):
-        for rows, name, marker in zip(listed, ("rings", "vis1"), "os", strict=True):
+    figure, grid = subplots(2, len(results), figsize=(4.6 * len(results), 6), layout="constrained", squeeze=False)
+    for column, (distance, strategies) in enumerate(results.items()):
+        for rows, name, marker in zip(strategies, ("rings", "vis1"), "os", strict=True):
             for axes, place in zip(grid[:, column], (2, 3), strict=True):
                 axes.plot([row[1] / 1e6 for row in rows], [row[place] for row in rows], marker=marker, label=name)
-        grid[0, column].set(title=f"user {away:g} m beside the centre", ylabel="OVC" if not column else "")
+        grid[0, column].set(title=f"user {distance:g} m beside the centre", ylabel="OVC" if not column else "")
         grid[1, column].set(xlabel="MB received", ylabel="OFC" if not column else "")
     grid[0, 0].legend()
     save_figure(figure, path, dpi=90)
@@ -109,19 +109,19 @@ def main() -> None:
         bundle = nf.stream.export(scene, folder / "bundle", center=center, radii=PUBLISHED)
         sent = sent_by_ring(bundle)
     rings = nf.stream.assign(scene, center=center, radii=PUBLISHED)
-    maps = nf.stream.bake_maps(rings, face_size=TEXELS * size, object_id=True)
+    maps = nf.stream.bake_maps(rings, face_size=TEXELS * size, samples=1, object_id=True)
     last = map_bytes(maps, 1024)
-    found = {}
-    for away in (1.0, 2.0):
-        user = (center[0] - away, center[1], center[2])
+    results = {}
+    for distance in (1.0, 2.0):
+        user = (center[0] - distance, center[1], center[2])
         truth = nf.metrics.object_completion(faces_of(scene, user, size), faces_of(scene, center, size))
-        found[away] = list(clovr(scene, maps, sent, size, user)), list(vis1(scene, maps, last, size, user))
-        shown = (*found[away][0], *found[away][1])
+        results[distance] = list(clovr(scene, maps, sent, size, user)), list(vis1(scene, maps, last, size, user))
+        pictures = (*results[distance][0], *results[distance][1])
         rows: list[list[object]] = [["truth at O", None, *truth]]
-        rows += [[name, count / 1e6, ovc, ofc] for name, count, ovc, ofc in shown]
-        print(table(f"a user {away:g} m beside O", "picture | MB {:.2f} | OVC {:.3f} | OFC {:.3f}", rows))
+        rows += [[name, count / 1e6, ovc, ofc] for name, count, ovc, ofc in pictures]
+        print(table(f"a user {distance:g} m beside O", "picture | MB {:.2f} | OVC {:.3f} | OFC {:.3f}", rows))
     if options.plots:
-        draw(options.plots / "stream_seen.png", found)
+        draw(options.plots / "stream_seen.png", results)
 
 
 if __name__ == "__main__":

@@ -14,8 +14,8 @@ from benchmarks.harness.report import start, table
 from benchmarks.harness.timing import best
 from benchmarks.stream._near import large_city, one_file, street_center
 from nearfar import _core
+from nearfar.stream._detail import stages
 from nearfar.stream._radii import PUBLISHED
-from nearfar.stream._split import stages
 
 REACH = 1.0
 """Distance of users from the centre, metres."""
@@ -28,21 +28,21 @@ def rows_of(scene: nf.Scene, center: tuple[float, float, float], pixel: float) -
     rows: list[list[object]] = []
     sums = np.zeros(4, np.int64)
     for ring, radius in enumerate(PUBLISHED, 1):
-        whole = scene.subset(objects=rings.objects(ring))
+        ring_scene = scene.subset(objects=rings.objects(ring))
         settings: dict[str, Any] = {"center": center, "reach": REACH, "tolerance": pixel}
-        job = partial(_core.tessellate_scene, whole._core, **stages(PUBLISHED, ring), **settings)
+        job = partial(_core.tessellate_scene, ring_scene._core, **stages(PUBLISHED, ring), **settings)
         core, counts = job()
-        own = _core.tessellate_scene(whole._core, **stages(PUBLISHED[:ring], ring), **settings)[1]["after"]
-        parts = whole, whole._derived(core, whole._rest)
+        own_growth = _core.tessellate_scene(ring_scene._core, **stages(PUBLISHED[:ring], ring), **settings)[1]["after"]
+        parts = ring_scene, ring_scene._derived(core, ring_scene._rest)
         sizes = (len(one_file(part, images=True, compressed=True)) for part in parts)
         numbers = np.array([counts["before"], counts["after"], *sizes])
         sums += numbers
-        rows.append([f"{radius:g}", *_row(*numbers), counts["split"], own, best(job, repeat=2).wall])
+        rows.append([f"{radius:g}", *_row(*numbers), counts["split"], own_growth, best(job, repeat=2).wall])
     return [*rows, ["all", *_row(*sums), None, None, None]]
 
 
-def _row(before: int, after: int, whole: int, split: int) -> list[float]:
-    return [before, after, whole / 1e3, split / 1e3, split / whole]
+def _row(before: int, after: int, full: int, split: int) -> list[float]:
+    return [before, after, full / 1e3, split / 1e3, split / full]
 
 
 def main() -> None:

@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
-
-import numpy as np
+from typing import Any
 
 import nearfar as nf
 from benchmarks.harness.report import folder_or_temporary, start, table
@@ -15,7 +15,7 @@ from benchmarks.harness.timing import timed
 from benchmarks.stream import _comparison, _strategy_plots as plots
 from benchmarks.stream._near import EYE_HEIGHT, Place, places
 from nearfar.stream._client_pictures import Pictures, SceneParts
-from nearfar.stream._head_path import HeadPath
+from nearfar.stream._client_settings import HeadPath
 from nearfar.stream._radii import PUBLISHED
 from nearfar.stream._strategies import STRATEGIES, Strategy
 
@@ -37,58 +37,47 @@ class Case:
     bundle: nf.stream.Bundle
 
 
-def export_places(quick: bool, chosen: int | None, folder: Path) -> list[Case]:
+def export_places(quick: bool, number: int | None, folder: Path) -> list[Case]:
     """Export four places, or one of them; the second centre of the factory is 30 m along the hall."""
-    listed = places(quick)
-    x, _, z = listed[-1].center
-    listed.append(replace(listed[-1], name="factory, 30 m on", center=(x + 30.0, EYE_HEIGHT, z)))
-    numbers = range(len(listed)) if chosen is None else [chosen]
-    return [export(listed[number], folder / str(number), quick) for number in numbers]
+    all_places = places(quick)
+    x, _, z = all_places[-1].center
+    all_places.append(replace(all_places[-1], name="factory, 30 m on", center=(x + 30.0, EYE_HEIGHT, z)))
+    indices = range(len(all_places)) if number is None else [number]
+    return [export(all_places[index], folder / str(index), quick) for index in indices]
 
 
 def export(place: Place, folder: Path, quick: bool, *, instanced: bool = True) -> Case:
     """Export a place's bundle; without instances also without compression."""
     scene = place.make(instanced=instanced)
-    bundle = write_bundle(scene, place, folder, PUBLISHED, quick, compression="meshopt" if instanced else None)
+    bundle = write_bundle(scene, place, folder, PUBLISHED, quick, "meshopt" if instanced else None)
     name = place.name if instanced else f"{place.name}, copies, plain"
     return Case(replace(place, name=name), scene, bundle)
 
 
 def write_bundle(
-    scene: nf.Scene, place: Place, folder: Path, radii: Sequence[float], quick: bool, **settings: str | None
+    scene: nf.Scene, place: Place, folder: Path, radii: Sequence[float], quick: bool, compression: Any = "meshopt"
 ) -> nf.stream.Bundle:
     """Write a bundle with given radii."""
-    return nf.stream.export(
-        scene,
-        folder,
-        center=place.center,
-        radii=radii,
-        face_size=128 if quick else 1024,
-        by_footprint=True,
-        **settings,  # type: ignore[arg-type]
-    )
+    settings: dict[str, Any] = {"face_size": 128 if quick else 1024, "by_footprint": True, "compression": compression}
+    return nf.stream.export(scene, folder, center=place.center, radii=radii, **settings)
 
 
 def lines_of(case: Case, link: nf.stream.Link, gzip: bool) -> plots.Lines:
     """Simulate all strategies over a link."""
-    return {
-        name: nf.stream.simulate(
-            case.bundle, link=link, strategy=name, gzip=gzip, frame_ms=0.0, triangles_per_second=TRIANGLES_PER_SECOND
-        )
-        for name in STRATEGIES
-    }
+    settings: dict[str, Any] = {"link": link, "gzip": gzip, "triangles_per_second": TRIANGLES_PER_SECOND}
+    return {name: nf.stream.simulate(case.bundle, strategy=name, **settings) for name in STRATEGIES}
 
 
 def by_radius(case: Case, link: nf.stream.Link, gzip: bool, quick: bool) -> dict[str, list[float]]:
     """Seconds of vis0 and vis1 until everything is loaded, by the last radius, with a separate bundle for each."""
     strategies: tuple[Strategy, ...] = ("vis0", "vis1")
-    found: dict[str, list[float]] = {name: [] for name in strategies}
+    totals: dict[str, list[float]] = {name: [] for name in strategies}
     for count in range(1, len(PUBLISHED) + 1):
         with folder_or_temporary() as folder:
             bundle = write_bundle(case.scene, case.place, folder / "bundle", PUBLISHED[:count], quick)
             for name in strategies:
-                found[name].append(nf.stream.simulate(bundle, link=link, strategy=name, gzip=gzip).total)
-    return found
+                totals[name].append(nf.stream.simulate(bundle, link=link, strategy=name, gzip=gzip).total)
+    return totals
 
 
 def print_times(cases: list[Case], link: nf.stream.Link, gzip: bool) -> None:
@@ -108,30 +97,26 @@ def print_times(cases: list[Case], link: nf.stream.Link, gzip: bool) -> None:
 
 def print_seen(cases: list[Case], lines: dict[str, plots.Lines], size: int, every: float) -> dict[str, plots.Lines]:
     """Print OVC, OFC and continuity for a user 1 m to the left of the centre, in all directions."""
-    found, rows = {}, []
+    measured, rows = {}, []
     for case in cases:
         x, y, z = case.bundle.center
         eye = (x - 1.0, y, z)
         parts = SceneParts.bake(case.scene, case.bundle, None, size)
-        own = found[case.place.name] = {
-            name: replace(
-                line, pictures=_comparison.measure_pictures(line, parts, HeadPath.parse(eye, (x, y, z)), every=every)
-            )
-            for name, line in lines[case.place.name].items()
-        }
+        measure = partial(_comparison.measure_pictures, parts=parts, path=HeadPath.parse(eye, (x, y, z)), every=every)
+        place_lines = {name: replace(line, pictures=measure(line)) for name, line in lines[case.place.name].items()}
+        measured[case.place.name] = place_lines
         pictures = Pictures(parts, by_footprint=False)
         limit = nf.metrics.object_completion(pictures.truth(eye).objects, pictures.truth((x, y, z)).objects)
         rows.append([case.place.name, "truth at the centre", *limit, None, None, None])
-        for name, line in own.items():
-            seen = line.pictures
+        for name, line in place_lines.items():
             # Since the first picture.
-            later = seen["continuity"][np.array(seen["time"]) > line.picture + 0.1]
-            shares = (seen[kind][place] for place in (1, -1) for kind in ("ovc", "ofc"))
+            later = line.pictures["continuity"][line.pictures["time"] > line.picture + 0.1]
+            shares = (line.pictures[kind][index] for index in (1, -1) for kind in ("ovc", "ofc"))
             rows.append([case.place.name, name, *shares, min(later, default=math.nan)])
     header = "place | strategy | first OVC {:.3f} | OFC {:.3f} | last OVC {:.3f} | OFC {:.3f}"
     header += " | least continuity after the picture {:.5f}"
     print(table("a user 1 m to the left of the centre", header, rows))
-    return found
+    return measured
 
 
 def print_comparison(cases: list[Case], link: nf.stream.Link, size: tuple[int, int]) -> None:
@@ -168,18 +153,18 @@ def main() -> None:
         cases = export_places(quick, options.place, folder)
         lines = {case.place.name: lines_of(case, link, gzip) for case in cases}
         if "times" in parts:
-            for other in (nf.stream.Link(MBPS), link, nf.stream.Link(MBPS, rtt_ms=RTT, loss=0.001)):
-                print_times(cases, other, gzip)
+            for time_link in (nf.stream.Link(MBPS), link, nf.stream.Link(MBPS, rtt_ms=RTT, loss=0.001)):
+                print_times(cases, time_link, gzip)
             if options.place in (None, 2):
                 print_times([export(places(quick)[2], folder / "plain", quick, instanced=False)], link, gzip)
             if plots_to:
-                others = {case.place.name: by_radius(case, link, gzip, quick) for case in cases}
-                plots.times(plots_to / "strategies_times.png", lines, others)
+                vis_seconds = {case.place.name: by_radius(case, link, gzip, quick) for case in cases}
+                plots.times(plots_to / "strategies_times.png", lines, vis_seconds)
                 plots.rates(plots_to / "strategies_rates.png", lines, DISPLAY)
         if "seen" in parts:
-            seen = print_seen(cases, lines, 32 if quick else 96, 20.0 if quick else 10.0)
+            measured = print_seen(cases, lines, 32 if quick else 96, 20.0 if quick else 10.0)
             if plots_to:
-                plots.quality(plots_to / "strategies_seen.png", seen)
+                plots.quality(plots_to / "strategies_seen.png", measured)
         if "comparison" in parts:
             print_comparison(cases, link, (80, 50) if quick else (160, 100))
 

@@ -27,18 +27,9 @@ Array = NDArray[np.float32]
 def camera_rays(eye: tuple[float, ...], target: tuple[float, ...], size: tuple[int, int], tile: int) -> Array:
     """Unit directions of a 90° view in tiles of `tile` pixels, or row by row for 1."""
     width, height = size
-    forward = np.subtract(target, eye)
-    forward = forward / np.linalg.norm(forward)
-    right = np.cross(forward, (0.0, 1.0, 0.0))
-    right /= np.linalg.norm(right)
-    up = np.cross(right, forward)
-    x = (np.arange(width) + 0.5) / width * 2 - 1
-    y = (1 - (np.arange(height) + 0.5) / height * 2) * height / width
-    rays = forward + x[None, :, None] * right + y[:, None, None] * up
-    if tile > 1:
-        rays = rays.reshape(height // tile, tile, width // tile, tile, 3).transpose(0, 2, 1, 3, 4)
-    rays = rays.reshape(-1, 3)
-    return np.ascontiguousarray(rays / np.linalg.norm(rays, axis=1, keepdims=True), np.float32)
+    _, rays = nf.Camera.look_at(eye, target, fov=nf.Fov.symmetric(90, width / height), size=size).rays()
+    rays = rays.reshape(height // tile, tile, width // tile, tile, 3).transpose(0, 2, 1, 3, 4)
+    return np.ascontiguousarray(rays.reshape(-1, 3), np.float32)
 
 
 def embree_scene(points: Array, faces: NDArray[np.int32]) -> Any:
@@ -54,8 +45,8 @@ HEADER = "embreex Mray/s {:.2f} | nearfar Mray/s {:.2f} | ratio {:.2f}"
 
 def rates(ours: Callable[[], Any], theirs: Callable[[], Any], rays: int, repeat: int) -> list[float]:
     """Million rays per CPU-second of both tracers, and their ratio."""
-    peer, mine = best(theirs, repeat=repeat).cpu, best(ours, repeat=repeat).cpu
-    return [rays / peer / 1e6, rays / mine / 1e6, peer / mine]
+    peer_seconds, own_seconds = best(theirs, repeat=repeat).cpu, best(ours, repeat=repeat).cpu
+    return [rays / peer_seconds / 1e6, rays / own_seconds / 1e6, peer_seconds / own_seconds]
 
 
 def primary(
@@ -121,10 +112,10 @@ def main() -> None:
     width, height = (int(part) for part in options.view_size.split("x"))
     print(f"{_core.instruction_sets()[-1]}; one thread\n")
     builds = []
-    for name, found in {"tokyo_core_lod1": tokyo(), "procedural city": city()}.items():
-        if found is None:
+    for name, views_of_scene in {"tokyo_core_lod1": tokyo(), "procedural city": city()}.items():
+        if views_of_scene is None:
             continue
-        scene, views = found
+        scene, views = views_of_scene
         points = scene.triangles().reshape(-1, 3)
         faces = np.arange(len(points), dtype=np.uint32).reshape(-1, 3)
         embree = embree_scene(points, faces.astype(np.int32))

@@ -41,14 +41,14 @@ class Loading:
     """Seconds until the first picture."""
     rates: list[float]
     """Frames per second in each window."""
-    longest: float
-    """Milliseconds of the longest frame."""
+    longest_ms: float
+    """Duration of the longest frame."""
 
 
 def rates(begins: Sequence[float]) -> list[float]:
     """Frames per second in windows, from the start times of frames, seconds; the last window is complete."""
-    at = np.array(begins) - begins[0]
-    counts = np.bincount((at / WINDOW).astype(int))[: max(int(at[-1] / WINDOW), 1)]
+    times = np.array(begins) - begins[0]
+    counts = np.bincount((times / WINDOW).astype(int))[: max(int(times[-1] / WINDOW), 1)]
     return [*map(float, counts / WINDOW)]
 
 
@@ -62,6 +62,6 @@ def loading(way: Network, chromium: Any, url: str, bundle: nf.stream.Bundle, str
     times = [now / 1e3 for now, _ in frames]
     first = next(now / 1e3 for now, ring in frames if ring >= 0)
     # The last frame may be the one that shows the last ring.
-    end = next((place for place, (_, ring) in enumerate(frames) if ring >= last), len(frames) - 1)
+    end = next((index for index, (_, ring) in enumerate(frames) if ring >= last), len(frames) - 1)
     times = times[: end + 1]
     return Loading(times[-1] - times[0], first - times[0], rates(times), float(np.diff(times).max(initial=0.0)) * 1e3)

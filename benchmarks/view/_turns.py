@@ -17,8 +17,8 @@ from tests.support.browser import open_page, wait_until
 SECTORS = 12
 """Number of sectors of a turn; each has a separate rate."""
 
-# The page's viewer with the interface of `_whole.mjs`.
-OF_PAGE = """([position]) => {
+# The page's viewer with the interface of `_full.mjs`.
+ADAPT_PAGE = """([position]) => {
   const { nearfar } = window;
   const { viewer } = nearfar;
   const { info } = viewer.renderer;
@@ -33,9 +33,9 @@ OF_PAGE = """([position]) => {
   info.autoReset = false;
   viewer.frame = (pose, seconds) => {
     info.reset();
-    const begun = performance.now();
+    const start = performance.now();
     frame(pose, seconds);
-    rates.script.push(performance.now() - begun);
+    rates.script.push(performance.now() - start);
     rates.triangles.push(info.render.triangles);
   };
   window.rates = rates;
@@ -49,18 +49,18 @@ COMPLETE = """() => {
 TURN = """async ([seconds, isWaitedFor]) => {
   const { gl, look, draw, script, triangles } = window.rates;
   script.length = triangles.length = 0;
-  const whole = 2 * Math.PI;
+  const fullTurn = 2 * Math.PI;
   const frames = [];
   const begin = performance.now();
   const next = () => {
     const now = performance.now();
-    const yaw = (whole * (now - begin)) / 1000 / seconds;
+    const yaw = (fullTurn * (now - begin)) / 1000 / seconds;
     frames.push([yaw, now]);
     return yaw;
   };
   if (isWaitedFor) {
     const pixel = new Uint8Array(4);
-    for (let yaw = next(); yaw < whole; yaw = next()) {
+    for (let yaw = next(); yaw < fullTurn; yaw = next()) {
       draw(yaw);
       gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
     }
@@ -68,7 +68,7 @@ TURN = """async ([seconds, isWaitedFor]) => {
     await new Promise((done) => {
       const step = () => {
         const yaw = next();
-        if (yaw >= whole) return done();
+        if (yaw >= fullTurn) return done();
         look(yaw);
         requestAnimationFrame(step);
       };
@@ -137,19 +137,19 @@ def photo(page: Any, path: Path, yaw: float = 0.0) -> None:
 
 
 @contextmanager
-def of_page(chromium: Any, url: str, size: tuple[int, int], eye: Sequence[float]) -> Iterator[Any]:
+def open_bundle(chromium: Any, url: str, size: tuple[int, int], eye: Sequence[float]) -> Iterator[Any]:
     """Open a bundle's page, completely loaded, for a user at a place."""
     with open_page(chromium, *size) as page:
         # Growth would take a while.
         page.goto(f"{url}?strategy=clovrd")
         wait_until(page, lambda: page.evaluate(COMPLETE))
-        page.evaluate(OF_PAGE, [list(eye)])
+        page.evaluate(ADAPT_PAGE, [list(eye)])
         yield page
 
 
 @contextmanager
-def of_whole(chromium: Any, url: str, size: tuple[int, int]) -> Iterator[Any]:
-    """Open the page of a whole scene."""
+def open_full_scene(chromium: Any, url: str, size: tuple[int, int]) -> Iterator[Any]:
+    """Open the page of a full scene."""
     with open_page(chromium, *size) as page:
         page.goto(url)
         wait_until(page, lambda: page.evaluate("() => Boolean(window.rates)"))

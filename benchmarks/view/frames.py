@@ -71,18 +71,18 @@ def trace(url: str, last: int) -> list[dict[str, Any]]:
 
 def frames(marks: list[dict[str, Any]]) -> NDArray[np.float64]:
     """Wall and CPU milliseconds (N, 2) of frames with work, including the responses before each frame."""
-    found, begun, sums = [], {}, np.zeros(2)
+    work_frames, starts, sums = [], {}, np.zeros(2)
     for mark in marks:
         name, end = mark["name"][:-1], mark["name"][-1]
         now = np.array([mark["ts"], mark["tts"]]) / 1e3
         if end == ">":
-            begun[name] = now
+            starts[name] = now
             continue
-        sums += now - begun.pop(name)
+        sums += now - starts.pop(name)
         if name == "frame":
-            found.append(sums)
+            work_frames.append(sums)
             sums = np.zeros(2)
-    rows = np.array(found)
+    rows = np.array(work_frames)
     # A frame without work takes some microseconds.
     return np.asarray(rows[rows[:, 0] > 0.1])
 

@@ -92,8 +92,8 @@ def page_times(way: Network, chromium: Any, url: str, strategy: str) -> dict[str
             if time.monotonic() > deadline:
                 raise TimeoutError(f"ring {rings - 1} does not come")
             time.sleep(0.2)
-        shown = page.evaluate("() => window.shownRings")
-        return {"script": page.evaluate(SCRIPT) / 1e3, "first": shown[0] / 1e3, "last": shown[-1] / 1e3}
+        ring_times = page.evaluate("() => window.shownRings")
+        return {"script": page.evaluate(SCRIPT) / 1e3, "first": ring_times[0] / 1e3, "last": ring_times[-1] / 1e3}
 
 
 def peer_times(way: Network, chromium: Any, url: str) -> dict[str, float]:
@@ -107,7 +107,7 @@ def peer_times(way: Network, chromium: Any, url: str) -> dict[str, float]:
 
 
 def main() -> None:
-    given = start(
+    options = start(
         __doc__,
         "--quick",
         repeat=(3, "loads of each; the medians are printed"),
@@ -115,8 +115,8 @@ def main() -> None:
     )
     if not (READERS.is_dir() and shutil.which("node")):
         sys.exit("`npm ci --prefix tests/readers` has not run")
-    scene, rows = nf.datasets.city(blocks=3, detail=1 if given.quick else 2), []
-    with folder_or_temporary() as folder, network(LINK, real=False if given.throttle else None) as way:
+    scene, rows = nf.datasets.city(blocks=3, detail=1 if options.quick else 2), []
+    with folder_or_temporary() as folder, network(LINK, real=False if options.throttle else None) as way:
         sizes = prepare(scene, folder)
         print(way.name)
         with way.served(folder) as url, way.browser(url) as chromium:
@@ -128,7 +128,7 @@ def main() -> None:
                 "3d-tiles-renderer, near part": ("tiles", partial(peer, url + "?tiles")),
             }
             for label, (kind, job) in jobs.items():
-                runs = [job() for _ in range(given.repeat)]
+                runs = [job() for _ in range(options.repeat)]
                 times = (np.median([run[part] for run in runs]) for part in ("script", "first", "last"))
                 rows.append([label, sizes[kind] / 1e6, *times])
     title = f"{scene.triangle_count:,} triangles, seconds from navigation; ring 0 has {sizes['ring 0'] / 1e6:.2f} MB"

@@ -49,10 +49,10 @@ class Loads:
 
 def bytes_sent(url: str) -> int:
     """Bytes sent by a server, by its own count."""
-    with urlopen(f"{url}metrics") as answer:
-        found = re.search(r"^nearfar_sent_bytes_total (\d+)", answer.read().decode(), re.MULTILINE)
-    assert found
-    return int(found[1])
+    with urlopen(f"{url}metrics") as response:
+        match = re.search(r"^nearfar_sent_bytes_total (\d+)", response.read().decode(), re.MULTILINE)
+    assert match
+    return int(match[1])
 
 
 def loads(chromium: Any, folder: Path, count: int, way: str) -> Loads:
@@ -67,34 +67,34 @@ def loads(chromium: Any, folder: Path, count: int, way: str) -> Loads:
             if way == "in turns":
                 page.wait_for_files()
                 page.rest()
-        told = [page.wait_for_files() for page in pages]
+        reports = [page.wait_for_files() for page in pages]
         firsts = [float(page.page.evaluate("() => window.shownRings[0]")) / 1e3 for page in pages]
-        exchanged = sum(each["others"]["bytes"] for each in told)
+        exchanged = sum(each["others"]["bytes"] for each in reports)
         return Loads(bytes_of(folder, pages), bytes_sent(server.url), exchanged, float(np.median(firsts)), max(firsts))
 
 
 def main() -> None:
-    given = start(
+    options = start(
         __doc__,
         "--quick",
         bundle=(Path, "the folder of a bundle, instead of the city"),
         pages=([1, 2, 4, 8], "numbers of pages"),
     )
     with folder_or_temporary() as temporary:
-        folder = given.bundle
+        folder = options.bundle
         if folder is None:
             folder = temporary / "bundle"
-            nf.stream.export(nf.datasets.city(blocks=3, detail=1 if given.quick else 2), folder, center=CENTER)
+            nf.stream.export(nf.datasets.city(blocks=3, detail=1 if options.quick else 2), folder, center=CENTER)
         size = nf.stream.open(folder).nbytes
         rows = []
-        for count, way in itertools.product(given.pages, WAYS):
+        for count, way in itertools.product(options.pages, WAYS):
             if way == "in turns" and count == 1:
                 continue
             # A browser becomes slower after drawing for long.
             with started() as chromium:
-                found = loads(chromium, folder, count, way)
-            sent = found.files / 1e6, found.files / size, found.all / 1e6, found.exchanged / 1e6
-            rows.append([count, way, *sent, found.first, found.slowest])
+                result = loads(chromium, folder, count, way)
+            sent = result.files / 1e6, result.files / size, result.all / 1e6, result.exchanged / 1e6
+            rows.append([count, way, *sent, result.first, result.slowest])
             print(rows[-1], flush=True)
     header = "pages | files from | MB of files {:.2f} | of one page's {:.2f} | all MB {:.2f} | MB among pages {:.2f}"
     header += " | first picture, s {:.1f} | the slowest, s {:.1f}"

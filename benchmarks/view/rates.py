@@ -26,7 +26,7 @@ from benchmarks.harness.report import folder_or_temporary, make_folder, start, t
 from benchmarks.stream._near import Place
 from benchmarks.stream.real import LINK, STRATEGIES, all_places
 from benchmarks.view._loading import Loading, loading
-from benchmarks.view._turns import Turn, measure_turn, of_page, of_whole, photo, renderer
+from benchmarks.view._turns import Turn, measure_turn, open_bundle, open_full_scene, photo, renderer
 from benchmarks.view.load import ANGLE, one_glb, write_script
 from nearfar.stream._strategies import Strategy
 from tests.support.browser import started
@@ -40,7 +40,7 @@ LOCAL = Network(nf.stream.Link(1000), None)
 
 
 @dataclass(frozen=True)
-class Seen:
+class SceneTurn:
     """A turn in a scene."""
 
     place: str
@@ -58,30 +58,25 @@ class Load:
     load: Loading
 
 
-class Files:
-    """Bundles and whole scenes in a folder; made if they are missing."""
+def place_bundle(parent: Path, place: Place) -> nf.stream.Bundle:
+    """Open a place's bundle in a folder; it is exported if it is missing."""
+    folder = parent / _name(place.name)
+    if (folder / "manifest.json").exists():
+        return nf.stream.open(folder)
+    return nf.stream.export(place.make(), folder, center=place.center, by_footprint=True)
 
-    def __init__(self, folder: Path) -> None:
-        self._folder = folder
 
-    def bundle(self, place: Place) -> nf.stream.Bundle:
-        """Return a place's bundle."""
-        folder = self._folder / _name(place.name)
-        if (folder / "manifest.json").exists():
-            return nf.stream.open(folder)
-        return nf.stream.export(place.make(), folder, center=place.center, by_footprint=True)
-
-    def whole(self, place: Place, *, instanced: bool) -> Path:
-        """Return a folder with the page of a whole scene."""
-        folder = self._folder / _name(f"{place.name} whole {'instances' if instanced else 'copies'}")
-        folder.mkdir(parents=True, exist_ok=True)
-        if not (folder / "scene.glb").exists():
-            (folder / "scene.glb").write_bytes(one_glb(place.make(instanced=instanced)))
-        if not (folder / "whole.js").exists():
-            write_script("_whole.mjs", folder / "whole.js")
-        (folder / "view.json").write_text(json.dumps({"eye": eye(place), "angle": ANGLE}))
-        (folder / "index.html").write_text('<body style="margin:0"><script type="module" src="whole.js"></script>')
-        return folder
+def full_scene(parent: Path, place: Place, *, instanced: bool) -> Path:
+    """Return a folder with the page of a full scene; missing files are written."""
+    folder = parent / _name(f"{place.name} full {'instances' if instanced else 'copies'}")
+    folder.mkdir(parents=True, exist_ok=True)
+    if not (folder / "scene.glb").exists():
+        (folder / "scene.glb").write_bytes(one_glb(place.make(instanced=instanced)))
+    if not (folder / "full.js").exists():
+        write_script("_full.mjs", folder / "full.js")
+    (folder / "view.json").write_text(json.dumps({"eye": eye(place), "angle": ANGLE}))
+    (folder / "index.html").write_text('<body style="margin:0"><script type="module" src="full.js"></script>')
+    return folder
 
 
 def _name(text: str) -> str:
@@ -96,20 +91,17 @@ def eye(place: Place) -> list[float]:
 class Run:
     """Scenes, sizes and times of a measurement."""
 
-    def __init__(self, files: Files, pictures: Path | None, seconds: float, *, quick: bool) -> None:
-        self.files, self._pictures, self._seconds = files, pictures, seconds
+    def __init__(self, folder: Path, pictures: Path | None, seconds: float, *, quick: bool) -> None:
+        self._folder, self._pictures, self._seconds = folder, pictures, seconds
         self._sizes = [(width // 4, height // 4) if quick else (width, height) for width, height in (SCREEN, EYES)]
         self.renderer = ""
         """Name of the renderer, as reported by WebGL."""
-        self.seen, self.loads = list[Seen](), list[Load]()
+        self.turns, self.loads = list[SceneTurn](), list[Load]()
 
     def figures(self) -> dict[str, Any]:
         """Return all results, for a file."""
-        return {
-            "renderer": self.renderer,
-            "turns": [asdict(one) for one in self.seen],
-            "loads": [asdict(one) for one in self.loads],
-        }
+        turns, loads = ([*map(asdict, results)] for results in (self.turns, self.loads))
+        return {"renderer": self.renderer, "turns": turns, "loads": loads}
 
     def turn(self, place: str, drawn: str, page: Any) -> None:
         """Turn the head in a page."""
@@ -117,40 +109,39 @@ class Run:
         if not self.renderer:
             self.renderer = renderer(page)
             print(self.renderer, flush=True)
-        self.seen.append(Seen(place, drawn, f"{width} × {height}", measure_turn(page, self._seconds)))
+        self.turns.append(SceneTurn(place, drawn, f"{width} × {height}", measure_turn(page, self._seconds)))
         if self._pictures:
             photo(page, self._pictures / f"{_name(f'{place} {drawn} {width}')}.jpg")
-        print(place, drawn, width, rate(self.seen[-1].turn.shown), flush=True)
+        print(place, drawn, width, rate(self.turns[-1].turn.shown), flush=True)
 
     def reduced(self, place: Place) -> None:
         """Turn in the page of a bundle."""
-        bundle = self.files.bundle(place)
-        with LOCAL.serve_bundle(Path(bundle._reader.place)) as url:
+        bundle = place_bundle(self._folder, place)
+        with LOCAL.serve_bundle(Path(bundle._reader.location)) as url:
             for size in self._sizes:
-                with started() as chromium, of_page(chromium, url, size, eye(place)) as page:
+                with started() as chromium, open_bundle(chromium, url, size, eye(place)) as page:
                     self.turn(place.name, "nearfar", page)
 
-    def whole(self, place: Place) -> None:
-        """Turn in whole scenes."""
+    def full(self, place: Place) -> None:
+        """Turn in full scenes."""
         for drawn, instanced in COPIES.items():
-            with LOCAL.served(self.files.whole(place, instanced=instanced)) as url:
+            with LOCAL.served(full_scene(self._folder, place, instanced=instanced)) as url:
                 for size in self._sizes:
-                    with started() as chromium, of_whole(chromium, url, size) as page:
+                    with started() as chromium, open_full_scene(chromium, url, size) as page:
                         self.turn(place.name, drawn, page)
 
     def loading(self, place: Place) -> None:
         """Load a bundle by each strategy."""
-        bundle = self.files.bundle(place)
-        folder = Path(bundle._reader.place)
+        bundle = place_bundle(self._folder, place)
+        folder = Path(bundle._reader.location)
         with network(LINK) as way, way.serve_bundle(folder) as url, way.browser(url) as chromium:
             print(place.name, way.name)
-            once = partial(loading, way, chromium, url, bundle, size=self._sizes[0])
+            load = partial(loading, way, chromium, url, bundle, size=self._sizes[0])
             # The first load of a browser also compiles its shaders.
-            once("clovrd")
+            load("clovrd")
             for strategy in STRATEGIES:
-                found = once(strategy)
-                self.loads.append(Load(place.name, strategy, found))
-                print(place.name, strategy, rate(found.rates), flush=True)
+                self.loads.append(Load(place.name, strategy, load(strategy)))
+                print(place.name, strategy, rate(self.loads[-1].load.rates), flush=True)
 
 
 def rate(values: Sequence[float]) -> str:
@@ -158,13 +149,12 @@ def rate(values: Sequence[float]) -> str:
     return f"{np.mean(values):.1f} ± {np.std(values):.1f}"
 
 
-def turns_table(seen: list[Seen]) -> str:
+def turns_table(turns: list[SceneTurn]) -> str:
     """Table of turns."""
     rows = []
-    for one in seen:
-        turn = one.turn
-        numbers = rate(turn.shown), rate(turn.waited), turn.script, turn.triangles / 1e6
-        rows.append([one.place, one.drawn, one.size, *numbers])
+    for each in turns:
+        numbers = rate(each.turn.shown), rate(each.turn.waited), each.turn.script, each.turn.triangles / 1e6
+        rows.append([each.place, each.drawn, each.size, *numbers])
     header = " |  | pixels | shown | drawn and waited for | ms of script {:.2f} | M triangles drawn {:.2f}"
     return table("Frames a second after loading, mean ± sd of a turn's sectors", header, rows)
 
@@ -172,16 +162,16 @@ def turns_table(seen: list[Seen]) -> str:
 def loads_table(loads: list[Load]) -> str:
     """Table of loads."""
     rows = []
-    for one in loads:
-        load = one.load
-        numbers = load.picture, load.seconds, rate(load.rates), min(load.rates), load.longest
-        rows.append([one.place, one.strategy, *numbers])
+    for each in loads:
+        load = each.load
+        numbers = load.picture, load.seconds, rate(load.rates), min(load.rates), load.longest_ms
+        rows.append([each.place, each.strategy, *numbers])
     header = " |  | first picture, s {:.2f} | all, s {:.2f} | frames a second | least in half a second {:.0f}"
     return table("Frames while loading", header + " | longest frame, ms {:.0f}", rows)
 
 
 def main() -> None:
-    given = start(
+    options = start(
         __doc__,
         "--quick",
         place=("", "places whose names have this in them, such as factory"),
@@ -191,25 +181,25 @@ def main() -> None:
         pictures=(make_folder, "folder for pictures of each page"),
         json=(Path, "file for all figures"),
     )
-    with folder_or_temporary(given.folder) as folder:
-        run = Run(Files(folder), given.pictures, given.seconds, quick=given.quick)
-        firsts = set[object]()
-        for place in all_places(given.quick):
-            kind = place.name.partition(",")[0]
-            is_first = kind not in firsts
-            firsts.add(kind)
-            if given.place not in place.name:
+    with folder_or_temporary(options.folder) as folder:
+        run = Run(folder, options.pictures, options.seconds, quick=options.quick)
+        scenes = set[str]()
+        for place in all_places(options.quick):
+            scene = place.name.partition(",")[0]
+            is_first = scene not in scenes
+            scenes.add(scene)
+            if options.place not in place.name:
                 continue
-            if "reduced" in given.parts:
+            if "reduced" in options.parts:
                 run.reduced(place)
-            if "whole" in given.parts and is_first:
-                run.whole(place)
-            if "loading" in given.parts:
+            if "whole" in options.parts and is_first:
+                run.full(place)
+            if "loading" in options.parts:
                 run.loading(place)
-            if given.json:
-                given.json.write_text(json.dumps(run.figures(), indent=1) + "\n")
-    if run.seen:
-        print(turns_table(run.seen))
+            if options.json:
+                options.json.write_text(json.dumps(run.figures(), indent=1) + "\n")
+    if run.turns:
+        print(turns_table(run.turns))
     if run.loads:
         print(loads_table(run.loads))
 

@@ -31,9 +31,9 @@ def main() -> None:
         with Server({"": Site.of_bundle(bundle)}, rooms=Rooms()) as server:
             url = f"{server.url}?aa=0&strategy=clovrd&room=hour&datagrams=off"
             with used(program, url, 1) as page:
-                for part, held in enumerate(use(page, seconds), 1):
-                    counts = (held.objects[name] for name in COUNTED)
-                    rows.append([part * seconds / 600, held.poses, held.heap / 1e6, *counts])
+                for part, resources in enumerate(use(page, seconds), 1):
+                    counts = (resources.objects[name] for name in COUNTED)
+                    rows.append([part * seconds / 600, resources.poses, resources.heap / 1e6, *counts])
     print(table("A page in a room", ["minutes {:.1f}", "poses of others {:,}", "heap, MB {:.2f}", *COUNTED], rows))
 
 

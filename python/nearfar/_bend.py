@@ -60,11 +60,11 @@ def bend_rays(
     ----------
     The inverse of Eq. 1 of Popescu, Lee, Choi, Fahmy (2022), and of Alg. 1 of CloVR (2024).
     """
-    place, least = kernel_arguments(user, center, r1, r2, kind, strength), check.positive("tolerance", tolerance)
+    arguments, angle = kernel_arguments(user, center, r1, r2, kind, strength), check.positive("tolerance", tolerance)
     rays = np.ascontiguousarray(check.array("directions", directions), np.float64)
     with progress.bar("bending rays") as report:
-        points, longest = _core.bend_rays(rays, **place, tolerance=least, report=report)
-    return points.reshape(len(rays), longest, 3)
+        points, max_points = _core.bend_rays(rays, **arguments, tolerance=angle, report=report)
+    return points.reshape(len(rays), max_points, 3)
 
 
 def fold_margin(
@@ -101,12 +101,12 @@ def fold_margin(
     Eq. 1–3 of Popescu, Lee, Choi, Fahmy (2022).
     """
     check.choice("kind", kind, KINDS)
-    near, far = check.radii(r1, r2)
+    inner, outer = check.radii(r1, r2)
     return _core.fold_margin(
         check.vector("user", user),
         center=check.vector("center", center),
-        r1=near,
-        r2=far,
+        r1=inner,
+        r2=outer,
         kind=kind,
         strength=check.in_range("strength", strength, 0.0, 1.0),
     )

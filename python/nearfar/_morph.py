@@ -74,11 +74,11 @@ def morph(
     Popescu, Lee, Choi, Fahmy (2022), Eq. 1–3, for "blend". CloVR (2024), Alg. 1, for "cylinder", with the brackets
     that are missing in its formula of the weight w.
     """
-    place = kernel_arguments(user, center, r1, r2, kind, strength)
+    arguments = kernel_arguments(user, center, r1, r2, kind, strength)
     source = check.array("points", points)
-    shown = np.empty_like(source) if out is None else check.output("out", out, source)
-    _core.morph(source, shown, **place)
-    return shown
+    morphed = np.empty_like(source) if out is None else check.output("out", out, source)
+    _core.morph(source, morphed, **arguments)
+    return morphed
 
 
 def kernel_arguments(
@@ -90,7 +90,7 @@ def kernel_arguments(
     """
     check.choice("kind", kind, KINDS)
     empty = kind == "cylinder" and check.number("r1", r1) == 0.0 == check.number("r2", r2)
-    near, far = (0.0, 0.0) if empty else check.radii(r1, r2)
+    inner, outer = (0.0, 0.0) if empty else check.radii(r1, r2)
     eye, middle = check.vector("user", user), check.vector("center", center)
-    share = check.in_range("strength", strength, 0.0, 1.0)
-    return {"user": eye, "center": middle, "r1": near, "r2": far, "kind": kind, "strength": share}
+    factor = check.in_range("strength", strength, 0.0, 1.0)
+    return {"user": eye, "center": middle, "r1": inner, "r2": outer, "kind": kind, "strength": factor}

@@ -89,13 +89,12 @@ def tessellate(
     ----------
     Popescu, Lee, Choi, Fahmy (2022) morph vertices; the error bound is derived in this project.
     """
-    middle = check.vector("center", center)
-    near, far = check.radii(r1, r2)
+    origin, radii = check.vector("center", center), check.radii(r1, r2)
     settings: dict[str, Any] = {
-        "center": middle,
-        "radii": (near, far),
-        "stages": _stages(kind, far, radius, strength),
-        "reach": _reach(user_region, middle),
+        "center": origin,
+        "radii": radii,
+        "stages": _stages(kind, radii[1], radius, strength),
+        "reach": _reach(user_region, origin),
         "tolerance": check.positive("tolerance_px", tolerance_px) * _pixel_angle(camera),
     }
     if isinstance(mesh, Scene):
@@ -105,14 +104,14 @@ def tessellate(
     return _tessellate_trimesh(mesh, settings)
 
 
-def _stages(kind: str, far: float, radius: float | None, strength: float) -> tuple[float, bool] | None:
+def _stages(kind: str, r2: float, radius: float | None, strength: float) -> tuple[float, bool] | None:
     """Least radius of a growing morph and whether its strength is full; None for a blend, which does not grow."""
     check.choice("kind", kind, ("blend", "cylinder"))
-    share = check.in_range("strength", strength, 0.0, 1.0)
-    least = far if radius is None else check.in_range("radius", check.positive("radius", radius), 0.0, far)
+    least_strength = check.in_range("strength", strength, 0.0, 1.0)
+    least_radius = r2 if radius is None else check.in_range("radius", check.positive("radius", radius), 0.0, r2)
     if kind == "cylinder":
-        return least, share == 1.0
-    if radius is not None or share < 1.0:
+        return least_radius, least_strength == 1.0
+    if radius is not None or least_strength < 1.0:
         name = "strength" if radius is None else "radius"
         raise ValueError(f"{name}: expected none for kind 'blend', whose radii and strength are fixed")
     return None

@@ -12,7 +12,7 @@ import pytest
 
 import nearfar as nf
 from nearfar import _core
-from nearfar._base import aside, files
+from nearfar._base import files
 from tests.support import need
 
 
@@ -27,7 +27,7 @@ def content_of(target: Path) -> str:
 
 def run_killed(code: str, *arguments: object) -> None:
     """Run code whose process ends at once, as by kill −9."""
-    head = "import os, sys; from nearfar import _core; from nearfar._base import aside, files\n"
+    head = "import os, sys; from nearfar import _core; from nearfar._base import files\n"
     process = subprocess.run([sys.executable, "-c", head + code, *map(str, arguments)], timeout=600, check=False)
     assert process.returncode == 9
 
@@ -117,7 +117,7 @@ def test_a_folder_survives_a_kill_at_any_step(tmp_path: Path) -> None:
             if not exchange and step == "os.rename":
                 continue  # not called
             run_killed(f"{exchange}{die}{write}", target)
-            aside.restore(target)
+            files.restore(target)
             assert content_of(target) in ("old", "new"), (step, exchange)
             save(target, "old")
             assert list(tmp_path.iterdir()) == [target], (step, exchange)
@@ -127,7 +127,7 @@ def test_loading_restores_a_scene_that_was_set_aside(tmp_path: Path) -> None:
     reduced = nf.reduce(nf.datasets.room(), center=(-1.9, 1.55, 2.25), r1=1.7, r2=3.4, face_size=16)
     target = tmp_path / "light"
     reduced.save(target)
-    run_killed("os.rename(sys.argv[1], aside.replaced(files.Path(sys.argv[1]))); os._exit(9)", target)
+    run_killed("os.rename(sys.argv[1], files.replaced(files.Path(sys.argv[1]))); os._exit(9)", target)
     assert not target.exists()
     assert nf.ReducedScene.load(target).stats["near"] == reduced.stats["near"]
     assert list(tmp_path.iterdir()) == [target]

@@ -34,7 +34,7 @@ def test_results_that_exceed_memory_are_refused(tmp_path: Path, monkeypatch: pyt
 
 @pytest.mark.parametrize("backend", ["cpu", None])
 def test_pictures_that_exceed_memory_are_refused(backend: Backend | None, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(memory, "_room", lambda: 1 << 30)
+    monkeypatch.setattr(memory, "_free_bytes", lambda: 1 << 30)
     scene = nf.Scene.from_arrays(np.eye(3, dtype=np.float32), np.array([[0, 1, 2]], np.uint32))
     large = nf.Camera((0, 0, 0), fov=nf.Fov.symmetric(60), size=(20_000, 20_000))
     with pytest.raises(MemoryError, match="camera: a picture of 20000 × 20000 pixels takes"):

@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 
 import nearfar
+import nearfar as nf
 from nearfar._base.settings import gather
 
 PACKAGE = Path(nearfar.__file__).parent
@@ -40,6 +41,24 @@ def test_keywords_replace_fields() -> None:
         gather(Exposure, None, {"stop": 1.0})
     with pytest.raises(TypeError, match=r"^settings: expected Exposure"):
         gather(Exposure, 1.0, {})
+
+
+def test_keywords_replace_fields_that_exclude_them() -> None:
+    within = nf.RadiusSettings(budget=1000, reach=5.0)
+    assert gather(nf.RadiusSettings, within, {"r2": 50.0}) == nf.RadiusSettings(r2=50.0, reach=5.0)
+    assert gather(nf.RadiusSettings, nf.RadiusSettings(reach=5.0), {"budget": 9}).budget == 9
+    assert gather(nf.RadiusSettings, within, {"r2": None}) == within
+    with pytest.raises(ValueError, match=r"^r2: expected either r2 or budget, got both"):
+        gather(nf.RadiusSettings, within, {"r2": 50.0, "budget": 9})
+    assert gather(nf.LoadOptions, nf.LoadOptions(triangles=5), {"error": 2.0}) == nf.LoadOptions(error=2.0)
+    fov = nf.Fov.symmetric(90.0)
+    screen = nf.lod.MeasureSettings(hmd=nf.hmd.RIFT_S)
+    assert gather(nf.lod.MeasureSettings, screen, {"fov": fov, "size": (64, 64)}).hmd is None
+    threshold = nf.lod.LodThreshold(0.3, 0.8)
+    rules = nf.lod.LodRules(k=2.0, d=0.1)
+    assert gather(nf.lod.LodRules, rules, {"threshold": threshold}) == nf.lod.LodRules(threshold=threshold)
+    assert gather(nf.lod.LodRules, nf.lod.LodRules(threshold=threshold), {"k": 2.0}) == nf.lod.LodRules(k=2.0, d=0.8)
+    assert gather(nf.lod.LodRules, rules, {"threshold": "literal"}).k == 2.0
 
 
 def test_typed_keywords_are_the_fields_of_their_settings() -> None:

@@ -112,7 +112,7 @@ def test_reports_show_every_picture_and_measure(compared: tuple[Path, dict[str, 
     [
         ({"--min-psnr": "5", "--max-discontinuity": "50", "--max-tear": "500"}, {}),
         ({"--max-discontinuity": "50"}, {"--min-psnr": "90", "--max-boundary-discontinuity": "1e-6"}),
-        ({"--min-psnr": "5"}, {"--min-ssim": "0.9999", "--max-discontinuity": "-1", "--max-tear": "1e-6"}),
+        ({"--min-psnr": "5"}, {"--min-ssim": "0.9999", "--max-discontinuity": "1e-9", "--max-tear": "1e-6"}),
     ],
 )
 def test_thresholds_set_the_exit_status(
@@ -202,9 +202,11 @@ def test_compare_errors_are_sentences(city: Path, tmp_path: Path, capsys: pytest
     for wrong, words in [
         (("--distance", "0"), "--distance"),
         (("--user", "1,2"), "--user: expected x,y,z"),
-        (("--r1", "60", "--r2", "50"), "r1: expected less than r2"),
+        (("--r1", "60", "--r2", "50"), "--r1: expected less than r2"),
         (("--truth", "city"), "--truth: expected none with a scene"),
         (("--min-psnr", "nan"), "--min-psnr: expected a finite number"),
+        (("--min-ssim", "2"), "--min-ssim: expected a number from -1 to 1"),
+        (("--max-tear", "-1"), "--max-tear: expected a number of at least 0"),
     ]:
         status, _, errors = command(capsys, "compare", "-i", city, "-o", tmp_path / "out", *FAST, *wrong)
         assert status == 1

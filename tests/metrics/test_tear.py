@@ -8,7 +8,7 @@ from hypothesis import given, strategies as st
 from numpy.typing import NDArray
 
 import nearfar as nf
-from benchmarks.harness.torn import WIDE, at_the_line, picture, pixels, torn
+from benchmarks.harness.torn import DEFAULT_VIEW, at_the_line, picture, pixels, torn
 from nearfar._reduce.drawing import MorphKind
 from nearfar.metrics._tear import _tears
 
@@ -97,17 +97,17 @@ def test_an_overlap_that_hides_a_side_measures_zero(direction: float) -> None:
 
 @pytest.mark.parametrize(("epsilon", "columns"), [(4.0, (77, 82)), (2.0, (79, 80))])
 def test_borders_separate_neighbourhoods(epsilon: float, columns: tuple[int, int]) -> None:
-    left = pixels(WIDE)[..., 0] < 80.2
-    both = _tears(torn(0.0, 0.0), WIDE, epsilon, side=left)[1]
+    left = pixels(DEFAULT_VIEW)[..., 0] < 80.2
+    both = _tears(torn(0.0, 0.0), DEFAULT_VIEW, epsilon, side=left)[1]
     found = np.flatnonzero(both.any(axis=0))
     assert (found.min(), found.max()) == columns
-    assert not _tears(torn(0.0, 0.0), WIDE, epsilon, side=np.ones_like(left))[1].any()
+    assert not _tears(torn(0.0, 0.0), DEFAULT_VIEW, epsilon, side=np.ones_like(left))[1].any()
 
 
 def test_only_requested_pixels_are_measured() -> None:
     frame = torn(3.0, 0.5)
     wanted = np.random.default_rng(3).random((160, 160)) < 0.3
-    some, every = _tears(frame, WIDE, 4.0, wanted=wanted)[0], nf.metrics.tear(frame)
+    some, every = _tears(frame, DEFAULT_VIEW, 4.0, wanted=wanted)[0], nf.metrics.tear(frame)
     np.testing.assert_array_equal(np.isnan(some), ~wanted | np.isnan(every))
     np.testing.assert_array_equal(some[wanted], every[wanted])
 

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from nearfar import _core
-from nearfar.orthoview._codec import CONNECTED
+from nearfar.orthoview._codec import CONNECTION_LIMITS
 from nearfar.orthoview._grid import Grid, Place
 from tests.support.blend_oracle import Blend, Key
 from tests.support.orthoview_cases import CORNER, SIDE, boxes
@@ -42,9 +42,9 @@ class Pyramid:
         for number in range(len(DIRECTIONS)):
             if views.empty()[number]:
                 continue
-            own = [_core.OrthoSplats(views, number, views.connected(CONNECTED), cell)]
+            own = [_core.OrthoSplats(views, number, views.connected(CONNECTION_LIMITS), cell)]
             if behind is not None and not behind.empty()[number]:
-                own.append(_core.OrthoSplats(behind, number, behind.connected(CONNECTED), cell))
+                own.append(_core.OrthoSplats(behind, number, behind.connected(CONNECTION_LIMITS), cell))
             self.layers[level, place, number] = own
             self.depths[level, place, number] = views.depths()[number, ..., 0]
 

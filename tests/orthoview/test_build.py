@@ -12,8 +12,7 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from nearfar import _core
-from nearfar.orthoview._directions import directions_of
-from nearfar.orthoview._grid import Grid
+from nearfar.orthoview._grid import Grid, directions_of
 from tests.support import need
 from tests.support.orthoview_stores import CELL, FORMAT, SIZE, Counted, Interrupted, Telling, contents, of_cells, places
 

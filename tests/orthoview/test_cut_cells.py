@@ -12,7 +12,7 @@ from hypothesis import assume, given, reject, strategies as st
 
 import nearfar as nf
 from nearfar import _core
-from nearfar.orthoview._directions import Direction, directions_of
+from nearfar.orthoview._grid import Direction, directions_of
 from tests.support import cut_oracle as oracle
 
 NARROW = nf.Fov.symmetric(25)

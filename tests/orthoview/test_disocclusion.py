@@ -13,9 +13,8 @@ from numpy.typing import ArrayLike, NDArray
 import nearfar as nf
 from nearfar._base import progress
 from nearfar.orthoview import _disocclusion as measure, _sampling as sampling
-from nearfar.orthoview._directions import COUNTS, directions_of
 from nearfar.orthoview._disocclusion import choose_directions, disocclusion, nearest, smallest, viewers
-from nearfar.orthoview._grid import Grid, Place
+from nearfar.orthoview._grid import COUNTS, Grid, Place, directions_of
 from nearfar.orthoview._sampling import leaves
 from tests.support.orthoview_cases import boxes
 
@@ -166,7 +165,7 @@ def test_moving_objects_hide_nothing() -> None:
 
 
 def test_the_smallest_sufficient_set_is_chosen() -> None:
-    good, worse = measure.BOUND, measure.BOUND + 2 * measure.GAIN
+    good, worse = measure.GOOD_DISOCCLUSION, measure.GOOD_DISOCCLUSION + 2 * measure.MIN_IMPROVEMENT
     assert smallest({5: good, 9: 0.0, 13: 0.0, 26: 0.0}) == 5
     assert smallest({5: worse, 9: good, 13: 0.0, 26: 0.0}) == 9
     assert smallest({5: 0.5, 9: 0.4, 13: 0.3, 26: 0.2}) == 26
@@ -220,11 +219,11 @@ def test_sparse_worlds_need_queries_per_level_instead_of_per_leaf() -> None:
     assert len(found) == len(set(found)) >= 8
     assert {place[0] > 100 for place in found} == {True, False}
     assert all(world.scene.touches(grid.box(0, place)) for place in found)
-    assert world.looks <= 8 * sampling.KEPT * (grid.levels - 1)
+    assert world.looks <= 8 * sampling.CELLS_PER_LEVEL * (grid.levels - 1)
     assert world.queries == []
     choice = choose_directions(world, grid)
     assert choice.cells >= 4
-    assert len(world.queries) <= measure.LOOKED + measure.CELLS
+    assert len(world.queries) <= measure.COUNTED_LEAVES + measure.MAX_LEAVES
 
 
 def test_scenes_in_memory_are_sampled_at_their_triangles() -> None:
@@ -245,7 +244,7 @@ def test_leaves_of_sources_without_touches_are_sampled_evenly() -> None:
     world = Counted(far_apart())
     grid = Grid.from_bounds(world.bounds, SIDE)
     drawn = np.array(list(leaves(world, grid)))
-    assert 100 < len(drawn) <= sampling.BLIND
+    assert 100 < len(drawn) <= sampling.UNIFORM_LEAVES
     assert (drawn < grid.counts).all()
     half = np.array(grid.counts)[[0, 2]] / 2
     quarters = (drawn[:, [0, 2]] < half) @ (1, 2)
@@ -276,7 +275,7 @@ def test_leaves_whose_query_fails_are_skipped() -> None:
     near = [place for place in leaves(scene, grid) if place[0] == 2 and scene.query(grid.box(0, place)).triangle_count]
     middle = grid.box(0, (2, 0, 0))[:, 0]
     part = choose_directions(Touching(scene, fails=lambda box: box[0, 0] != middle[0]), grid)
-    assert 0 < part.cells <= len(near) < measure.CELLS
+    assert 0 < part.cells <= len(near) < measure.MAX_LEAVES
     none = choose_directions(Touching(scene, fails=lambda box: True), grid)
     assert none == measure.Choice(9, {}, 0)
 
@@ -287,7 +286,7 @@ def test_a_source_that_fails_at_the_second_query_is_skipped() -> None:
     world = Touching(scene)
     world.fails = lambda box: sum(bool((box == other).all()) for other in world.queries) == 2
     assert choose_directions(world, grid) == measure.Choice(9, {}, 0)
-    assert len(world.queries) > measure.CELLS
+    assert len(world.queries) > measure.MAX_LEAVES
 
 
 def test_empty_worlds_have_the_default_directions() -> None:

@@ -11,7 +11,7 @@ import pytest
 import nearfar as nf
 from nearfar._camera.shot import Shot
 from nearfar.orthoview import _loader
-from nearfar.orthoview._parts import GEOMETRY, RECORD
+from nearfar.orthoview._cut import GEOMETRY, RECORD
 from tests.support import need
 from tests.support.flight_cases import CHANNELS, LONG, Gate, camera_at, gated, images_of, is_same, readers, there, whole
 from tests.support.waiting import wait_until
@@ -118,7 +118,7 @@ def test_pictures_have_no_holes_while_views_arrive(tree: Tree, gate: Gate, monke
     with tree.fly(threads=1, prefetch=False) as flight:
         wait_until(lambda: flight.render(camera).stats["missing"] > 20)
         missing = []
-        coarsest = flight._pilot._base
+        coarsest = flight._pilot._coarsest
         while flight.waiting:
             gate.pass_some(1)
             frame = flight.render(camera)
@@ -137,14 +137,14 @@ def test_pictures_keep_parts_until_replacements_arrive(tree: Tree, flight: nf.or
     """Cells are wanted from another direction or level while nothing is read; forward and back."""
     camera = camera_at(tree, 60)
     first = whole(flight, lambda: flight.render(camera, time=0.0, channels=CHANNELS))
-    held = flight._before[0].parts()
+    held = flight._previous[0].parts()
     gate.close()
     for time, (distance, angle) in enumerate([(60, 0.9), (75, 0.3), (90, 0.3), (200, 0.3)], 1):
         moved = camera_at(tree, distance, angle)
         frame = flight.render(moved, time=time, channels=CHANNELS)
         right = tree.render(moved, channels=CHANNELS)
         assert frame.stats["missing"] > 0 == frame.stats["empty"]
-        assert len(flight._before[0].parts() & held) > len(held) / 4
+        assert len(flight._previous[0].parts() & held) > len(held) / 4
         assert (there(right) & ~there(frame)).sum() <= 0.05 * there(right).sum()
         both = there(right) & there(frame)
         off = np.abs(frame.require("range")[both] - right.require("range")[both])
@@ -196,10 +196,10 @@ def test_memory_keeps_needed_parts_and_little_else(tree: Tree) -> None:
                 flight.render(camera, time=time + 0.3)
                 plan = flight._pilot.plan(flight._has)
                 needed = {part for part in plan.order if part[2] not in (GEOMETRY, RECORD)}
-                assert needed <= set(views._kept.values)
-                own = sum(layer.bytes for key in needed for layer in views._kept.values[key])
+                assert needed <= set(views._cache.values)
+                own = sum(layer.bytes for key in needed for layer in views._cache.values[key])
                 assert views.cached_bytes == sum(
-                    layer.bytes for layers in views._kept.values.values() for layer in layers
+                    layer.bytes for layers in views._cache.values.values() for layer in layers
                 )
                 assert views.cached_bytes <= max(cache_bytes, own)
                 assert views.reads > reads
@@ -227,7 +227,7 @@ def test_needed_leaves_stay_in_memory(tree: Tree, gate: Gate, monkeypatch: pytes
 
 def test_pictures_become_finer_when_the_viewer_stops(tree: Tree, flight: nf.orthoview.Flight) -> None:
     """Above the speed limit of the link, pictures are coarser; at rest they have the requested detail."""
-    flight._pilot.meter.note(1.0, flight._received(), busy=True)
+    flight._pilot.meter.note(1.0, flight._received(), had_requests=True)
     for step in range(30):
         camera = camera_at(tree, 120 - 2 * step)
         frame = flight.render(camera, time=2 + step / 100)

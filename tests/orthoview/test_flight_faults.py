@@ -78,7 +78,7 @@ def server(tree: Tree, monkeypatch: pytest.MonkeyPatch) -> Iterator[Server]:
     need("aiohttp")
     monkeypatch.setattr(ThreadingHTTPServer, "request_queue_size", 1024)
     monkeypatch.setattr(_loader, "FIRST_PAUSE", 0.01)
-    monkeypatch.setattr(_loader, "LONGEST_PAUSE", 0.02)
+    monkeypatch.setattr(_loader, "MAX_PAUSE", 0.02)
     with serving(Path(tree.path).parent) as server:
         yield server
 
@@ -232,7 +232,7 @@ def test_a_store_is_updated_during_a_flight(small_shards: Tree, tmp_path: Path, 
         shown = whole(flight, lambda: flight.render(moved, time=100.0, channels=CHANNELS))
         assert is_same(shown, small_shards.render(moved, **some, channels=CHANNELS))
         whole(flight, lambda: flight.render(camera, time=200.0))
-        held = set(flight._viewer.views._kept.values)
+        held = set(flight._viewer.views._cache.values)
         gate.close()
         gate.views.clear()
         assert flight.refresh()
@@ -266,8 +266,7 @@ def shard_of(tree: Tree, key: Any) -> str:
     """Path of the shard that contains a view."""
     layout = tree._open_store().layout
     level, place, direction = key
-    shard = layout.shard_of(level, place)[0]
-    return layout.shard_path(layout.array(level, direction, "color"), shard).as_posix()
+    return layout.shard_path((level, place, layout.array(level, direction, "color")))
 
 
 def test_a_damaged_part_is_read_again_after_an_update(small_shards: Tree, tmp_path: Path) -> None:

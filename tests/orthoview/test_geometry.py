@@ -16,9 +16,9 @@ from PIL import Image
 
 import nearfar as nf
 from nearfar._base import glb
-from nearfar.orthoview._geometry import IMAGES, STEP, Images, cell_glb, moving_glb, step_of
+from nearfar.orthoview._geometry import IMAGES, MAX_STEP, Images, cell_glb, moving_glb, step_of
 from nearfar.orthoview._grid import Grid
-from nearfar.orthoview._owned import owned
+from nearfar.orthoview._owners import owned_mask
 from tests.support import printed_by_threads
 from tests.support.bundled_scenes import balls, farthest
 from tests.support.geometry_cases import keys, parts, standing, world_triangles
@@ -54,7 +54,7 @@ def test_each_triangle_belongs_to_one_of_the_leaves_that_it_touches(offset: Any,
     grid = Grid.from_bounds(world.bounds if part is None else np.array(part) + offset, cell)
     touched, belongs = Counter[bytes](), Counter[bytes]()
     for place, found in parts(world, grid):
-        mine = owned(found, grid, place)
+        mine = owned_mask(found, grid, place)
         touched.update(keys(found.triangles()))
         belongs.update(keys(found.triangles()[mine]))
     assert set(belongs) == set(touched)
@@ -84,7 +84,7 @@ def test_a_triangle_belongs_to_the_leaf_of_its_first_corner() -> None:
         np.float32,
     )
     world = nf.Scene.from_arrays(corners.reshape(-1, 3), np.arange(12).reshape(-1, 3))
-    mine = {place: owned(found, grid, place) for place, found in parts(world, grid)}
+    mine = {place: owned_mask(found, grid, place) for place, found in parts(world, grid)}
     found = {place: set(keys(world.query(grid.box(0, place)).triangles()[flags])) for place, flags in mine.items()}
     first, second, last, third = keys(corners)
     assert found == {(0, 0, 0): {second, third}, (1, 0, 0): {first}, (1, 0, 1): {last}}
@@ -94,7 +94,7 @@ def test_a_triangle_across_a_partial_tree_belongs_to_its_central_leaf() -> None:
     grid = Grid((0.0, 0.0, 0.0), 10.0, (5, 1, 1))
     # The tree's box cuts this triangle down to the rectangle between x = 0 and 50, and z = 0 and 10.
     world = nf.Scene.from_arrays([(-100, 5, -100), (-100, 5, 200), (300, 5, 0)], [[0, 1, 2]])
-    assert [place for place, found in parts(world, grid) if owned(found, grid, place).any()] == [(2, 0, 0)]
+    assert [place for place, found in parts(world, grid) if owned_mask(found, grid, place).any()] == [(2, 0, 0)]
 
 
 # positions ------------------------------------------------------------------------------------------------------------
@@ -105,7 +105,7 @@ def test_positions_are_within_the_stated_error(world: str, cell: float) -> None:
     errors = []
     for place, part in parts(scene, grid):
         data = cell_glb(part, grid, place)
-        mine = owned(part, grid, place)[: part._core.standing_triangle_count]
+        mine = owned_mask(part, grid, place)[: part._core.standing_triangle_count]
         assert (data is None) == (not mine.any())
         if data is None:
             continue
@@ -147,7 +147,7 @@ def test_shared_corners_are_rounded_equally_in_all_leaves(cell: float) -> None:
     world = nf.Scene.from_arrays(corners, faces)
     grid = Grid.from_bounds(world.bounds, cell)
     step = step_of(grid)
-    assert step == (STEP if cell == 16 else 2.0**-12)
+    assert step == (MAX_STEP if cell == 16 else 2.0**-12)
     files = [cell_glb(part, grid, place) for place, part in parts(world, grid)]
     found = np.concatenate([load_triangles(data) for data in files if data is not None]).reshape(-1, 3)
     expected = np.rint(corners / step) * step  # To the even step at ties.
@@ -254,7 +254,7 @@ def test_moving_objects_have_separate_files(tmp_path: Path) -> None:
         moving.append(world_triangles(scene))
     assert set(rows) == {"ball 0", "ball 1"}
     expected = world_triangles(world)[world._core.standing_triangle_count :]
-    assert farthest(np.concatenate(moving), expected) <= STEP
+    assert farthest(np.concatenate(moving), expected) <= MAX_STEP
 
 
 def test_bytes_do_not_depend_on_threads_or_runs() -> None:

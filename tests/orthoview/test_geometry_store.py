@@ -18,7 +18,7 @@ from nearfar.orthoview import _availability as availability
 from nearfar.orthoview._geometry import step_of
 from nearfar.orthoview._geometry_store import GeometryStore
 from nearfar.orthoview._grid import Grid, Place
-from nearfar.orthoview._owned import owned
+from nearfar.orthoview._owners import owned_mask
 from tests.support import need, valid
 from tests.support.bundled_scenes import balls, farthest
 from tests.support.geometry_cases import parts, stored, world_triangles
@@ -92,7 +92,7 @@ def test_cells_of_the_tileset_have_the_numbers_of_the_grid(case: Case) -> None:
     expected = {
         place
         for place, part in parts(case.world, case.grid)
-        if owned(part, case.grid, place)[: part._core.standing_triangle_count].any()
+        if owned_mask(part, case.grid, place)[: part._core.standing_triangle_count].any()
     }
     assert there == expected
     assert {path.parts[-4] for path in case.folder.rglob("*.glb")} == {str(level)}
@@ -269,7 +269,7 @@ def test_3d_tiles_renderer_finds_all_contents(name: str, tmp_path: Path) -> None
         cell = case.grid.box(0, (x, y, z))
         part = case.world.query(cell)
         moves = np.arange(part.triangle_count) >= part._core.standing_triangle_count
-        mine = owned(part, case.grid, (x, y, z)) & (moves == (folder == "moving"))
+        mine = owned_mask(part, case.grid, (x, y, z)) & (moves == (folder == "moving"))
         expected = world_triangles(part)[mine]
         bounds = [expected.min(axis=(0, 1)), expected.max(axis=(0, 1))]
         assert int(level) == case.grid.levels - 1

@@ -9,11 +9,10 @@ import pytest
 
 import nearfar as nf
 from nearfar._base.errors import UnusableError
-from nearfar.orthoview import _guests
-from nearfar.orthoview._directions import directions_of
-from nearfar.orthoview._grid import Grid, Place
+from nearfar.orthoview import _owners
+from nearfar.orthoview._grid import Grid, Place, directions_of
 from nearfar.orthoview._layout import Layout
-from nearfar.orthoview._owned import owned, owners
+from nearfar.orthoview._owners import owned_mask, owners
 from tests.support import need
 from tests.support.geometry_cases import parts, places
 from tests.support.orthoview_stores import box_about, of_subtrees, world_of
@@ -35,7 +34,8 @@ def of_tree(tree: nf.orthoview.OrthoTree) -> Guests:
 def by_hand(world: nf.Scene, grid: Grid) -> Guests:
     """Guests by definition: leaves that own triangles touching another leaf."""
     of_leaf = {place: {bytes(t) for t in part.triangles()} for place, part in parts(world, grid)}
-    mine = {place: {bytes(t) for t in part.triangles()[owned(part, grid, place)]} for place, part in parts(world, grid)}
+    masks = {place: owned_mask(part, grid, place) for place, part in parts(world, grid)}
+    mine = {place: {bytes(t) for t in part.triangles()[masks[place]]} for place, part in parts(world, grid)}
     found: Guests = {}
     for place, touching in of_leaf.items():
         others = {other for other, own in mine.items() if other != place and own & touching}
@@ -62,7 +62,7 @@ def test_owners_of_triangles_are_found(world: nf.Scene) -> None:
     grid = Grid.from_bounds(world.bounds, CELL)
     seen = 0
     for place, part in parts(world, grid):
-        np.testing.assert_array_equal((owners(part, grid) == place).all(axis=1), owned(part, grid, place))
+        np.testing.assert_array_equal((owners(part, grid) == place).all(axis=1), owned_mask(part, grid, place))
         seen += part.triangle_count
     assert seen > 100
     assert set(map(tuple, owners(world, grid).tolist())) <= set(places(grid))
@@ -92,13 +92,13 @@ LAYOUT = Layout(GRID, directions_of(5), 8, 12, 16, 3)
 
 
 def test_guests_are_parsed_from_text() -> None:
-    known: _guests.Guests = {(8, 2, 9): [(0, 0, 0), (19, 3, 19)], (15, 0, 15): [(5, 1, 7)]}
-    text = _guests.encode_guests(known)
-    assert _guests.guests_of(text, LAYOUT, 0, (1, 0, 1)) == known
-    assert _guests.guests_of(_guests.encode_guests({}), LAYOUT, 1, (0, 0, 0)) == {}
-    for wrong in (text[:-4], "AAAA", "é", text + text, _guests.encode_guests({})[:8]):
+    known: _owners.Guests = {(8, 2, 9): [(0, 0, 0), (19, 3, 19)], (15, 0, 15): [(5, 1, 7)]}
+    text = _owners.encode_guests(known)
+    assert _owners.guests_of(text, LAYOUT, 0, (1, 0, 1)) == known
+    assert _owners.guests_of(_owners.encode_guests({}), LAYOUT, 1, (0, 0, 0)) == {}
+    for wrong in (text[:-4], "AAAA", "é", text + text, _owners.encode_guests({})[:8]):
         with pytest.raises(UnusableError, match="guests"):
-            _guests.guests_of(wrong, LAYOUT, 0, (1, 0, 1))
+            _owners.guests_of(wrong, LAYOUT, 0, (1, 0, 1))
 
 
 @pytest.mark.parametrize(
@@ -113,6 +113,6 @@ def test_guests_are_parsed_from_text() -> None:
 )
 def test_impossible_guests_are_refused(leaf: Place, guest: Place) -> None:
     with pytest.raises(UnusableError, match="expected leaves of the subtree, and others of the tree"):
-        _guests.guests_of(_guests.encode_guests({leaf: [guest]}), LAYOUT, 0, (1, 0, 1))
+        _owners.guests_of(_owners.encode_guests({leaf: [guest]}), LAYOUT, 0, (1, 0, 1))
     with pytest.raises(UnusableError, match="expected leaves of the subtree"):
-        _guests.guests_of(_guests.encode_guests({(8, 0, 8): [(0, 0, 0)]}), LAYOUT, 1, (1, 0, 1))
+        _owners.guests_of(_owners.encode_guests({(8, 0, 8): [(0, 0, 0)]}), LAYOUT, 1, (1, 0, 1))

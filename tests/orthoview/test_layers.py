@@ -11,7 +11,7 @@ import trimesh
 
 import nearfar as nf
 from nearfar import _core
-from nearfar.orthoview._directions import directions_of
+from nearfar.orthoview._grid import directions_of
 from tests.support import orthoview_layers as slow, orthoview_oracle as oracle
 from tests.support.orthoview_cases import CORNER, FORMAT, SIDE, SIZE, STEPS, boxes, check_alike, leaf, picture
 from tests.support.orthoview_oracle import OCTANTS, Picture, Triple

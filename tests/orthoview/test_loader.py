@@ -10,8 +10,8 @@ import pytest
 
 import nearfar as nf
 from nearfar.orthoview import _loader
+from nearfar.orthoview._cut import GEOMETRY, RECORD, Part, kind
 from nearfar.orthoview._loader import BATCH, Loader
-from nearfar.orthoview._parts import GEOMETRY, RECORD, Part, kind
 from tests.support.flight_cases import readers
 from tests.support.waiting import wait_until
 
@@ -137,7 +137,7 @@ def test_a_damaged_part_is_reported_once_and_others_are_read() -> None:
 
 def test_each_server_outage_is_reported_once(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(_loader, "FIRST_PAUSE", 1e-4)
-    monkeypatch.setattr(_loader, "LONGEST_PAUSE", 1e-3)
+    monkeypatch.setattr(_loader, "MAX_PAUSE", 1e-3)
     store = Store()
     with loading(store) as loader:
         for number, times in enumerate((5, 3)):

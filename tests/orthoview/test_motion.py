@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from nearfar._camera.rotation import rotation
-from nearfar.orthoview._motion import FARTHEST_TURN, WINDOW, Motion
+from nearfar.orthoview._pilot import MAX_TURN, WINDOW, Motion
 
 transforms = trimesh.transformations
 Turn = NDArray[np.float64]
@@ -119,7 +119,7 @@ def test_the_rotation_is_extrapolated_up_to_a_right_angle(
     offset = np.array([4.0, -1.0, 0.5])
     after = motion.extrapolate(seconds, offset)
     assert after.position == (5.0, 1.0, 3.5)
-    angle = np.clip(rate * seconds, -FARTHEST_TURN, FARTHEST_TURN)
+    angle = np.clip(rate * seconds, -MAX_TURN, MAX_TURN)
     np.testing.assert_allclose(rotation_of(after), turn_about(angle, unit) @ seen, atol=1e-6)
     assert abs(math.hypot(*after.orientation) - 1) < 1e-12
 

@@ -10,7 +10,7 @@ import pytest
 import nearfar as nf
 from nearfar import _core
 from nearfar._render.ranged import ranged
-from nearfar.orthoview._motion_blur import pose_between
+from nearfar.orthoview._steady import pose_between
 from tests.support.steady_oracle import averaged
 
 FOVS: dict[str, Any] = {

@@ -82,7 +82,7 @@ def words_of(tree: nf.orthoview.OrthoTree, key: ViewKey) -> list[NDArray[np.uint
         }
         if not chunks:
             continue
-        views, bits = _codec.decoded(chunks, layout, (direction,))
+        views, bits = _codec.decode(chunks, layout, (direction,))
         arrays = (views.colors()[0], views.depths()[0, ..., 0], views.normals()[0], bits[0, ..., 0])
         found.append(words(*(np.asarray(array).astype(np.int64) for array in arrays)))
     return found

@@ -10,10 +10,9 @@ import numpy as np
 import pytest
 
 import nearfar as nf
-from nearfar.orthoview._cut import Settings
+from nearfar.orthoview._cut import GEOMETRY, RECORD, Part, Settings
 from nearfar.orthoview._meter import HALF_LIFE, Meter, Received
-from nearfar.orthoview._parts import GEOMETRY, RECORD, Part
-from nearfar.orthoview._pilot import RENEWED_TURN, SHARE, SLACK, Ahead, Pilot
+from nearfar.orthoview._pilot import HYSTERESIS, RATE_SHARE, RENEWED_TURN, Ahead, Pilot
 from nearfar.orthoview._prefetch import queue
 from tests.support import need
 from tests.support.flight_cases import FOV
@@ -44,7 +43,7 @@ def pilot_of(tree: Tree, settings: Settings | None = None, **ahead: Any) -> Pilo
     """A pilot that knows all records."""
     cutter = tree._open_store().viewer.cutter
     for height in (0.0, 500.0):
-        cutter.whole(camera_at((0, height, 0)), Settings(error_px=1e-3), around=True)
+        cutter.complete_cut(camera_at((0, height, 0)), Settings(error_px=1e-3), around=True)
     return Pilot(cutter, settings or Settings(), Ahead(**ahead))
 
 
@@ -57,8 +56,8 @@ def fly(pilot: Pilot, offset: Any, velocity: Any, time: float = 10.0) -> None:
 def measured(pilot: Pilot, rate: float, view: int = 1000, leaf: int = 5000) -> None:
     """The meter after a second in which views and leaves arrived."""
     count = round(rate) // (view + leaf)
-    pilot.meter.note(0.0, Received(), busy=False)
-    pilot.meter.note(1.0, Received(count, count * view, count, count * leaf), busy=True)
+    pilot.meter.note(0.0, Received(), had_requests=False)
+    pilot.meter.note(1.0, Received(count, count * view, count, count * leaf), had_requests=True)
     assert pilot.meter.rate == pytest.approx(count * (view + leaf))
 
 
@@ -139,7 +138,7 @@ def test_queues_are_renewed_after_movement_or_rotation(tree: Tree, monkeypatch: 
     assert count((0.101 * ahead, 0, 0)) == 1
     assert count((0.101 * ahead, 0, 0), 0.99 * RENEWED_TURN) == 0
     assert count((0.101 * ahead, 0, 0), 1.01 * RENEWED_TURN) == 1
-    pilot.take(tree._open_store().viewer.cutter)
+    pilot.switch_to(tree._open_store().viewer.cutter)
     assert count((0.101 * ahead, 0, 0), 1.01 * RENEWED_TURN) == 1
 
 
@@ -156,7 +155,7 @@ def test_the_speed_limit_follows_from_the_link(tree: Tree, height: float) -> Non
     new = parts_around(tree, camera_at(offset + np.array([ahead, 0, 0]))) - parts_around(tree, camera)
     assert new
     size = sum(5000 if part[2] == GEOMETRY else 1000 for part in new)
-    assert pilot.limit == pytest.approx(SHARE * 60_000 * ahead / size)
+    assert pilot.limit == pytest.approx(RATE_SHARE * 60_000 * ahead / size)
 
 
 def test_the_speed_limit_grows_with_the_height(tree: Tree) -> None:
@@ -201,26 +200,26 @@ def test_a_fast_viewer_requests_a_coarser_picture(tree: Tree) -> None:
         error = 2.0 ** (step / 2)
         new = parts_around(tree, camera_at(offset + np.array([ahead, 0, 0])), error) - parts_around(tree, camera, error)
         size = sum(5000 if part[2] == GEOMETRY else 1000 for part in new)
-        limits.append(SHARE * 60_000 * ahead / size if size else math.inf)
+        limits.append(RATE_SHARE * 60_000 * ahead / size if size else math.inf)
     assert pilot.limit == pytest.approx(limits[0])
     assert limits[0] < 400
     step = next((n for n, limit in enumerate(limits) if limit >= 400), 10)
     assert step > 0
-    assert pilot._wished == pytest.approx(2.0 ** (step / 2))
+    assert pilot._target_error == pytest.approx(2.0 ** (step / 2))
 
 
 def test_a_coarser_picture_is_shown_when_loaded_or_when_the_finer_one_is_missing(tree: Tree) -> None:
     for held, is_coarse in ((everything, True), (nothing, True)):
         pilot, plan = fast(tree, held)
         assert (plan.error_px > 1.0) == is_coarse
-        assert plan.error_px == pilot._wished
+        assert plan.error_px == pilot._target_error
     # While only the finer picture is loaded, it stays; the coarser one is read before parts ahead.
     own = set(tree.cut(camera_at((0, 10, 0))).keys(in_picture=True))
     leaves = tree.cut(camera_at((0, 10, 0))).leaf_places(in_picture=True)
     own |= {(0, place, GEOMETRY) for place in tree._viewer.cutter.with_guests(leaves)}
     pilot, plan = fast(tree, own.__contains__)
-    assert plan.error_px == 1.0 < pilot._wished
-    coming = tree.cut(camera_at((0, 10, 0)), error_px=pilot._wished).keys(in_picture=True)
+    assert plan.error_px == 1.0 < pilot._target_error
+    coming = tree.cut(camera_at((0, 10, 0)), error_px=pilot._target_error).keys(in_picture=True)
     assert set(chain(*plan.wanted.values())) <= own
     assert set(coming) <= set(plan.order)
     wanted = [*chain(*plan.wanted.values())]
@@ -239,7 +238,7 @@ def test_a_finer_picture_is_shown_when_loaded(tree: Tree) -> None:
         pilot.look(camera_at((0, 10, 0)), time)
         plan = pilot.plan(held.__contains__)
         assert plan.error_px == coarse
-        assert pilot._wished == 1.0
+        assert pilot._target_error == 1.0
     fine = tree.cut(camera_at((0, 10, 0))).keys(in_picture=True)
     assert set(fine) <= set(plan.order)
     pilot.look(camera_at((0, 10, 0)), 14.0)
@@ -254,11 +253,11 @@ def test_a_picture_becomes_finer_with_slack_only(tree: Tree) -> None:
     for error_px, is_coarse in ((1.0, False), (4.0, True), (1.0, False)):
         pilot = pilot_of(tree, margin=None)
         measured(pilot, 6_000_000)
-        pilot._error = pilot._wished = error_px
+        pilot._error = pilot._target_error = error_px
         fly(pilot, (0, 10, 0), (speed, 0, 0), 30.0)
         pilot.plan(nothing)
-        assert pilot._wished == 1.0 or speed < pilot.limit < SLACK * speed
-        assert (pilot._wished > 1.0) == is_coarse
+        assert pilot._target_error == 1.0 or speed < pilot.limit < HYSTERESIS * speed
+        assert (pilot._target_error > 1.0) == is_coarse
         speed = pilot.limit / 1.2  # On a path of the same length, since it is longer than the smallest cell.
 
 
@@ -279,19 +278,19 @@ def test_meters_forget_old_measurements(tree: Tree) -> None:
     meter = Meter()
     assert meter.rate == math.inf
     assert meter.bytes_of((0, (0, 0, 0), 3)) == meter.bytes_of((0, (0, 0, 0), GEOMETRY)) == 0
-    meter.note(1.0, Received(), busy=True)
+    meter.note(1.0, Received(), had_requests=True)
     assert meter.rate == math.inf
     notes = [(1.5, 700, 1), (2.5, 700, 0), (3.0, 900, 1), (3.1, 900, 1), (5.1, 1900, 1)]
     weight, count, time, views, before = 1.0, 0.0, 1.0, 0, 0
     for now, received, busy in notes:
-        meter.note(now, Received(views := views + 1, received), busy=bool(busy))
+        meter.note(now, Received(views := views + 1, received), had_requests=bool(busy))
         if busy:
             fade = 0.5 ** ((now - time) / HALF_LIFE)
             weight, count = weight * fade + now - time, count * fade + received - before
         time, before = now, received
         assert meter.rate == pytest.approx(count / weight)
         assert meter.bytes_of((0, (0, 0, 0), 3)) == received / views
-    meter.note(5.1, Received(views, 5000), busy=True)
+    meter.note(5.1, Received(views, 5000), had_requests=True)
     assert meter.rate == pytest.approx(count / weight)
-    meter.note(6.1, Received(2, 1000, 4, 8000), busy=False)
+    meter.note(6.1, Received(2, 1000, 4, 8000), had_requests=False)
     assert meter.bytes_of((0, (0, 0, 0), GEOMETRY)) == 2000

@@ -11,7 +11,7 @@ from hypothesis import given, settings, strategies as st
 from numpy.typing import NDArray
 
 import nearfar as nf
-from nearfar.orthoview._parts import GEOMETRY, Part
+from nearfar.orthoview._cut import GEOMETRY, Part
 from nearfar.orthoview._prefetch import Outlook
 from tests.support import cut_oracle, need
 from tests.support.orthoview_cases import CORNER

@@ -16,7 +16,7 @@ import pytest
 import trimesh
 
 import nearfar as nf
-from nearfar.orthoview import _guests, _store
+from nearfar.orthoview import _owners, _store
 from nearfar.orthoview._cut import Cutter, OrthoCut, Settings
 from nearfar.orthoview._grid import Place
 from tests.support import need, valid
@@ -237,7 +237,7 @@ def test_records_without_views_are_named(wide: Tree, tmp_path: Path) -> None:
         nf.orthoview.open(store).cut(CAMERA)
 
 
-NO_GUESTS = _guests.encode_guests({})
+NO_GUESTS = _owners.encode_guests({})
 WRONG: dict[str, Any] = {
     f"views {name}": {"0_0_0_0": {"views": views, "guests": NO_GUESTS}} for name, views in DAMAGED.items()
 }
@@ -292,7 +292,7 @@ def test_subtrees_are_read_once_and_empty_ones_never(wide: Tree) -> None:
     cutter = Cutter(wide._layout, read)
     turning = [looking((120, 30, 120), (120 + x, 0, 120 + z), 1024) for x in (-9, 9) for z in (-9, 9)]
     for camera in turning:
-        cutter.whole(camera, Settings(), around=True)
+        cutter.complete_cut(camera, Settings(), around=True)
     assert len(read.subtrees) == len(set(read.subtrees)) == cutter.subtree_count
     assert set(read.subtrees) == {(1, (0, 0, 0))} | {(0, place) for place in INHABITED}
 
@@ -300,7 +300,7 @@ def test_subtrees_are_read_once_and_empty_ones_never(wide: Tree) -> None:
 def test_subtrees_outside_of_the_picture_are_not_read(wide: Tree) -> None:
     read = Noted(wide)
     camera = looking((100, 30, 220), (220, 0, 200), 1024)  # Towards (2, 0, 2), away from (0, 0, 2).
-    found = Cutter(wide._layout, read).whole(camera, Settings())
+    found = Cutter(wide._layout, read).complete_cut(camera, Settings())
     assert set(read.subtrees) == {(1, (0, 0, 0)), (0, (2, 0, 2))}
     assert set(found.keys()) == set(wide.cut(camera, around=True).keys(in_picture=True))
 
@@ -322,7 +322,7 @@ def test_cells_above_stand_in_for_unknown_ones(wide: Tree) -> None:
     assert columns(mixed) > columns(coarse) - {(3, (0, 0, 0))}
     assert {(x >> 3, y >> 3, z >> 3) for x, y, z in mixed.leaf_places()} == {(0, 0, 0)}
     assert sorted(mixed.unknown) == [(0, (0, 0, 2)), (0, (1, 0, 0))]
-    whole, right = cutter.whole(camera, Settings(), around=True), wide.cut(camera, around=True)
+    whole, right = cutter.complete_cut(camera, Settings(), around=True), wide.cut(camera, around=True)
     assert whole.unknown == []
     assert (whole.keys(), whole.leaf_places()) == (right.keys(), right.leaf_places())
     assert set(whole.level.tolist()) >= {0, 3}

@@ -279,8 +279,8 @@ def test_without_a_cache_the_last_views_are_kept(shared_tree: Tree) -> None:
         views = tree._viewer.views
         keys = tree.cut(camera).keys()
         assert all(key in views for key in keys)
-        assert len(views._kept.values) == len(keys)
-        assert views.cached_bytes == sum(layer.bytes for layers in views._kept.values.values() for layer in layers)
+        assert len(views._cache.values) == len(keys)
+        assert views.cached_bytes == sum(layer.bytes for layers in views._cache.values.values() for layer in layers)
     reads = tree._viewer.views.reads
     tree.render(camera_at(tree, 200.0))
     assert tree._viewer.views.reads > reads

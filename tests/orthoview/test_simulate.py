@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import nearfar as nf
-from nearfar.orthoview._parts import Part
+from nearfar.orthoview._cut import Part
 from nearfar.orthoview._simulate import Value
 from tests.support import need
 from tests.support.flight_cases import FOV

@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from nearfar import _core
-from nearfar.orthoview._codec import CONNECTED
-from nearfar.orthoview._directions import directions_of
+from nearfar.orthoview._codec import CONNECTION_LIMITS
+from nearfar.orthoview._grid import directions_of
 from tests.support import render_oracle, splat_oracle
 from tests.support.orthoview_cases import CORNER, SIDE, boxes
 from tests.support.orthoview_oracle import DIRECTIONS, Triple
@@ -43,7 +43,7 @@ def test_a_floor_at_eye_height_is_a_line_of_its_length(fov: nf.Fov | nf.Orthogra
     up[..., 1] = 254
     views = _core.OrthoViews.from_arrays([(0, 1, 0)], layout, np.zeros((1, size, size, 3), np.uint8), codes, up)
     np.testing.assert_allclose(views.vectors()[0, 0, 0], (0, 1, 0), atol=1e-6)
-    splats = [_core.OrthoSplats(views, 0, views.connected(CONNECTED), ((-4.0, -4.0, -4.0), 8.0))]
+    splats = [_core.OrthoSplats(views, 0, views.connected(CONNECTION_LIMITS), ((-4.0, -4.0, -4.0), 8.0))]
     height = 4 - (2046 - 0.5) * 8 / 4092
     camera = nf.Camera((0.0, height, 32.0), fov=fov, size=(65, 65))
     shown = np.isfinite(draw_splats(splats, camera)["range"])
@@ -82,7 +82,7 @@ def test_a_cell_far_from_the_origin_keeps_its_precision() -> None:
     splats = splats_of([(0, 0, 1)])
     layout, shift = (16, 12, 24), np.array([2.0**22, 0, -(2.0**22)])
     views = _core.OrthoViews.of_cell(boxes()[0]._core, (tuple(CORNER), SIDE), [(0, 0, 1)], layout)
-    far = [_core.OrthoSplats(views, 0, views.connected(CONNECTED), (tuple(CORNER + shift), SIDE))]
+    far = [_core.OrthoSplats(views, 0, views.connected(CONNECTION_LIMITS), (tuple(CORNER + shift), SIDE))]
     camera = facing((0, 0, 1), WIDE)
     x, y, z = np.array(camera.position) + shift
     near, moved = draw_splats(splats, camera), draw_splats(far, replace(camera, position=(x, y, z)))

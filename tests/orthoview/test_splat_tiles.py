@@ -43,7 +43,7 @@ def box_of(tree: nf.orthoview.OrthoTree) -> NDArray[np.float64]:
 def cells(tree: nf.orthoview.OrthoTree, level: int) -> dict[tuple[int, tuple[int, int, int]], Cell]:
     """All cells that have Gaussians, from a level upwards."""
     reader = Cells(tree._files, tree._layout, tree.generation, box_of(tree), sun_of("sun"))
-    read = {key: reader.read(*key) for key in reader.below(level)}
+    read = {key: reader.read(*key) for key in reader.cells_down_to(level)}
     return {key: cell for key, cell in read.items() if len(cell.gaussians)}
 
 
@@ -266,7 +266,7 @@ def test_spark_loads_and_draws_exported_splats(few_tree: nf.orthoview.OrthoTree,
     )
     key = max(reader.cells_of_level(2), key=lambda cell: reader.read(*cell).pixels)
     cell, path = reader.read(*key), tmp_path / "cell.spz"
-    path.write_bytes(_spz.encoded(cell.gaussians))
+    path.write_bytes(_spz.encode(cell.gaussians))
     (x, y, z), side = cell.center.tolist(), few_tree.cell * 4
     look = Look((x + 0.8 * side, y + 0.9 * side, z + 2.2 * side), (x, y, z), 30.0, (96, 72))
     (loaded,), (picture,) = spark([(path, cell.center)], [(look, [0])], first=50)

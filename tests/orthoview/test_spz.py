@@ -51,30 +51,19 @@ def check(got: Rows, right: Gaussians, bits: int, degrees: float) -> None:
 @pytest.mark.parametrize(("version", "degrees"), [(2, 1.6), (3, 0.3)])
 def test_values_are_restored_within_half_a_step(version: int, degrees: float) -> None:
     gaussians = some(400)
-    data = _spz.encoded(gaussians, version=version)
+    data = _spz.encode(gaussians, version=version)
     bits = gzip.decompress(data)[13]
     assert 10 <= bits <= 17  # A reach of 60 m needs 6 of 23 bits.
     check(spz_rows(data, version), gaussians, bits, degrees)
 
 
-def test_our_own_reader_agrees() -> None:
-    gaussians = some(100)
-    for version in (2, 3):
-        data = _spz.encoded(gaussians, version=version)
-        got, right = _spz.decoded(data), spz_rows(data, version)
-        assert np.allclose(got.middle, right.middle, rtol=1e-6)
-        assert np.allclose(got.rotation, right.rotation, atol=1e-6)
-        assert np.allclose(got.scale, right.scale, rtol=1e-6)
-        assert np.abs(got.color / 255 - right.color.clip(0, 1)).max() <= 0.5 / 255 + 1e-9
-
-
 def test_a_file_consists_of_header_and_sections() -> None:
-    data = _spz.encoded(some(3))
+    data = _spz.encode(some(3))
     content = gzip.decompress(data)
     assert struct.unpack_from("<III", content) == (0x5053474E, 3, 3)
     assert len(content) == 16 + 3 * (9 + 1 + 3 + 3 + 4)
     assert data[4:8] == bytes(4)  # No time stamp, so that the same splats give the same bytes.
-    assert data == _spz.encoded(some(3))
+    assert data == _spz.encode(some(3))
 
 
 def test_fraction_bits_cover_the_reach_and_are_as_few_as_needed() -> None:
@@ -87,16 +76,9 @@ def test_fraction_bits_cover_the_reach_and_are_as_few_as_needed() -> None:
         _spz.fraction_bits(2e7, 1.0)
 
 
-def test_empty_and_damaged_files_are_handled() -> None:
-    assert len(_spz.decoded(_spz.encoded(NO_GAUSSIANS))) == 0
-    data = _spz.encoded(some(2))
-    content = bytearray(gzip.decompress(data))
-    for wrong in (b"no gzip", data[:-9], gzip.compress(content[:10]), gzip.compress(content[:-1])):
-        with pytest.raises(UnusableError):
-            _spz.decoded(wrong)
-    content[4] = 4
-    with pytest.raises(UnusableError, match="version 2 or 3"):
-        _spz.decoded(gzip.compress(content))
+def test_a_file_may_be_empty() -> None:
+    for version in (2, 3):
+        assert len(spz_rows(_spz.encode(NO_GAUSSIANS, version=version), version).middle) == 0
 
 
 @pytest.mark.slow
@@ -105,7 +87,7 @@ def test_the_reference_implementation_agrees(tmp_path: Path) -> None:
     gaussians = some(200)
     versions = (2, 3)
     for version in versions:
-        (tmp_path / f"{version}.spz").write_bytes(_spz.encoded(gaussians, version=version))
+        (tmp_path / f"{version}.spz").write_bytes(_spz.encode(gaussians, version=version))
     (tmp_path / "profile").mkdir()
     job = {"files": [f"/bundles/a/{version}.spz" for version in versions]}
     answer = answer_of("spz.mjs", job, tmp_path / "profile", {"a": tmp_path})

@@ -9,8 +9,8 @@ import numpy as np
 from hypothesis import given, strategies as st
 from numpy.typing import NDArray
 
+from nearfar.orthoview._cut import GEOMETRY, Part
 from nearfar.orthoview._grid import OCTANTS, Grid, Place
-from nearfar.orthoview._parts import GEOMETRY, Part
 from nearfar.orthoview._standins import Cell, Piece, Shown, StandIns, Wanted
 
 GRID = Grid((0.0, 0.0, 0.0), 1.0, (4, 4, 4))

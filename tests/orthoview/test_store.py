@@ -16,8 +16,9 @@ import pytest
 
 import nearfar as nf
 from nearfar._base.errors import UnusableError
+from nearfar.orthoview._files import ByteRange
 from nearfar.orthoview._layout import Layout
-from nearfar.orthoview._shard import complete
+from nearfar.orthoview._shard import check_complete
 from tests.support import need, valid
 from tests.support.orthoview_stores import CELL, SIZE, Counted, box_about, contents, places, world_of
 
@@ -98,7 +99,7 @@ def test_altered_chunks_and_damaged_shards_are_detected_when_read(copied_few: Pa
 
 def test_a_truncated_chunk_is_refused() -> None:
     with pytest.raises(UnusableError, match="world: expected 8 bytes at 64, got 7"):
-        complete("world", bytes(7), 64, 8)
+        check_complete(bytes(7), ByteRange("world", 64, 8))
 
 
 def test_verify_names_damaged_files(copied_few: Path) -> None:

@@ -56,7 +56,7 @@ def test_lossless_files_keep_every_value(picture: NDArray[np.uint8]) -> None:
     data = _webp.encode(picture)
     np.testing.assert_array_equal(_webp.decode(data, len(picture)), picture)
     # The mask of visible pixels does not affect lossless files.
-    assert _webp.encode(picture, seen=np.zeros(picture.shape[:2], bool)) == data
+    assert _webp.encode(picture, filled=np.zeros(picture.shape[:2], bool)) == data
 
 
 def test_lossy_files_are_close_and_better_qualities_closer() -> None:

@@ -19,7 +19,7 @@ import pytest
 
 import nearfar as nf
 from benchmarks.harness.link import CHECKOUT, CLIENT, SERVER, Shaped, shaped
-from benchmarks.harness.link.path import Path
+from benchmarks.harness.link.forward import Path
 from tests.support import need
 
 GOODPUT = 1448 / 1500

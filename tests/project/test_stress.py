@@ -10,7 +10,7 @@ import pytest
 from numpy.typing import NDArray
 
 import nearfar as nf
-from benchmarks.harness.tokyo import whole, with_buildings
+from benchmarks.harness.tokyo import load_arrays, with_buildings
 from nearfar.stream._on_demand import OnDemand
 from tests.support import need
 
@@ -26,7 +26,7 @@ City = tuple[NDArray[np.float32], NDArray[np.uint32]]
 def arrays() -> City:
     """Vertices and faces of 29.8 million triangles."""
     need("tokyo")
-    found = whole()
+    found = load_arrays()
     assert found is not None
     return found
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import logging
+from pathlib import Path
 
 import pytest
 
@@ -38,9 +39,22 @@ def test_the_choice_is_told(caplog: pytest.LogCaptureFixture) -> None:
     assert "sheared" in reduced._repr_html_()
     assert reduced.with_morph("none").reason == reduced.reason
     assert reduced.with_r1(4.0).reason == ""
+    open_place = nf.reduce(street(), r2=20.0, face_size=8, samples=1)
+    moved = open_place.with_r1(4.0)
+    assert open_place.reason.startswith(f"{moved.reason}; with r1 = 8 m")
+    assert moved.reason.endswith("is an open place near the middle")
+    assert "chosen" not in repr(moved)
     whole = nf.reduce(street(), center=CENTER, r1=8.0, r2=20.0, face_size=8, samples=1)
     assert whole.reason == ""
     assert "chosen" not in repr(whole)
+
+
+def test_reasons_are_saved(tmp_path: Path) -> None:
+    reduced = nf.reduce(street(), r2=20.0, face_size=8, samples=1)
+    reduced.save(tmp_path / "light")
+    loaded = nf.ReducedScene.load(tmp_path / "light")
+    assert loaded.reason == reduced.reason
+    assert ", chosen by reduce: " in repr(loaded)
 
 
 @pytest.mark.parametrize(("name", "value"), [("r1", -1.0), ("r2", 0.0), ("center", (0, 1))])

@@ -67,7 +67,7 @@ def test_radii_of_objects_divide_them_in_thirds() -> None:
 def test_a_missing_radius_follows_from_the_other(
     given: tuple[float | None, float | None], radii: tuple[float, float]
 ) -> None:
-    assert default_radii.completed(*given) == pytest.approx(radii)
+    assert default_radii.complete_radii(*given) == pytest.approx(radii)
     chosen = default_radii.choose(street(), viewpoint.facing((3.0, 1.7, -2.0), (9, 0, 9)), *given)
     assert (chosen.r1, chosen.r2) == pytest.approx(radii)
     assert bool(chosen.reason) == (None in given)
@@ -75,8 +75,8 @@ def test_a_missing_radius_follows_from_the_other(
 
 @pytest.mark.parametrize("r2", [0.1, 1.0, 4.0, 16.0, 17.0, 50.0, 400.0])
 def test_the_default_user_does_not_fold_the_picture(r2: float) -> None:
-    r1, _ = default_radii.completed(None, r2)
-    away = default_radii.aside(r1, r2)
+    r1, _ = default_radii.complete_radii(None, r2)
+    away = default_radii.user_distance(r1, r2)
     assert 0.1 * r1 < away <= 0.9 * r1
     assert nf.fold_margin((away, 0, 0), center=(0, 0, 0), r1=r1, r2=r2) > 0.0
     assert math.isfinite(r1)

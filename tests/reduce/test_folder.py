@@ -106,7 +106,7 @@ def test_all_shading_data_is_restored_bit_for_bit(tmp_path: Path) -> None:
     for how in METHODS:
         for toward in [(1, 0, 0.3), (-1, 0.1, 1), (0.2, 0, -1)]:
             assert_same_pictures(reduced, loaded, camera(USER, toward), **how)
-    again = glb.decode(glb.encode(loaded.scene._core, scene.object_names, {}), scene._names)
+    again = glb.Decoder(glb.encode(loaded.scene._core, scene.object_names, {}), scene._names).decode()
     np.testing.assert_array_equal(again.triangles(), near.triangles())
 
 

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, strategies as st
 
 import nearfar as nf
-from nearfar._reduce.drawing import morphed
+from nearfar._reduce.drawing import morph_spheres
 from nearfar._scene.levels import Leveled
 from tests.support.gpu_cases import ADAPTERS, adapter
 from tests.support.leveled_cases import GREY, RED, bytes_of, model_of
@@ -126,7 +126,7 @@ def test_morphed_spheres_enclose_their_points(
     """Tests the bound on the morph's stretching of a ball, for users within half of r₁."""
     user = np.add(CENTER, np.multiply(step, R1))
     sphere = Leveled(("ball",), np.array([0]), (), np.array([0]), np.array([middle], np.float64), np.array([radius]))
-    shown = morphed(sphere, user, center=CENTER, kind=kind, grown={"r1": R1, "r2": R2, "strength": 1.0})
+    shown = morph_spheres(sphere, user, center=CENTER, kind=kind, growth={"r1": R1, "r2": R2, "strength": 1.0})
     random = np.random.default_rng(0).normal(size=(500, 3))
     ball = middle + radius * random / np.linalg.norm(random, axis=1, keepdims=True)
     points = nf.morph(ball, user=user, center=CENTER, r1=R1, r2=R2, kind=kind)

@@ -11,9 +11,9 @@ from hypothesis import example, given, settings, strategies as st
 from numpy.typing import NDArray
 
 import nearfar as nf
-from nearfar._reduce.walk.folds import climbs, walkable
+from nearfar._reduce.walk.folds import height_differences, walkable_distance
 from nearfar._reduce.walk.grid import Grid, grids
-from nearfar._reduce.walk.ground import ground_heights
+from nearfar._reduce.walk.plan import ground_heights
 from nearfar._scene.builder import SceneBuilder
 from tests.support.reduce_cases import Array, box
 
@@ -37,7 +37,7 @@ def dense(path: Array, step: float = STEP) -> Array:
 
 def owners(points: Array, grid: Grid = GRID) -> Array:
     """Indices in `ALL` of the centres nearest to points (N, 2), by brute force, and margins to the second nearest."""
-    away = np.linalg.norm(points[:, None] - grid.places(ALL), axis=-1)
+    away = np.linalg.norm(points[:, None] - grid.centers(ALL), axis=-1)
     two = np.partition(away, 1, axis=1)
     return np.column_stack([away.argmin(axis=1), two[:, 1] - two[:, 0], two[:, 0]])
 
@@ -54,8 +54,8 @@ def in_polygon(points: Array, corners: Array) -> NDArray[np.bool_]:
 
 
 def test_neighbours_are_a_spacing_apart_and_cells_have_the_radius() -> None:
-    places = GRID.places(ALL)
-    away = np.linalg.norm(places - GRID.places(np.array([[0, 0]])), axis=1)
+    places = GRID.centers(ALL)
+    away = np.linalg.norm(places - GRID.centers(np.array([[0, 0]])), axis=1)
     np.testing.assert_allclose(np.sort(away)[1:7], GRID.spacing)
     points = np.random.default_rng(0).uniform(-40, 40, (5000, 2))
     nearest = owners(points)[:, 2]
@@ -75,7 +75,7 @@ def test_the_nearest_centre_is_found() -> None:
 @given(st.lists(POINTS, min_size=1, max_size=6))
 def test_cells_of_a_path_contain_its_points(listed: list[tuple[float, float, float]]) -> None:
     path = np.array(listed)
-    cells, facts = GRID.visited(path)
+    cells, facts = GRID.cells_of_path(path)
     points = dense(path)
     found = owners(points[:, [0, 2]])
     expected = found[found[:, 1] > 1e-6]
@@ -87,14 +87,14 @@ def test_cells_of_a_path_contain_its_points(listed: list[tuple[float, float, flo
         if not mine.any():
             # Less than a step of the path lies in the cell.
             begin = path[int(first)] + (first % 1) * (path[min(int(first) + 1, len(path) - 1)] - path[int(first)])
-            away = np.linalg.norm(begin[[0, 2]] - GRID.places(ALL[[number]]))
+            away = np.linalg.norm(begin[[0, 2]] - GRID.centers(ALL[[number]]))
             assert away <= GRID.spacing / math.sqrt(3) + 1e-6
         else:
             heights = points[mine, 1]
             assert low - 1e-9 <= heights.min()
             assert heights.max() <= high + 1e-9
             # The path may pass a corner of the cell by less than a step, between two points beside it.
-            away = np.linalg.norm(points[:, [0, 2]] - GRID.places(ALL[[number]]), axis=1)
+            away = np.linalg.norm(points[:, [0, 2]] - GRID.centers(ALL[[number]]), axis=1)
             around = points[away <= found[:, 2] + 2.0 * STEP, 1]
             assert around.min() <= low + STEP
             assert high - STEP <= around.max()
@@ -108,7 +108,7 @@ def test_cells_of_a_path_contain_its_points(listed: list[tuple[float, float, flo
 @given(st.lists(st.tuples(NUMBERS, NUMBERS), min_size=3, max_size=6))
 def test_cells_of_an_area_contain_its_points(corners: list[tuple[float, float]]) -> None:
     outline = np.array(corners)
-    cells = {tuple(cell) for cell in GRID.touched(outline).tolist()}
+    cells = {tuple(cell) for cell in GRID.cells_of_area(outline).tolist()}
     axis = np.arange(-60.0, 60.5, 2.5)
     points = np.stack(np.meshgrid(axis, axis), axis=-1).reshape(-1, 2) + 0.01
     inside = points[in_polygon(points, outline)]
@@ -117,7 +117,7 @@ def test_cells_of_an_area_contain_its_points(corners: list[tuple[float, float]])
     expected = {tuple(ALL[int(n)]) for n in found[found[:, 1] > 1e-6, 0]}
     assert expected <= cells
     # No centre is farther away than its own radius.
-    places = GRID.places(np.array(sorted(cells)))
+    places = GRID.centers(np.array(sorted(cells)))
     reach = np.concatenate([inside, border, places[in_polygon(places, outline)]])
     away = np.linalg.norm(places[:, None] - reach, axis=-1).min(axis=1)
     assert away.max() <= GRID.spacing / math.sqrt(3) + STEP
@@ -126,9 +126,9 @@ def test_cells_of_an_area_contain_its_points(corners: list[tuple[float, float]])
 def test_a_straight_path_needs_the_fewest_centres() -> None:
     """A cell covers at most 2 c of a straight path, and √3 c of it if the next one is to follow without a gap."""
     path = np.array([[-40.0, 1.7, 7.0], [60.0, 1.7, 80.0]])
-    counts = [len(grid.visited(path)[0]) for grid in grids(path[:, [0, 2]], 10.0)]
+    counts = [len(grid.cells_of_path(path)[0]) for grid in grids(path[:, [0, 2]], 10.0)]
     assert min(counts) == math.ceil(np.hypot(100, 73) / 10.0) + 1 - math.ceil(np.hypot(100, 73) / 10.0) % 2
-    assert len(GRID.visited(path)[0]) > min(counts)
+    assert len(GRID.cells_of_path(path)[0]) > min(counts)
 
 
 def walled() -> nf.Scene:
@@ -156,7 +156,7 @@ def test_climbs_cover_the_points_within_reach(
 ) -> None:
     path, centers = np.array(listed), np.array(middles)
     points = dense(path)
-    for center, climb in zip(centers, climbs(path, centers, reach), strict=True):
+    for center, climb in zip(centers, height_differences(path, centers, reach), strict=True):
         away = np.hypot(*(points - center)[:, [0, 2]].T)
         for radius, sign in ((reach - STEP, 1.0), (reach + STEP, -1.0)):
             near = np.abs(points[away <= radius, 1] - center[1])
@@ -167,9 +167,9 @@ def test_climbs_cover_the_points_within_reach(
 def test_the_quick_margin_is_conservative() -> None:
     for height in (0.0, 0.1, 0.34, 2.0, -0.0):
         exact = nf.fold_margin((0, height, 0), center=(0, 0, 0), r1=8.0, r2=17.0)
-        rounded = walkable("blend", 8.0, 17.0, height)
+        rounded = walkable_distance("blend", 8.0, 17.0, height)
         assert exact - 0.05 < rounded <= exact
-    assert walkable("blend", 8.0, 17.0, 2.0 + 1e-9) == walkable("blend", 8.0, 17.0, 2.0)
-    assert walkable("none", 8.0, 17.0, 5.0) == math.inf
-    assert walkable("blend", 8.0, 17.0, 1e300) == -math.inf
-    assert walkable("cylinder", 8.0, 17.0, 3.0) == pytest.approx(8.0, abs=1e-3)
+    assert walkable_distance("blend", 8.0, 17.0, 2.0 + 1e-9) == walkable_distance("blend", 8.0, 17.0, 2.0)
+    assert walkable_distance("none", 8.0, 17.0, 5.0) == math.inf
+    assert walkable_distance("blend", 8.0, 17.0, 1e300) == -math.inf
+    assert walkable_distance("cylinder", 8.0, 17.0, 3.0) == pytest.approx(8.0, abs=1e-3)

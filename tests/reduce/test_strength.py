@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import nearfar as nf
-from nearfar._reduce.drawing import Method, MorphKind, morphed
+from nearfar._reduce.drawing import Method, MorphKind, morph_spheres
 from nearfar._scene.levels import Leveled
 from tests.support.gpu_cases import ADAPTERS, adapter, check_color, check_ids
 from tests.support.growth_cases import AHEAD, KINDS, USER, reduced
@@ -202,7 +202,7 @@ def test_balls_of_a_weaker_morph_enclose_their_points() -> None:
     middle = CENTER + np.array([6.0, 0.0, 2.0])
     ball = Leveled(("ball",), np.array([0]), (), np.array([0]), middle[None], np.array([1.5]))
     grown: dict[str, Any] = {"r1": R1, "r2": R2, "strength": 0.5}
-    shown = morphed(ball, USER, center=(3.0, 1.7, -2.0), kind="blend", grown=grown)
+    shown = morph_spheres(ball, USER, center=(3.0, 1.7, -2.0), kind="blend", growth=grown)
     points = middle + 1.5 * unit(np.random.default_rng(0).normal(size=(500, 3)))
     apart = nf.morph(points, user=USER, center=CENTER, kind="blend", **grown) - shown.centers[0]
     assert np.linalg.norm(apart, axis=1).max() <= shown.radii[0]

@@ -38,7 +38,7 @@ def test_colour_is_shown_as_saved(full: nf.Frame) -> None:
     np.testing.assert_array_equal(decoded(png), picture)
 
 
-@pytest.mark.parametrize("name", preview.ORDER)
+@pytest.mark.parametrize("name", preview.CAPTIONS)
 def test_every_image_alone_has_a_picture(full: nf.Frame, name: str) -> None:
     image: dict[str, Any] = {name: full.require(name)}
     frame = nf.Frame(full.camera, full.origin, **image)
@@ -63,7 +63,7 @@ def test_large_frames_are_subsampled_before_conversion() -> None:
     camera = nf.Camera((0, 0, 0), fov=nf.Fov.symmetric(90, 4.0), size=(16000, 4000))
     color = np.broadcast_to(np.float32(0.5), (4000, 16000, 3))
     frame = nf.Frame(camera, color=color)
-    assert max(card.thinned(frame.require("color")).shape) <= 2 * card.MAX_PIXELS
+    assert max(card.subsample(frame.require("color")).shape) <= 2 * card.MAX_PIXELS
     (picture,) = Card(frame._repr_html_()).pictures()
     assert picture.shape == (160, 640, 3)
 

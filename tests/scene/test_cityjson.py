@@ -12,9 +12,8 @@ import pytest
 from numpy.typing import NDArray
 
 import nearfar as nf
-from nearfar._scene.city.appearance import Appearance
+from nearfar._scene.city.appearance import OBJECTS, SURFACES, Appearance
 from nearfar._scene.city.cityjson import read
-from nearfar._scene.city.classes import OBJECTS, SURFACES
 from nearfar._scene.city.collector import Collector, Part
 from nearfar._scene.city.surfaces import Surfaces
 from tests.support import data as data_file

@@ -19,8 +19,7 @@ from numpy.typing import NDArray
 import nearfar as nf
 from benchmarks.harness.tokyo import with_buildings
 from nearfar._scene.city import heights
-from nearfar._scene.city.footprints import Footprints
-from nearfar._scene.city.index import BoxIndex
+from nearfar._scene.city.footprints import BoxIndex, Footprints
 from nearfar._scene.city.read import open_footprints
 from nearfar._scene.content import assemble
 from tests.support import data as data_file, need

@@ -163,7 +163,7 @@ def test_saved_scenes_have_the_same_normals() -> None:
         builder.instance(handle, beside.copy(), name=f"ball {number}")
     scene = builder.build()
     encoded = glb.encode(scene._core, scene.object_names, {})
-    decoded = glb.decode(encoded, Names(scene.object_names))
+    decoded = glb.Decoder(encoded, Names(scene.object_names)).decode()
     before = parts_of(scene)
     after = [_core.mesh_parts(mesh) for mesh in _core.scene_parts(decoded)["meshes"]]
     for one, two in zip(before, after, strict=True):

@@ -12,8 +12,8 @@ from hypothesis import given, strategies as st
 from numpy.typing import NDArray
 
 import nearfar as nf
-from nearfar._scene.frames import earth_centred
-from nearfar._scene.tileset import frames, instances
+from nearfar._scene.frames import earth_centred, east_north_up
+from nearfar._scene.tileset import instances
 from nearfar._scene.tileset.tileset import Tileset
 from tests.support.tile_cases import Y_UP_TO_Z_UP, b3dm, cmpt, glb, instanced, tile, tileset, write
 
@@ -110,7 +110,7 @@ def test_instances_stand_upright_on_the_earth(tmp_path: Path) -> None:
     # The model's x, y and z point east, up and south, like the scene's at its origin.
     np.testing.assert_allclose(scene.bounds[:, 1] - scene.bounds[0, 1], [0, scene.bounds[1, 1] - scene.bounds[0, 1]])
     np.testing.assert_allclose(scene.transform("a/0"), np.eye(4), atol=1e-6)
-    up = frames.east_north_up(angles)
+    up = east_north_up(angles)
     expected = up[0].T @ up[1]
     turned = np.linalg.inv(TO_SCENE[:3, :3]) @ scene.transform("a/1")[:3, :3] @ np.linalg.inv(Y_UP_TO_Z_UP[:3, :3])
     np.testing.assert_allclose(turned, expected, atol=1e-9)

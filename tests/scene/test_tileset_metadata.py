@@ -85,7 +85,7 @@ def test_metadata_of_other_classes_is_ignored(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("changes", "words"),
     [
-        ({"count": 4}, "propertyTables[0].count: expected 3, the tiles that are there, got 4"),
+        ({"count": 4}, "propertyTables[0].count: expected 3, the number of available tiles, got 4"),
         ({"rows": np.zeros((2, 12))}, "expected 12 numbers for each of 3 tiles, got 192 bytes"),
         ({"rows": np.full((3, 12), np.nan)}, "expected finite numbers"),
         ({"tileMetadata": 1}, "tileMetadata: expected a whole number from 0 to 0"),

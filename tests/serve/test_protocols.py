@@ -191,9 +191,8 @@ def metrics(asking: httpx.Client) -> dict[str, float]:
 def test_the_log_records_responses(place: Path, as_json: bool) -> None:
     script = (
         "import sys, urllib.request\n"
-        "from nearfar.serve import _log\n"
-        "from nearfar.serve._server import Server\n"
-        f"assert _log.begin(as_json={as_json}) and not _log.begin()\n"
+        "from nearfar.serve._server import Server, begin_log\n"
+        f"assert begin_log(as_json={as_json}) and not begin_log()\n"
         "with Server.of_bundle(sys.argv[1]) as server:\n"
         "    urllib.request.urlopen(server.url + 'tileset.json').read()\n"
         "    try: urllib.request.urlopen(server.url + '%0A%22x')\n"

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from nearfar import _core
-from nearfar.serve._rooms import Rooms, kept_key, read_key, token
+from nearfar.serve._rooms import Rooms, ensure_key, read_key, token
 from nearfar.serve._server import Server
 from nearfar.serve._site import Site
 from nearfar.stream.client import join
@@ -92,7 +92,7 @@ def test_a_site_does_not_hide_rooms() -> None:
         ({"bytes_per_second": float("inf")}, "bytes_per_second: expected"),
         ({"poses_per_second": 0.0}, "poses_per_second: expected"),
         ({"hello_seconds": 0.0}, "hello_seconds: expected"),
-        ({"key": bytes(15)}, "key: expected 16 bytes or more, got 15"),
+        ({"key": bytes(15)}, "key: expected a key of 16 bytes or more, got 15"),
         ({"key": "secret" * 5}, "key: expected bytes, got str"),
         ({"peers": 1}, "peers: expected"),
         ({"datagrams": None}, "datagrams: expected"),
@@ -114,11 +114,11 @@ def test_tokens_of_empty_rooms_are_refused() -> None:
 
 def test_a_key_file_is_readable_by_its_owner_only(tmp_path: Path) -> None:
     place = tmp_path / "folder" / "key"
-    made = kept_key(place)
-    assert (len(made), kept_key(place), read_key(place)) == (32, made, made)
+    made = ensure_key(place)
+    assert (len(made), ensure_key(place), read_key(place)) == (32, made, made)
     assert stat.S_IMODE(place.stat().st_mode) == 0o600
     place.write_bytes(b"short")
     with pytest.raises(ValueError, match="key: expected a key of 16 bytes or more, got 5"):
-        kept_key(place)
+        ensure_key(place)
     with pytest.raises(FileNotFoundError):
         read_key(tmp_path / "nothing")

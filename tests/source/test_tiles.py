@@ -104,7 +104,7 @@ def test_only_touching_tiles_are_read(scene_and_folder: tuple[nf.Scene, Path]) -
     index = json.loads((folder / "tiles.json").read_text())
     boxes = np.array([tile["box"] for tile in index["tiles"]])
     touching = ((boxes[:, 0] <= aabb[1]) & (boxes[:, 1] >= aabb[0])).all(axis=1)
-    assert set(source._kept) == {tile["file"] for tile, near in zip(index["tiles"], touching, strict=True) if near}
+    assert set(source._cache) == {tile["file"] for tile, near in zip(index["tiles"], touching, strict=True) if near}
     assert 0 < touching.sum() < len(boxes)
 
 
@@ -117,7 +117,7 @@ def test_the_cache_is_bounded_and_changes_nothing(scene_and_folder: tuple[nf.Sce
         aabb = np.asarray(box, np.float64) + middle
         assert np.array_equal(rows(source.query(aabb)), rows(scene.query(aabb)))
         assert source.cached_bytes <= most
-    assert (len(source._kept) > 0) == (most > 0)
+    assert (len(source._cache) > 0) == (most > 0)
 
 
 def test_indexes_have_tight_boxes_and_fit_their_schema(scene_and_folder: tuple[nf.Scene, Path]) -> None:

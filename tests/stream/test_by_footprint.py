@@ -105,7 +105,7 @@ def test_a_centre_without_visible_near_objects(tmp_path: Path) -> None:
     ],
 )
 def test_damage_is_refused(bundle: nf.stream.Bundle, change: dict[str, Any], told: str, tmp_path: Path) -> None:
-    place = Path(bundle._reader.place)
+    place = Path(bundle._reader.location)
     manifest = json.loads((place / "manifest.json").read_text())
     manifest["regions"][0]["by_footprint"] |= change
     copy = tmp_path / "copy"

@@ -80,7 +80,7 @@ def test_neighbours_on_grids_and_lines_are_adjacent() -> None:
 @pytest.mark.parametrize("seed", range(4))
 def test_all_centres_are_connected(seed: int) -> None:
     points = scattered(150, seed, 3.0)
-    points[::3] = points[1::3] + np.array((_centers.APART, 0.0, 0.0))
+    points[::3] = points[1::3] + np.array((_centers.MIN_DISTANCE, 0.0, 0.0))
     near, reached, edge = _centers.neighbours(points), {0}, [0]
     while edge:
         edge = [n for place in edge for n in near[place] if n not in reached]
@@ -104,7 +104,7 @@ def test_centres_move_to_the_grid(grid: float) -> None:
 
 @pytest.mark.slow
 def test_regions_equal_bundles_of_each_centre(city: nf.Scene, bundle: nf.stream.Bundle, tmp_path: Path) -> None:
-    manifest = json.loads((Path(bundle._reader.place) / "manifest.json").read_text())
+    manifest = json.loads((Path(bundle._reader.location) / "manifest.json").read_text())
     listed: dict[str, Any] = {}
     for number, center in enumerate(CENTERS):
         alone = nf.stream.export(city, tmp_path / str(number), center=center, **SETTINGS)
@@ -123,7 +123,7 @@ def test_regions_equal_bundles_of_each_centre(city: nf.Scene, bundle: nf.stream.
         shared = {name: document[name] for name in ("dynamic", "notes", "map", "bounds", "triangles")}
         assert shared == {name: manifest[name] for name in shared}
     assert listed == manifest["files"]
-    assert set(bundle.files) == {f"files/{path.name}" for path in Path(bundle._reader.place, "files").iterdir()}
+    assert set(bundle.files) == {f"files/{path.name}" for path in Path(bundle._reader.location, "files").iterdir()}
     bundle.verify()
 
 

@@ -13,8 +13,7 @@ from nearfar.serve._server import Server
 from nearfar.stream import _room, _room_frames as frames
 from nearfar.stream._room_connection import Address, Connection
 from nearfar.stream._room_events import Event, Left, Placed, Pose, Posed, Said
-from nearfar.stream._room_inbox import MAX_BYTES, MAX_EVENTS, Inbox
-from nearfar.stream._room_round_trips import RoundTrips
+from nearfar.stream._room_queues import MAX_BYTES, MAX_EVENTS, Inbox, RoundTrips
 from nearfar.stream.client import Ended, Joined, RoomError, Settled, join
 from tests.support import need
 from tests.support.room_cases import KEY, REST, answers, run, server as served, until, wire
@@ -130,7 +129,7 @@ def test_malformed_frames_end_the_connection_with_a_message(garbage: bytes) -> N
             (end,) = [event async for event in ada]
             assert isinstance(end, Ended)
             assert (end.reason, end.returns) == ("frame", False)
-            assert "the server sent what is no frame: " in end.sentence
+            assert "expected valid frames from the server" in end.sentence
 
     run(script())
 

@@ -32,13 +32,13 @@ def server() -> Iterator[Server]:
 @pytest.fixture
 def is_waited_for(monkeypatch: pytest.MonkeyPatch) -> None:
     """Make users wait until the server has closed, however slow the machine is."""
-    monkeypatch.setattr(_room_connection, "CLOSING", 2 * HANGS)
+    monkeypatch.setattr(_room_connection, "CLOSE_TIMEOUT", 2 * HANGS)
 
 
 @pytest.fixture
 def is_not_waited_for(monkeypatch: pytest.MonkeyPatch) -> None:
     """Make users wait only briefly for a server that never closes."""
-    monkeypatch.setattr(_room_connection, "CLOSING", 0.05)
+    monkeypatch.setattr(_room_connection, "CLOSE_TIMEOUT", 0.05)
 
 
 @pytest.mark.usefixtures("is_waited_for")

@@ -185,7 +185,7 @@ def test_the_state_that_a_user_derives_equals_the_vectors(case: dict[str, Any]) 
     task = Task(case["user"], case["group"])
     for step in ({"returns": True}, *case["steps"]):
         if step["returns"]:
-            task.alone()
+            task.forget_users()
             for other in case["others"]:
                 task.add_user(other)
         if "message" in step:
@@ -250,7 +250,7 @@ def test_scores_of_groups_that_have_left_are_forgotten() -> None:
         task.hear(Score(Stage(1, 1), False, group, 0), 0.0, sender=9, group=group)
     task.forget_scores({2, 4})
     assert sorted(task.scores) == [2, 4]
-    task.alone()
+    task.forget_users()
     assert sorted(task.scores) == [2]
 
 
@@ -264,12 +264,12 @@ def test_a_pointer_must_meet_the_sphere_ahead_of_it() -> None:
 
 def test_spheres_reverse_at_the_faces_of_their_box() -> None:
     ages = np.linspace(-30.0, 30.0, 4001)
-    found = np.array([spheres.folded(1.5 * age, -1.0, 2.0) for age in ages])
+    found = np.array([spheres.reflect_into(1.5 * age, -1.0, 2.0) for age in ages])
     assert (found.min(), found.max()) == pytest.approx((-1.0, 2.0), abs=0.02)
     assert np.abs(np.diff(found)).max() <= 1.5 * (ages[1] - ages[0]) + 1e-12
-    assert spheres.folded(0.5, -1.0, 2.0) == 0.5
-    assert spheres.folded(2.5, -1.0, 2.0) == 1.5
-    assert spheres.folded(7.0, 1.0, 1.0) == 1.0
+    assert spheres.reflect_into(0.5, -1.0, 2.0) == 0.5
+    assert spheres.reflect_into(2.5, -1.0, 2.0) == 1.5
+    assert spheres.reflect_into(7.0, 1.0, 1.0) == 1.0
 
 
 def test_seats_are_separate_and_within_their_rectangle() -> None:
@@ -282,7 +282,7 @@ def test_seats_are_separate_and_within_their_rectangle() -> None:
         at = np.array([seat.position for seat in trial.seats])
         assert np.all(np.abs(at - (0.0, 1.7, 0.0)) <= (2.5, 0.0, 1.0))
         apart = np.linalg.norm(at[:, None] - at[None], axis=-1) + 10.0 * np.eye(4)
-        assert apart.min() >= spheres.APART
+        assert apart.min() >= spheres.MIN_SEAT_DISTANCE
 
 
 def test_messages_of_earlier_spheres_trials_and_runs_are_ignored() -> None:

@@ -169,7 +169,7 @@ def test_ranges_have_the_stated_error(low: float, high: float, error: float) -> 
 def test_ranges_next_to_zero_and_empty_maps_are_stored() -> None:
     ranges = np.array([0.0, 1e-6, 2.0], np.float32)
     scale = RangeScale.fit(ranges, 1e-3)
-    assert scale.ranges(scale.codes(ranges)) == pytest.approx([codec.NEAREST, codec.NEAREST, 2.0], rel=1e-3)
+    assert scale.ranges(scale.codes(ranges)) == pytest.approx([codec.MIN_RANGE, codec.MIN_RANGE, 2.0], rel=1e-3)
     nothing = np.full((1, 2, 2), np.inf, np.float32)
     scale = RangeScale.fit(nothing, 1e-3)
     assert np.isinf(scale.ranges(scale.codes(nothing))).all()

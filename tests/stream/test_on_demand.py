@@ -23,7 +23,7 @@ COARSE = 64
 @pytest.fixture(scope="module", autouse=True)
 def _coarse() -> Iterator[None]:
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(_on_demand, "COARSE", COARSE)
+        patch.setattr(_on_demand, "COARSE_FACE_SIZE", COARSE)
         yield
 
 

@@ -76,7 +76,7 @@ def test_the_page_marks_loaded_and_displayed_rings(
         need("link")
     with (
         network(LINK, real=kind == "real") as way,
-        way.serve_bundle(Path(bundle._reader.place)) as url,
+        way.serve_bundle(Path(bundle._reader.location)) as url,
         way.browser(url) as chromium,
     ):
         for strategy in strategies:

@@ -79,7 +79,7 @@ def test_frames_of_the_server_are_parsed(case: dict[str, Any]) -> None:
 
 @pytest.mark.parametrize("case", cases("rooms", "refused"))
 def test_malformed_frames_are_refused(case: dict[str, Any]) -> None:
-    with pytest.raises(RoomError, match="the server sent what is no frame"):
+    with pytest.raises(RoomError, match="expected valid frames from the server"):
         list(frames.read(bytes.fromhex(case["server"])))
 
 

@@ -30,7 +30,7 @@ def size_of(bundle: nf.stream.Bundle, names: Any) -> int:
 
 
 def manifest_size(bundle: nf.stream.Bundle) -> int:
-    return len((Path(bundle._reader.place) / "manifest.json").read_bytes())
+    return len((Path(bundle._reader.location) / "manifest.json").read_bytes())
 
 
 @pytest.mark.parametrize("strategy", STRATEGIES)
@@ -56,7 +56,7 @@ def test_without_delay_each_ring_appears_with_its_last_byte(bundle: nf.stream.Bu
 def test_compressed_files_equal_the_servers(bundle: nf.stream.Bundle) -> None:
     line = nf.stream.simulate(bundle, link=LINK, strategy="clovrd", gzip=True)
     plain = nf.stream.simulate(bundle, link=LINK, strategy="clovrd")
-    with Server.of_bundle(bundle._reader.place) as server, httpx.Client(base_url=server.url, timeout=60) as asking:
+    with Server.of_bundle(bundle._reader.location) as server, httpx.Client(base_url=server.url, timeout=60) as asking:
         sent = {}
         for name in plain.files:
             with asking.stream("GET", name, headers={"Accept-Encoding": "gzip"}) as answer:

@@ -8,8 +8,7 @@ import numpy as np
 import pytest
 
 import nearfar as nf
-from nearfar.stream._client_pictures import Pictures, SceneParts
-from nearfar.stream._measures import mean_over_time
+from nearfar.stream._client_pictures import Pictures, SceneParts, mean_over_time
 from nearfar.stream._stage import Shown
 from nearfar.stream._strategies import Strategy
 from tests.support.bundle_cases import village, write

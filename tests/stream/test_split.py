@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from nearfar._base import glb
-from nearfar.stream import _split
+from nearfar.stream import _detail
 from nearfar.stream._growth import Growth
 from nearfar.stream._manifest import NEAR_SHARE
 from tests.support import leveled_cases
@@ -187,7 +187,7 @@ def test_splits_without_a_bound_are_refused_before_work_begins(
 def test_too_many_triangles_are_refused_before_allocation(
     street: nf.Scene, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(_split, "MAX_ADDED_TRIANGLES", 500)
+    monkeypatch.setattr(_detail, "MAX_ADDED_TRIANGLES", 500)
     with pytest.raises(ValueError, match=r"^split_px: too small for ring 1 .* more than 500 triangles to the rings"):
         nf.stream.export(street, tmp_path / "none", split_px=SPLIT_PX, **SETTINGS)
     assert not (tmp_path / "none").exists()

@@ -59,6 +59,6 @@ def test_few_functions_of_an_export_take_the_scene_all_by_one_name(tmp_path: Pat
         nf.stream.export(scene, tmp_path / "chosen", **options, by_footprint=True)
         given: dict[str, Any] = {"radii": (12.0, 20.0), "lod": "depth", "split_px": 50.0}
         nf.stream.export(scene, tmp_path / "given", **options, grid=1.0, **given)
-    assert {name for _, name, _ in taken} > {"export", "object_radii", "manifest_of"}
+    assert {name for _, name, _ in taken} > {"export", "object_radii", "scene_facts"}
     assert set().union(*taken.values()) == {"scene"}
     assert len(taken) <= MAX_FUNCTIONS, sorted(taken)

@@ -22,7 +22,7 @@ SETTINGS: dict[str, Any] = {"grid": 2.0, "radii": (10.0, 22.0, 40.0), "face_size
 
 @pytest.fixture(autouse=True)
 def small(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(_on_demand, "COARSE", 64)
+    monkeypatch.setattr(_on_demand, "COARSE_FACE_SIZE", 64)
     for name, value in {"MIN_FACES": 500, "TILE_FACES": 50, "MIN_SIDE": 20.0}.items():
         monkeypatch.setattr(_tiles, name, value)
 

@@ -12,8 +12,9 @@ import pytest
 from numpy.typing import NDArray
 
 import nearfar as nf
+from nearfar.orthoview._layout import ViewKey
 from nearfar.orthoview._near import Near
-from nearfar.orthoview._views import ViewKey, Views
+from nearfar.orthoview._views import Views
 
 LONG = 120.0
 """Timeout of a test in seconds."""

@@ -195,7 +195,7 @@ def camera(floor: Floor, head: Vector, turn: Quaternion, side: str, ipd: float, 
 
 def folder_of(bundle: nf.stream.Bundle) -> Path:
     """The folder of a bundle."""
-    return Path(bundle._reader.place)
+    return Path(bundle._reader.location)
 
 
 def floor_of(page: Any, center: Vector) -> Floor:

@@ -20,8 +20,7 @@ from numpy.typing import ArrayLike, NDArray
 import nearfar as nf
 from nearfar import _core
 from nearfar.orthoview import _store
-from nearfar.orthoview._directions import directions_of
-from nearfar.orthoview._grid import Grid, Place
+from nearfar.orthoview._grid import Grid, Place, directions_of
 from tests.support import need
 from tests.support.orthoview_cases import CORNER, boxes
 from tests.support.shared_folders import make_once
@@ -64,7 +63,7 @@ def of_cells(world: nf.Scene) -> dict[tuple[int, tuple[int, int, int]], _core.Or
 
 def of_subtrees(tree: nf.orthoview.OrthoTree) -> Callable[[int, Place], _store.Cells]:
     """Reader of the cells that the records of a tree list for the subtree at a tier and a place."""
-    return _store.cells_of(tree._files, tree._layout, tree.generation, _store.Listed(tree._files, tree._layout))
+    return _store.open_generation(tree._files, tree._layout, tree.generation)[1]
 
 
 def masks_of(tree: nf.orthoview.OrthoTree) -> dict[tuple[int, Place], int]:

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 import nearfar as nf
 from nearfar import _core
 from nearfar._camera.shot import Shot
-from nearfar.orthoview._codec import CONNECTED
+from nearfar.orthoview._codec import CONNECTION_LIMITS
 from tests.support import splat_oracle
 from tests.support.orthoview_cases import CORNER, SIDE, boxes
 from tests.support.orthoview_oracle import Triple
@@ -35,7 +35,7 @@ def splats_of(
 ) -> list[_core.OrthoSplats]:
     """The same as splats."""
     views, cell = views_of(directions, (size, depth_bits, normal_bits))
-    bits = views.connected(CONNECTED)
+    bits = views.connected(CONNECTION_LIMITS)
     return [_core.OrthoSplats(views, number, bits, cell) for number in range(len(directions))]
 
 
@@ -139,7 +139,7 @@ def flat(color: int, depth: int = 100, z: float = 0.0) -> _core.OrthoSplats:
         np.full((1, size, size, 1), depth, np.uint16),
         np.full((1, size, size, 2), 127, np.uint16),
     )
-    return _core.OrthoSplats(views, 0, views.connected(CONNECTED), ((0.0, 0.0, z), 8.0))
+    return _core.OrthoSplats(views, 0, views.connected(CONNECTION_LIMITS), ((0.0, 0.0, z), 8.0))
 
 
 def limits_of(name: str) -> dict[str, Any]:

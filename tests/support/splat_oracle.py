@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 import nearfar as nf
 from nearfar import _core
 from nearfar._scene.srgb import to_linear
-from nearfar.orthoview._codec import CONNECTED
+from nearfar.orthoview._codec import CONNECTION_LIMITS
 from tests.support import orthoview_oracle
 from tests.support.orthoview_oracle import Axes, Triple
 from tests.support.render_oracle import CUBE_TABLE
@@ -134,7 +134,7 @@ def splats_of(
 ) -> list[Splat]:
     """The splats of one of a cell's views."""
     codes, axes = views.depths()[number, ..., 0], Axes.from_direction(direction)
-    counts = neighbours(views.connected(CONNECTED)[number, ..., 0])
+    counts = neighbours(views.connected(CONNECTION_LIMITS)[number, ..., 0])
     albedo, normals = to_linear(views.colors()[number] / 255), views.vectors()[number].astype(np.float64)
     extents, size = axes.extents * side, len(codes)
     x, y = extents[:2] / size

@@ -99,7 +99,7 @@ def test_names_are_always_shown_as_text(page: Any, tmp_path: Path) -> None:
     builder.instance(builder.mesh(corners * 0.1 + np.array([0, 1, -3]), faces), name=f"car {HOSTILE}")
     scene = builder.build(dynamic=[f"car {HOSTILE}"])
     bundle = nf.stream.export(scene, tmp_path / "b", center=(0, 1.7, 0), radii=[8.0], face_size=64, samples=1)
-    place = Path(bundle._reader.place)
+    place = Path(bundle._reader.location)
     manifest = json.loads((place / "manifest.json").read_text())
     manifest["notes"] = [HOSTILE]
     manifest["regions"][0]["findings"] = [HOSTILE]

@@ -81,7 +81,7 @@ def wait_for(page: SteppedPage, pose: dict[str, Any], ring: int) -> None:
 
 @pytest.mark.stress
 def test_a_load_is_smooth_and_clovrd_jumps(chromium: Any, bundle: nf.stream.Bundle, pose: dict[str, Any]) -> None:
-    with Server.of_bundle(bundle._reader.place) as server:
+    with Server.of_bundle(bundle._reader.location) as server:
         with open_page(chromium, *SIZE) as shown:
             held = HeldRings(shown, bundle)
             shown.goto(server.url)

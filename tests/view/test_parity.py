@@ -35,7 +35,7 @@ def test_pictures_equal_bent_rays(chromium: Any, tmp_path: Path, name: str) -> N
     settings: dict[str, Any] = {"face_size": 256, "quality": None, "pixels_per_degree": None}
     bundle = nf.stream.export(case.make(), tmp_path / "bundle", center=case.center, radii=case.radii, **settings)
     start = {"position": list(case.center), "yaw": 0.0, "pitch": 0.0}
-    with Server.of_bundle(bundle._reader.place) as server, open_page(chromium, *SIZE) as shown:
+    with Server.of_bundle(bundle._reader.location) as server, open_page(chromium, *SIZE) as shown:
         held = HeldRings(shown, bundle)
         # Multiple samples would mix colours of several faces.
         shown.goto(f"{server.url}?aa=0&strategy=clovrd")

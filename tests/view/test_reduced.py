@@ -14,7 +14,7 @@ import nearfar as nf
 from nearfar.serve._server import Server
 from nearfar.stream import _map_files as codec
 from nearfar.stream._decode import Layout, decode_map
-from nearfar.view import _content, _reduced
+from nearfar.view import _content
 from tests.support import valid
 
 CENTER = (0.3, 1.6, 0.2)
@@ -47,7 +47,7 @@ def maps_of(files: dict[str, bytes], ring: int) -> tuple[Any, Any]:
 @pytest.mark.parametrize("morph", ["blend", "cylinder"])
 def test_files_form_a_bundle(scene: nf.Scene, morph: str) -> None:
     reduced = reduced_room(scene, morph=morph)
-    files = _reduced.files_of(reduced)
+    files = _content.files_of(reduced)
     manifest = manifest_of(files)
     assert valid(manifest, "bundle")
     assert manifest["morph"] == {"kind": morph, "near_share": 0.6}
@@ -58,12 +58,12 @@ def test_files_form_a_bundle(scene: nf.Scene, morph: str) -> None:
     assert drawn == reduced.triangle_count
     margin = nf.fold_margin(CENTER, center=CENTER, r1=1.2, r2=2.0, kind=morph)
     assert region["fold_margin"] == pytest.approx(margin, rel=1e-3)
-    assert files == _reduced.files_of(reduced)
+    assert files == _content.files_of(reduced)
 
 
 def test_map_0_is_the_view_from_the_centre_and_map_1_the_scenes_map(scene: nf.Scene) -> None:
     reduced = reduced_room(scene, channels=("color", "range"))
-    files = _reduced.files_of(reduced)
+    files = _content.files_of(reduced)
     color, ranges = maps_of(files, 1)
     assert reduced.env is not None
     assert reduced.env.range is not None
@@ -87,19 +87,19 @@ def test_map_0_is_the_view_from_the_centre_and_map_1_the_scenes_map(scene: nf.Sc
 
 def test_maps_of_any_size_or_none_are_accepted(scene: nf.Scene) -> None:
     for size, stored in ((8, 64), (100, 128)):
-        files = _reduced.files_of(reduced_room(scene, face_size=size))
+        files = _content.files_of(reduced_room(scene, face_size=size))
         assert manifest_of(files)["map"]["face_size"] == stored
     corners = np.array([[0, 0, -3], [1, 0, -3], [0, 1, -3]], np.float32)
     everything = nf.reduce(nf.Scene.from_arrays(corners, np.array([[0, 1, 2]])), center=(0, 0, 0), r1=5, r2=9)
     assert everything.env is None
-    files = _reduced.files_of(everything)
+    files = _content.files_of(everything)
     assert not np.isfinite(maps_of(files, 1)[1]).any()
     assert manifest_of(files)["regions"][0]["rings"][1]["triangles"] == 1
 
 
 def test_moving_objects_are_dynamic(scene: nf.Scene) -> None:
     names = list(scene.object_names[:2])
-    files = _reduced.files_of(reduced_room(scene.with_dynamic(names)))
+    files = _content.files_of(reduced_room(scene.with_dynamic(names)))
     dynamic = manifest_of(files)["dynamic"]
     assert set(names) <= {entry["object"] for entry in dynamic["instances"]}
 
@@ -107,7 +107,7 @@ def test_moving_objects_are_dynamic(scene: nf.Scene) -> None:
 def test_scenes_without_a_morph_are_refused(scene: nf.Scene, tmp_path: Path) -> None:
     plain = reduced_room(scene, morph="none", boundary="r1")
     with pytest.raises(ValueError, match=r"^morph: expected 'blend' or 'cylinder' to show, got 'none'"):
-        _reduced.files_of(plain)
+        _content.files_of(plain)
     plain.save(tmp_path / "light")
     with pytest.raises(ValueError, match="with_morph"):
         nf.view.write_page(tmp_path / "light")
@@ -116,7 +116,7 @@ def test_scenes_without_a_morph_are_refused(scene: nf.Scene, tmp_path: Path) -> 
 def test_a_saved_scene_has_the_files_of_the_scene(scene: nf.Scene, tmp_path: Path) -> None:
     reduced = reduced_room(scene)
     reduced.save(tmp_path / "light", half=False)
-    expected = manifest_of(_reduced.files_of(reduced))
+    expected = manifest_of(_content.files_of(reduced))
     for place in ("light", "light/reduced.json"):
         read = _content.open_files(tmp_path / place)
         manifest = json.loads(read["manifest.json"]())

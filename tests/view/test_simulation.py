@@ -12,9 +12,8 @@ import pytest
 
 import nearfar as nf
 from nearfar.serve._server import Server
-from nearfar.stream._client_settings import ClientSettings
-from nearfar.stream._head_path import HeadPath
-from nearfar.stream._simulate import _course, _sizes
+from nearfar.stream._client_settings import ClientSettings, HeadPath
+from nearfar.stream._simulate import _load, _sizes
 from nearfar.stream._stage import Rates, Shown, Stage
 from nearfar.stream._strategies import STRATEGIES, Strategy, plan_of
 from nearfar.stream._transport import Transport
@@ -100,10 +99,10 @@ def test_files_are_requested_in_the_order_of_the_page(
     plan = plan_of(strategy, bundle._region, 0, bundle._manifest["dynamic"])
     transport = Transport(nf.stream.Link(50.0, rtt_ms=5.0))
     path = HeadPath.parse(None, CENTER)
-    _course(bundle, plan, transport, path, _sizes(bundle, False), ClientSettings(), math.inf)
+    _load(bundle, plan, transport, path, _sizes(bundle, False), ClientSettings(), math.inf)
     asked, urls = dict[str, None](), list[str]()
     names = [*bundle.files, "manifest.json"]
-    with Server.of_bundle(bundle._reader.place) as server, open_page(chromium, *SMALL) as page:
+    with Server.of_bundle(bundle._reader.location) as server, open_page(chromium, *SMALL) as page:
         page.on("request", lambda request: asked.update(dict.fromkeys(n for n in names if request.url.endswith(n))))
         page.on("request", lambda request: urls.append(request.url))
         page.goto(f"{server.url}?strategy={strategy}")

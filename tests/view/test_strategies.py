@@ -27,7 +27,7 @@ def test_vis1_shows_objects_as_they_arrive_and_the_map_last(chromium: Any, tmp_p
     entry = bundle._manifest["regions"][0]["by_footprint"]
     # The ring that represents the map.
     last, held = len(entry["portions"]) + 1, list[Any]()
-    with Server.of_bundle(bundle._reader.place) as server, open_page(chromium, *SIZE) as shown:
+    with Server.of_bundle(bundle._reader.location) as server, open_page(chromium, *SIZE) as shown:
         shown.route(f"**/{entry['map']['color'][3]}", lambda route: held.append(route))
         shown.goto(f"{server.url}?strategy=vis1&aa=0")
         page = SteppedPage(shown)

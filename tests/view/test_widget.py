@@ -90,7 +90,7 @@ def test_files_are_sent_in_pieces(view: Any, bundle: nf.stream.Bundle, monkeypat
     answer, (manifest,) = ask(view, name="manifest.json", start=0)
     assert answer == {"id": "7", "bytes": len(manifest)}
     assert set(json.loads(manifest)["files"]) == set(bundle.files)
-    monkeypatch.setattr("nearfar.view._widget.PIECE", 1000)
+    monkeypatch.setattr("nearfar.view._widget.PIECE_BYTES", 1000)
     for name in bundle.files[:5]:
         got = b""
         while True:

@@ -1,7 +1,7 @@
 /** Opens the content named by the page's address: a bundle, or a scene whose regions a server makes on demand. */
 import { filesOfGeometry, firstRings } from './bundle/contents';
 import { BundleError } from './bundle/error';
-import type { Point } from './bundle/manifest';
+import type { Manifest, Point } from './bundle/manifest';
 import { parseJson, readManifest } from './bundle/parse';
 import { createFiles, type Files, readDocument, type Received } from './bundle/source';
 import { NETWORK } from './bundle/transfer';
@@ -21,7 +21,7 @@ export interface Opened {
   readonly triangles: number;
   readonly isStatic: boolean;
   /** Files of dynamic objects, which every region needs; empty if regions list their own. */
-  readonly moving: readonly string[];
+  readonly movingFiles: readonly string[];
   /** Start pose, if the page's address names none. */
   readonly start: Pose;
   /** Centres of all regions; null if there is a place everywhere. */
@@ -30,70 +30,55 @@ export interface Opened {
   progressOf(region: number): ServerProgress | null;
 }
 
-/** Opens the address; `waits` is called when the server may still be loading the scene. */
+/** Opens the address; `onWait` is called when the server may still be loading the scene. */
 export async function openAddress(
   base: URL,
   query: URLSearchParams,
   strategy: Strategy,
   received: Received,
-  waits: () => void,
+  onWait: () => void,
 ): Promise<Opened> {
   const { signal } = new AbortController();
   const document = parseJson('manifest.json', await readDocument(base, received, signal));
-  return isSite(document)
-    ? openScene(base, document, query.get('rings'), strategy, received, waits)
-    : openBundle(base, document, query.get('rings'), strategy, received);
-}
-
-function openBundle(
-  base: URL,
-  document: unknown,
-  last: string | null,
-  strategy: Strategy,
-  received: Received,
-): Opened {
-  const whole = readManifest(document);
-  const manifest = firstRings(last, strategy.arrange(whole));
-  const { dynamic, regions, triangles } = manifest;
-  const [first] = regions;
-  if (!first) throw new BundleError('manifest.json: expected a region, got none');
-  return {
-    world: worldOf(manifest),
-    files: createFiles(base, (name) => whole.files[name], received),
-    title: null,
-    triangles,
-    isStatic: dynamic === null,
-    moving: dynamic ? filesOfGeometry(dynamic) : [],
-    start: { position: first.center, yaw: 0, pitch: 0 },
-    centers: regions.map(({ center }) => center),
-    progressOf: () => null,
-  };
-}
-
-async function openScene(
-  base: URL,
-  document: unknown,
-  last: string | null,
-  { isByRings }: Strategy,
-  received: Received,
-  waits: () => void,
-): Promise<Opened> {
-  if (!isByRings) {
+  const lastRing = query.get('rings');
+  if (!isSite(document)) {
+    const bundleManifest = readManifest(document);
+    return openBundle(base, bundleManifest, firstRings(lastRing, strategy.arrange(bundleManifest)), received);
+  }
+  if (!strategy.isByRings) {
     throw new BundleError('strategy: expected clovr or clovrd with a scene whose regions are made on demand', 'address');
   }
   const site = readSite(document);
-  waits();
-  const scene = await readScene(base, site, new AbortController().signal, NETWORK);
-  const world = createDemandWorld({ base, site, scene, lastRing: last, received, network: NETWORK });
+  onWait();
+  const scene = await readScene(base, site, signal, NETWORK);
+  const world = createDemandWorld({ base, site, scene, lastRing, received, network: NETWORK });
   return {
     world,
     files: world.files,
     title: site.title,
     triangles: scene.triangles,
     isStatic: scene.isStatic,
-    moving: [],
+    movingFiles: [],
     start: { ...scene.start, pitch: 0 },
     centers: null,
     progressOf: world.progressOf,
+  };
+}
+
+/** Opens the regions and rings of a manifest; the whole manifest lists the files. */
+function openBundle(base: URL, { files }: Manifest, manifest: Manifest, received: Received): Opened {
+  const { dynamic, regions, triangles } = manifest;
+  const [first] = regions;
+  if (!first) throw new BundleError('manifest.json: expected a region, got none');
+  return {
+    world: worldOf(manifest),
+    files: createFiles(base, (name) => files[name], received),
+    title: null,
+    triangles,
+    isStatic: dynamic === null,
+    movingFiles: dynamic ? filesOfGeometry(dynamic) : [],
+    start: { position: first.center, yaw: 0, pitch: 0 },
+    centers: regions.map(({ center }) => center),
+    progressOf: () => null,
   };
 }

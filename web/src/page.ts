@@ -3,7 +3,7 @@ import { messageOf } from './base/errors';
 import { BundleError, damagedFile } from './bundle/error';
 import type { RegionEntry } from './bundle/manifest';
 import { createControls } from './control/controls';
-import { directionTo, placeFor } from './control/floor';
+import { destinationOf, directionTo } from './control/floor';
 import { distance } from './control/limit';
 import { type Pose, readLink, writeLink } from './control/pose';
 import { openAddress } from './opened';
@@ -22,7 +22,7 @@ import { type Headset, offerHeadset } from './xr/session';
 /** Vertical field of view, degrees. */
 const ANGLE = 75;
 /** Seconds between two updates of the panel; timeout in seconds for loading the script of rooms. */
-const [PANEL_EVERY, ROOM_SCRIPT] = [0.25, 2] as const;
+const [PANEL_INTERVAL, ROOM_TIMEOUT] = [0.25, 2] as const;
 
 declare global {
   interface Window {
@@ -50,9 +50,9 @@ async function main(): Promise<void> {
   let room: Room | null = null;
   let problems: readonly string[] = [];
   /** Pose that the user is moving to; pose whose loading has failed. */
-  let [wanted, missed]: (Pose | null)[] = [null, null];
+  let [targetPose, failedPose]: (Pose | null)[] = [null, null];
   const go = (target: Pose): void => {
-    wanted = target;
+    targetPose = target;
     viewer.go(target);
   };
   const retry = (): void => {
@@ -65,8 +65,8 @@ async function main(): Promise<void> {
     problems = [];
     clearMessage();
     viewer.retry();
-    if (missed) go(missed);
-    missed = null;
+    if (failedPose) go(failedPose);
+    failedPose = null;
   };
   const viewer = createViewer(canvas, {
     world,
@@ -76,23 +76,23 @@ async function main(): Promise<void> {
     antialias: query.get('aa') !== '0',
     isSmooth: strategy.isSmooth,
     isWhole: strategy.isWhole,
-    failed(reason) {
+    onFailure(reason) {
       problems = [reason.message];
-      if (viewer.facts.goal === null) [wanted, missed] = [null, wanted];
+      if (viewer.facts.goal === null) [targetPose, failedPose] = [null, targetPose];
       const file = damagedFile(reason);
       if (file !== null) files.distrust(file);
       // Without ring 0 there is nothing to draw.
       if (viewer.facts.arrived < 0) showError(reason);
     },
-    lost(isLost) {
+    onLoss(isLost) {
       problems = isLost ? [GRAPHICS_LOST] : [];
       // The lost context belonged to the headset's session, and the restored one does not.
       if (isLost && headset?.isPresenting) void headset.toggle();
     },
-    moved(pose) {
+    onMove(pose) {
       // The failed pose is no longer wanted.
-      if (missed) problems = [];
-      wanted = missed = null;
+      if (failedPose) problems = [];
+      targetPose = failedPose = null;
       controls.setPose(pose);
       headset?.place(pose);
     },
@@ -105,7 +105,7 @@ async function main(): Promise<void> {
     onThumb: thumb.show,
     onGo(x, y) {
       const direction = directionTo(pose, [x, y], viewer.camera);
-      go({ ...pose, position: placeFor(pose.position, direction, viewer.pointAt(x, y)) });
+      go({ ...pose, position: destinationOf(pose.position, direction, viewer.pointAt(x, y)) });
     },
   });
   let pose = controls.update(0);
@@ -135,31 +135,23 @@ async function main(): Promise<void> {
   };
   if (centers && centers.length > 1) {
     commands.next = () => {
-      const place = (world.places.nearest(pose.position) + 1) % centers.length;
-      go(homeOf(place));
-      panel.announce(`Place ${place + 1} of ${centers.length}`);
+      const placeNumber = (world.places.nearest(pose.position) + 1) % centers.length;
+      go(homeOf(placeNumber));
+      panel.announce(`Place ${placeNumber + 1} of ${centers.length}`);
     };
   }
   const panel = createPanel(root, commands);
-  offerHeadset(
-    viewer,
-    {
-      pose: () => pose,
-      bounds: () => viewer.facts.bounds,
-      left: controls.setPose,
-      isStatic: opened.isStatic,
-    },
-    (found) => {
-      headset = typeof found === 'string' ? null : found;
-      commands.headset = found;
-    },
-  );
+  const { isStatic } = opened;
+  const headsetSettings = { pose: () => pose, bounds: () => viewer.facts.bounds, left: controls.setPose, isStatic };
+  offerHeadset(viewer, headsetSettings, (result) => {
+    headset = typeof result === 'string' ? null : result;
+    commands.headset = result;
+  });
   if (script) {
     const hands = (): Headset['hands'] | null => (headset?.isPresenting ? headset.hands : null);
-    const { moving } = opened;
     const { announce, explain } = panel;
-    const nearShare = world.nearShare;
-    const host = { viewer, canvas, root, files, moving, nearShare, hands, go, announce, explain };
+    const [movingFiles, nearShare] = [opened.movingFiles, world.nearShare];
+    const host = { viewer, canvas, root, files, movingFiles, nearShare, hands, go, announce, explain };
     const entered = script.then(
       async ({ enter }) => {
         room = enter(host);
@@ -168,21 +160,21 @@ async function main(): Promise<void> {
       () => panel.announce('The script of rooms cannot be loaded; reload the page'),
     ).catch((reason) => panel.announce(`The room cannot be entered: ${reason}`));
     // Files may come from other users of the room.
-    await Promise.race([entered, new Promise((done) => setTimeout(done, 1000 * ROOM_SCRIPT))]);
+    await Promise.race([entered, new Promise((done) => setTimeout(done, 1000 * ROOM_TIMEOUT))]);
   }
   viewer.open(world.places.nearest(start.position));
-  let last = performance.now();
-  let sincePanel: number = PANEL_EVERY;
+  let lastTime = performance.now();
+  let sincePanel: number = PANEL_INTERVAL;
   viewer.renderer.setAnimationLoop((now: number) => {
-    const seconds = Math.max(now - last, 0) / 1000;
-    last = now;
+    const seconds = Math.max(now - lastTime, 0) / 1000;
+    lastTime = now;
     pose = headset?.update(Math.min(seconds, MAX_FRAME_SECONDS)) ?? controls.update(seconds);
     room?.frame(pose);
     viewer.frame(pose, Math.min(seconds, MAX_FRAME_SECONDS));
     controls.setBounds(viewer.facts.bounds);
     meter.frame(seconds);
     sincePanel += seconds;
-    if (sincePanel < PANEL_EVERY) return;
+    if (sincePanel < PANEL_INTERVAL) return;
     sincePanel = 0;
     const { shown, triangles, region, entry, goal, received, expected } = viewer.facts;
     const { center, fold_margin } = world.places.of(region);
@@ -196,7 +188,7 @@ async function main(): Promise<void> {
       ...meter.read(),
       received,
       expected,
-      triangles: triangles.own,
+      triangles: triangles.inFile,
       drawn: triangles.drawn,
       sceneTriangles: opened.triangles,
       region,
@@ -213,7 +205,6 @@ function ringsOf(entry: RegionEntry | null): number {
   return (entry?.rings.length ?? 1) - 1 - (entry?.isCoarse ? 1 : 0);
 }
 
-/** Shows a page-wide message about a fatal error. */
 function showError(reason: unknown): void {
   const detail = messageOf(reason);
   const { title, text } = FATAL[reason instanceof BundleError ? reason.kind : 'other'];

@@ -2,30 +2,29 @@
 import { filesOfRing } from './bundle/contents';
 import type { Files } from './bundle/source';
 import type { Pose } from './control/pose';
-import { type Peers, startPeers } from './peers/start';
+import { startPeers } from './peers/start';
 import { type Address, inviteOf, readAddress, relayOf, shownName } from './rooms/address';
-import { type Avatars, createAvatars } from './rooms/avatars';
+import { createAvatars } from './rooms/avatars';
 import { type CardCommands, createArrivals, createRoomCard } from './rooms/card';
 import { CLOCK } from './rooms/clock';
-import { connect, type Connection } from './rooms/connection';
+import { connect } from './rooms/connection';
 import type { FromServer } from './rooms/frames';
-import { createHold, type Hold } from './rooms/hold';
+import { createHold } from './rooms/hold';
 import { type Activity, createPointing } from './rooms/pointing';
 import { type Body, isWithin } from './rooms/pose';
-import { createPresence, type Presence, type Seen } from './rooms/presence';
+import { createPresence, type Seen } from './rooms/presence';
 import { createSender } from './rooms/sending';
 import { type Ask, askDescription } from './rooms/server';
 import { createTicketStore, followPage } from './rooms/ticket';
-import { createOpen } from './rooms/way';
+import { createOpen } from './rooms/transports';
 import type { Viewer } from './show/viewer';
 import { make } from './ui/dom';
 import type { Row } from './ui/help';
 import type { HandRay } from './xr/hands';
 
 /** Seconds between two updates of the card. */
-const CARD_EVERY = 0.25;
+const CARD_INTERVAL = 0.25;
 
-/** Ways to point, for the help. */
 const HELP: readonly Row[] = [
   [['E'], 'point at the cursor, while held'],
   [['Middle button'], 'the same'],
@@ -41,7 +40,7 @@ export interface Host {
   readonly root: HTMLElement;
   readonly files: Files;
   /** Files that every region needs. */
-  readonly moving: readonly string[];
+  readonly movingFiles: readonly string[];
   /** r1 as a share of r2. */
   readonly nearShare: number;
   /** Hands of the headset; null outside a session. */
@@ -53,23 +52,7 @@ export interface Host {
   explain(title: string, rows: readonly Row[]): void;
 }
 
-export interface Room {
-  readonly address: Address;
-  readonly connection: Connection;
-  readonly presence: Presence;
-  readonly avatars: Avatars;
-  /** Exchange of files with other users. */
-  readonly peers: Peers;
-  /** Other users as last drawn; the user's own body. */
-  readonly seen: readonly Seen[];
-  readonly body: Body | null;
-  /** Updates the room before each frame with the user's pose. */
-  frame(pose: Pose): void;
-  /** Shared task of the users; null for none. */
-  readonly activity: Activity | null;
-  /** Starts a shared task. */
-  begin(activity: Activity): void;
-}
+export type Room = ReturnType<typeof join>;
 
 /** Joins the room that the page's address names; null if the address is invalid. */
 export function enter(host: Host): Room | null {
@@ -83,28 +66,19 @@ export function enter(host: Host): Room | null {
     announce: host.announce,
     exchange: (isOn) => room?.peers.switch?.set(isOn),
   };
-  const here = createRoomCard(host.root, commands);
+  const card = createRoomCard(host.root, commands);
   if (typeof address === 'string') {
-    here.refuse(address);
+    card.refuse(address);
     return null;
   }
   host.explain('Room', HELP);
-  const hold = createHold(host.canvas, here.button);
-  const room = join(host, address, hold, (made) => {
-    const { presence, connection, peers } = made;
-    const { name, group } = address;
-    const { others, server } = peers.counts;
-    const files = peers.refusal === null ? { others: others.bytes, server: server.bytes } : null;
-    const roundTrip = connection.roundTrips.median;
-    const exchanges = peers.switch?.isOn ?? null;
-    here.update(connection.state, { name, group, guests: presence.guests, roundTrip, files, exchanges });
-  });
+  const room = join(host, address, card);
   return room;
 }
 
-/** Joins a room; `onUpdate` is called a few times a second. */
-function join(host: Host, address: Address, hold: Hold, onUpdate: (room: Room) => void): Room {
+function join(host: Host, address: Address, card: ReturnType<typeof createRoomCard>) {
   const { viewer, nearShare } = host;
+  const hold = createHold(host.canvas, card.button);
   const presence = createPresence();
   const avatars = createAvatars(viewer.shared);
   const arrivals = createArrivals(host.announce);
@@ -126,8 +100,8 @@ function join(host: Host, address: Address, hold: Hold, onUpdate: (room: Room) =
     query: new URLSearchParams(location.search),
     ask,
     files: host.files,
-    wanted: () => [...host.moving, ...(viewer.facts.entry?.rings ?? []).flatMap(filesOfRing)],
-    isFirst: () => viewer.facts.arrived < 0,
+    shownNames: () => [...host.movingFiles, ...(viewer.facts.entry?.rings ?? []).flatMap(filesOfRing)],
+    isFirstPictureMissing: () => viewer.facts.arrived < 0,
     signal: connection.signal,
   });
   const sender = createSender((body, stops) => {
@@ -151,24 +125,27 @@ function join(host: Host, address: Address, hold: Hold, onUpdate: (room: Room) =
     peers.hear(frame);
     if (frame.kind === 'welcome' || frame.kind === 'joined') sender.repeat();
     if (frame.kind === 'welcome') arrivals.begin(frame.others);
-    else if (frame.kind === 'joined') arrivals.come(frame.user, shownName(frame.name, frame.user));
-    else if (frame.kind === 'left') arrivals.left(frame.user);
+    else if (frame.kind === 'joined') arrivals.add(frame.user, shownName(frame.name, frame.user));
+    else if (frame.kind === 'left') arrivals.remove(frame.user);
     activity?.hear(frame, now);
   }
 
-  const room: Room = {
+  return {
     address,
     connection,
     presence,
     avatars,
+    /** Exchange of files with other users. */
     peers,
-    get seen() {
+    /** Other users as last drawn. */
+    get seen(): readonly Seen[] {
       return seen;
     },
-    get body() {
+    get body(): Body | null {
       return body;
     },
-    frame(pose) {
+    /** Updates the room before each frame with the user's pose. */
+    frame(pose: Pose): void {
       const now = CLOCK.now();
       body = bodyOf(pose, now);
       sender.update(body, now);
@@ -177,15 +154,25 @@ function join(host: Host, address: Address, hold: Hold, onUpdate: (room: Room) =
       const { state } = connection;
       const own = state.kind === 'here' && body.pointer ? { number: state.user, body } : null;
       avatars.show(seen, own, pixelOf(viewer));
-      arrivals.tell(now);
-      if (now - updatedAt < CARD_EVERY) return;
+      arrivals.announceDue(now);
+      if (now - updatedAt < CARD_INTERVAL) return;
       updatedAt = now;
-      onUpdate(room);
+      const { others, server } = peers.counts;
+      card.update(state, {
+        name: address.name,
+        group: address.group,
+        guests: presence.guests,
+        roundTrip: connection.roundTrips.median,
+        files: peers.refusal === null ? { others: others.bytes, server: server.bytes } : null,
+        wantsExchange: peers.switch?.isOn ?? null,
+      });
     },
-    get activity() {
+    /** Shared task of the users; null for none. */
+    get activity(): Activity | null {
       return activity;
     },
-    begin(next) {
+    /** Starts a shared task. */
+    begin(next: Activity): void {
       activity = next;
       viewer.setGuests({
         get meshes() {
@@ -198,7 +185,6 @@ function join(host: Host, address: Address, hold: Hold, onUpdate: (room: Room) =
       });
     },
   };
-  return room;
 }
 
 /** Tangent of the angle of a pixel in the middle of the picture, or of an eye's picture. */

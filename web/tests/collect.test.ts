@@ -5,10 +5,9 @@ import { LEVELS, type Message, read, type Rules, type Tally, write } from '../sr
 import { reflectInto, isAimed, type Ray, seatsOf, sphereOf } from '../src/collect/spheres';
 import { Task } from '../src/collect/task';
 import type { Vector } from '../src/control/pose';
+import { bytesOf, hexOf } from '../src/base/bytes';
 import { FrameError } from '../src/rooms/bytes';
-
-const bytesOf = (hex: string): Uint8Array => Uint8Array.from(Buffer.from(hex, 'hex'));
-const hexOf = (bytes: Uint8Array): string => Buffer.from(bytes).toString('hex');
+import { assertNear } from './support/near';
 
 /** A message with the field names of the vectors. */
 function withVectorNames(message: Message | null): unknown {
@@ -64,14 +63,12 @@ function firstTrial(): Rules {
 
 test('spheres and seats have the positions of the vectors', () => {
   const rules = firstTrial();
-  const isNear = (found: readonly number[], expected: readonly number[]): void =>
-    found.forEach((value, axis) => assert.ok(Math.abs(value - (expected[axis] ?? NaN)) < 1e-12));
   for (const { group, run, trial, number, level, position, velocity, seat } of vectors.places) {
     const sphere = sphereOf(rules, { run, trial }, group, number);
     assert.equal(sphere.level, level);
-    isNear(sphere.position, position);
-    isNear(sphere.velocity, velocity);
-    isNear(seatsOf(rules, { run, trial }, group, [9])[0]?.position ?? [], seat);
+    assertNear(sphere.position, position, 1e-12);
+    assertNear(sphere.velocity, velocity, 1e-12);
+    assertNear(seatsOf(rules, { run, trial }, group, [9])[0]?.position ?? [], seat, 1e-12);
   }
 });
 
@@ -95,7 +92,7 @@ test('a game runs as in the vectors', () => {
   for (const { rules, group, users, steps } of vectors.plays) {
     const tasks = new Map<number, Task>(users.map((user) => [user, new Task(user, group)]));
     let said: string[] = [];
-    const join = (user: number): void => tasks.forEach((task) => task.joined(user));
+    const join = (user: number): void => tasks.forEach((task) => task.addUser(user));
     const deliver = (speaker: number, messages: readonly Message[], now: number): void => {
       for (const message of messages) {
         said.push(words(speaker, message));
@@ -112,7 +109,7 @@ test('a game runs as in the vectors', () => {
       }
       if (goes !== null) {
         tasks.delete(goes);
-        tasks.forEach((task) => task.left(goes));
+        tasks.forEach((task) => task.removeUser(goes));
       }
       if (now === 0) deliver(3, tasks.get(3)?.start({ ...firstTrial(), ...rules }, now) ?? [], now);
       for (const [user, task] of [...tasks].sort(([a], [b]) => b - a)) {
@@ -149,8 +146,8 @@ test('the state that a user derives equals the vectors', () => {
   for (const { region, user, group, others, steps, now: end, said } of vectors.hearings) {
     const task = new Task(user, group);
     const enter = (): void => {
-      task.alone();
-      others.forEach((other) => task.joined(other));
+      task.resetUsers();
+      others.forEach((other) => task.addUser(other));
     };
     enter();
     for (const { now, returns, sender, message, taken } of steps) {
@@ -165,7 +162,7 @@ test('the state that a user derives equals the vectors', () => {
 /** The task of a conductor whose trial has begun, with a still sphere. */
 function startTrial(users: number): Task {
   const task = new Task(0, 0);
-  for (let user = 1; user < users; user++) task.joined(user);
+  for (let user = 1; user < users; user++) task.addUser(user);
   task.start({ ...firstTrial(), speeds: [0, 0, 0], duration: 1000, hold: 1000, users }, 0);
   assert.equal(task.conduct(0, new Map())[0]?.kind, 'sphere');
   return task;
@@ -206,7 +203,7 @@ test('scores of groups that have left are forgotten', () => {
   }
   task.forgetScores((group) => group === 2 || group === 4);
   assert.deepEqual([...task.scores.keys()], [2, 4]);
-  task.alone();
+  task.resetUsers();
   assert.deepEqual([...task.scores.keys()], [2]);
 });
 

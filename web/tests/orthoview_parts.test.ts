@@ -2,13 +2,12 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { NO_MOTION } from '../src/control/drive';
-import { Cells } from '../src/orthoview/cut/cells';
-import type { Cut } from '../src/orthoview/cut/cut';
+import { Cells, type Cut } from '../src/orthoview/cut/cut';
 import { crc32c, contentSize, decompressZstd, xxh64 } from '../src/orthoview/decode/codecs';
 import { advanceFlight, startPose } from '../src/orthoview/fly';
 import { Queue } from '../src/orthoview/show/queue';
-import { choose, type Near } from '../src/orthoview/show/stand_in';
-import { Resident } from '../src/orthoview/show/stock';
+import { choose, type GeometryState } from '../src/orthoview/show/stand_in';
+import { GpuCache } from '../src/orthoview/show/stock';
 import type { Failure } from '../src/orthoview/store/error';
 import { type Layout, parseLayout, shapesOf, type Triple } from '../src/orthoview/store/layout';
 
@@ -73,6 +72,8 @@ function nearOf(...cells: readonly (readonly [number, Triple, readonly number[]]
   return { ...cut, cells: [], leaves };
 }
 
+type StateOf = (leaf: Triple) => GeometryState;
+
 const ROOT = '2/0/0/0';
 const NONE: Readonly<Record<string, readonly number[]>> = {};
 
@@ -80,17 +81,17 @@ function chooseParts(
   cut: Cut,
   there: Readonly<Record<string, readonly number[]>>,
   cells = cellsOf(LAYOUT),
-  near: Near = () => 'coming',
+  stateOf: StateOf = () => 'coming',
 ) {
-  const views = (level: number, place: Triple): readonly number[] => there[[level, ...place].join('/')] ?? [];
-  const { shown, missing, holes, ...leaves } = choose(cut, cells, views, 2, near);
+  const loaded = (level: number, place: Triple): readonly number[] => there[[level, ...place].join('/')] ?? [];
+  const { views: shown, missingViews: missing, holes, leaves: near, missingLeaves: coming } = choose(cut, cells, loaded, 2, stateOf);
   const name = ({ level, place, direction }: { level: number; place: Triple; direction: number }): string =>
     `${[level, ...place].join('/')}:${direction}`;
   return {
     shown: shown.map((each) => name(each) + (each.box ? ` in ${[each.box.level, ...each.box.place].join('/')}` : '')),
     missing: missing.map(name),
     holes,
-    ...(cut.leaves.length > 0 ? leaves : {}),
+    ...(cut.leaves.length > 0 ? { near, coming } : {}),
   };
 }
 
@@ -114,8 +115,8 @@ test('a cell above stands in within the box of the missing cell', () => {
 
 test('views stand in for a leaf until its geometry and that of its guests are loaded', () => {
   const cut = nearOf([0, [0, 0, 0], [0, 1]], [0, [1, 1, 1], [0, 1]]);
-  const without = (...names: readonly string[]): Near => {
-    return (place) => (names.includes(place.join('/')) ? 'coming' : 'there');
+  const without = (...names: readonly string[]): StateOf => {
+    return (place) => (names.includes(place.join('/')) ? 'coming' : 'loaded');
   };
   const found = chooseParts(cut, { [ROOT]: [0, 1] }, undefined, without('0/0/1'));
   // Its own views are not requested.
@@ -131,7 +132,7 @@ test('views stand in for a leaf until its geometry and that of its guests are lo
 });
 
 test('a leaf whose geometry cannot be drawn is drawn from views', () => {
-  const near: Near = (place) => (place.join('/') === '0/0/1' ? 'never' : 'there');
+  const near: StateOf = (place) => (place.join('/') === '0/0/1' ? 'undrawable' : 'loaded');
   const found = chooseParts(nearOf([0, [0, 0, 0], [0, 1]]), { '0/0/0/0': [1], [ROOT]: [0, 1] }, undefined, near);
   assert.deepEqual(found.missing, ['0/0/0/0:0']);
   assert.deepEqual(found.shown, [`${ROOT}:0 in 0/0/0/0`, `${ROOT}:1 in 0/0/0/0`]);
@@ -157,7 +158,7 @@ test('some views are better than none', () => {
   assert.equal(chooseParts(cut, NONE).holes, 1);
 });
 
-function createQueue(atOnce = 2) {
+function createQueue(maxRunning = 2) {
   const told: { sent: [number, string][]; cancelled: number[]; failed: string[]; recovered: number; now: number } = {
     recovered: 0,
     sent: [],
@@ -166,14 +167,14 @@ function createQueue(atOnce = 2) {
     now: 0,
   };
   const queue = new Queue<string>({
-    atOnce,
+    maxRunning,
     send: (id, job) => told.sent.push([id, job]),
     cancel: (id) => told.cancelled.push(id),
-    failed: ({ message }) => told.failed.push(message),
-    recovered: () => (told.recovered += 1),
+    onFailure: ({ message }) => told.failed.push(message),
+    onRecovered: () => (told.recovered += 1),
     now: () => told.now,
   });
-  const want = (...names: string[]): void => queue.want(new Map(names.map((name) => [name, name])));
+  const want = (...names: string[]): void => queue.replace(new Map(names.map((name) => [name, name])));
   return { queue, told, want };
 }
 
@@ -236,7 +237,7 @@ test('damaged views are retried only if the user asks', () => {
 
 test('the least recently used views are evicted, none that the picture shows', () => {
   const dropped: number[] = [];
-  const resident = new Resident<{ bytes: number }>(({ bytes }) => dropped.push(bytes), 100);
+  const resident = new GpuCache<{ bytes: number }>(({ bytes }) => dropped.push(bytes), 100);
   [40, 44, 48].forEach((bytes, direction) => resident.add(0, [1, 2, 3], direction, [{ bytes }]));
   assert.equal(resident.bytes, 4 * 33);
   resident.begin();
@@ -244,7 +245,7 @@ test('the least recently used views are evicted, none that the picture shows', (
   resident.trim(() => false);
   // 132 bytes exceed the limit by 32: the second view is evicted, since the first one is in the picture.
   assert.deepEqual(dropped, [44]);
-  assert.deepEqual(resident.there(0, [1, 2, 3]), [0, 2]);
+  assert.deepEqual(resident.directionsOf(0, [1, 2, 3]), [0, 2]);
   resident.add(0, [1, 2, 3], 1, [{ bytes: 80 }]);
   resident.trim(() => true);
   assert.equal(resident.count, 3);

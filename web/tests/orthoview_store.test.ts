@@ -3,20 +3,11 @@ import assert from 'node:assert/strict';
 import { readFile, writeFile } from 'node:fs/promises';
 import { test } from 'node:test';
 import type { Camera } from '../src/orthoview/cut/camera';
-import { Cells } from '../src/orthoview/cut/cells';
-import { type Cut, cut } from '../src/orthoview/cut/cut';
-import { createReader, type Wanted } from '../src/orthoview/decode/reader';
+import { Cells, type Cut, cut } from '../src/orthoview/cut/cut';
+import { createReader, type ViewRequest } from '../src/orthoview/decode/reader';
 import { type Kind, StoreError } from '../src/orthoview/store/error';
 import { createFiles } from '../src/orthoview/store/files';
-import {
-  arrayOf,
-  channelsOf,
-  GEOMETRY,
-  geometryOf,
-  generationFolder,
-  shardOf,
-  type Triple,
-} from '../src/orthoview/store/layout';
+import { GEOMETRY, geometryOf, shardPaths, type Triple } from '../src/orthoview/store/layout';
 import { openRecords, type Shard } from '../src/orthoview/store/records';
 
 interface Case {
@@ -109,16 +100,13 @@ async function checkCuts(store: Opened, cases: readonly Case[]): Promise<void> {
   }
 }
 
-function wantedOf({ records, cells, shards, leafFiles }: Opened, [level, place, direction]: View): Wanted {
+function wantedOf({ records, cells, shards, leafFiles }: Opened, [level, place, direction]: View): ViewRequest {
   const { layout } = records;
   const generation = cells.at(level, place)?.generation ?? 0;
   const named =
     direction === GEOMETRY
       ? geometryOf(layout, place).map((name) => leafFiles.get(name))
-      : channelsOf(layout).map((channel) => {
-          const array = arrayOf(layout, level, direction, channel);
-          return shards.get(generationFolder(generation) + shardOf(layout, level, place, array));
-        });
+      : shardPaths(layout, { level, place, direction }, generation).map((path) => shards.get(path));
   return { level, place, direction, generation, shards: named.filter((shard) => shard !== undefined) };
 }
 

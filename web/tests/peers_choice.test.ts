@@ -1,27 +1,19 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { createChoice, refusalOfPage, refusalOfServer, SWITCHED_OFF } from '../src/peers/choice';
-
-function storage(): Storage {
-  const kept = new Map<string, string>();
-  return {
-    getItem: (key: string) => kept.get(key) ?? null,
-    setItem: (key: string, value: string) => void kept.set(key, value),
-    removeItem: (key: string) => void kept.delete(key),
-  } as unknown as Storage;
-}
+import { createStorage } from './support/storage';
 
 test('the choice of a user holds for later pages', () => {
-  const kept = storage();
-  const choice = createChoice(() => kept);
+  const storage = createStorage();
+  const choice = createChoice(() => storage);
   assert.ok(choice.isOn);
   choice.set(false);
   assert.equal(choice.isOn, false);
-  const next = createChoice(() => kept);
+  const next = createChoice(() => storage);
   assert.equal(next.isOn, false);
   assert.equal(refusalOfPage(new URLSearchParams(), next), SWITCHED_OFF);
   next.set(true);
-  assert.ok(createChoice(() => kept).isOn);
+  assert.ok(createChoice(() => storage).isOn);
   assert.notEqual(refusalOfPage(new URLSearchParams(), next), SWITCHED_OFF);
 });
 
@@ -35,7 +27,7 @@ test('if the browser forbids storage, the choice holds for the page', () => {
 });
 
 test('a page shares files if its address, its browser and the server allow it', () => {
-  const choice = createChoice(storage);
+  const choice = createChoice(createStorage);
   assert.match(refusalOfPage(new URLSearchParams('peers=off'), choice) ?? '', /address/);
   assert.match(refusalOfPage(new URLSearchParams(), choice) ?? '', /WebRTC/);
   assert.equal(refusalOfServer({ peers: true, datagrams: null }), null);

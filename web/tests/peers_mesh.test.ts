@@ -1,8 +1,8 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { type Call, type CallEvents, type Signal, writeSignal } from '../src/peers/call';
-import { createMesh, type Mesh } from '../src/peers/mesh';
-import { settled, type Stepped, steppedClock, createWires } from './support/peers';
+import { createMesh } from '../src/peers/mesh';
+import { settled, steppedClock, createWires } from './support/peers';
 
 const SDP = 'm=application 9 UDP/DTLS/SCTP webrtc-datachannel\r\n';
 
@@ -11,25 +11,12 @@ interface Made extends Call {
   readonly log: string[];
 }
 
-interface Bench {
-  readonly mesh: Mesh;
-  readonly clock: Stepped;
-  readonly calls: Made[];
-  /** Sent signals with their recipients. */
-  readonly sent: [user: number, signal: Signal][];
-  readonly opened: number[];
-  readonly ended: number[];
-  isReady: boolean;
-  /** Enter the room as a user, with others in it. */
-  enter(own: number, ...others: readonly number[]): void;
-  say(user: number, signal: Signal | Uint8Array): Promise<void>;
-  /** Make the browser fail to create connections. */
-  refuseCalls(): void;
-}
-
-function bench(): Bench {
+/** A mesh whose calls and signals the test answers. */
+function bench() {
   const clock = steppedClock();
-  const [calls, sent, opened, ended]: [Made[], Bench['sent'], number[], number[]] = [[], [], [], []];
+  const [calls, opened, ended]: [Made[], number[], number[]] = [[], [], []];
+  /** Sent signals with their recipients. */
+  const sent: [user: number, signal: Signal][] = [];
   let isFull = false;
   const mesh = createMesh({
     clock,
@@ -40,7 +27,7 @@ function bench(): Bench {
         log.push(word);
         return word.includes('garbage') ? Promise.reject(new Error('garbage')) : Promise.resolve(SDP);
       };
-      const made: Made = {
+      const call: Made = {
         events,
         log,
         offer: () => record('offer'),
@@ -48,14 +35,14 @@ function bench(): Bench {
         take: async (answer) => void (await record(`take ${answer}`)),
         close: () => void log.push('close'),
       };
-      calls.push(made);
-      return made;
+      calls.push(call);
+      return call;
     },
     signal: (user, signal) => sent.push([user, signal]),
     opened: (user) => opened.push(user),
     ended: (user) => ended.push(user),
   });
-  const made: Bench = {
+  const made = {
     mesh,
     clock,
     calls,
@@ -63,15 +50,17 @@ function bench(): Bench {
     opened,
     ended,
     isReady: false,
-    enter(own, ...others) {
+    /** Enters the room as a user, with others in it. */
+    enter(own: number, ...others: readonly number[]): void {
       mesh.hear({ kind: 'welcome', user: own, others: others.length, ticket: new Uint8Array() });
       for (const user of others) mesh.hear({ kind: 'joined', user, group: 0, name: '' });
     },
-    async say(user, signal) {
+    async say(user: number, signal: Signal | Uint8Array): Promise<void> {
       mesh.hear({ kind: 'signal', user, payload: signal instanceof Uint8Array ? signal : writeSignal(signal) });
       await settled(2);
     },
-    refuseCalls: () => void (isFull = true),
+    /** Makes the browser fail to create connections. */
+    refuseCalls: (): void => void (isFull = true),
   };
   void mesh.ready.then(() => (made.isReady = true));
   return made;
@@ -79,7 +68,6 @@ function bench(): Bench {
 
 const offer = (attempt = 1, sdp = SDP): Signal => ({ kind: 'offer', attempt, sdp });
 const open = (call: Made | undefined): void => call?.events.opened(createWires()[0]);
-
 
 test('the user with the smaller number offers, and the other one answers', async () => {
   const { mesh, enter, calls, sent, say, opened } = bench();
@@ -239,7 +227,7 @@ test('connections that fail end, and others close when their users leave', async
   mesh.hear({ kind: 'joined', user: 2, group: 0, name: '' });
   assert.equal(calls.length, 4);
   mesh.clear();
-  assert.deepEqual([mesh.own, calls[3]?.log.at(-1)], [null, 'close']);
+  assert.deepEqual([mesh.ownNumber, calls[3]?.log.at(-1)], [null, 'close']);
 });
 
 test('in a large room each page connects to the nearest numbers, and both ends choose the same', async () => {

@@ -3,6 +3,7 @@ import { test } from 'node:test';
 import { createOutbox, readSignal, type Signal, writeSignal } from '../src/peers/call';
 import { MAX_FILES_PER_MESSAGE, type Message, PART, readMessage, writeMessage } from '../src/peers/messages';
 import { isBefore } from '../src/peers/share';
+import { bytesOf, hexOf } from '../src/base/bytes';
 import { LruCache } from '../src/base/cache';
 import { FrameError } from '../src/rooms/bytes';
 import { createBucket } from '../src/rooms/clock';
@@ -11,8 +12,6 @@ import { randomOf } from './support/random';
 
 const KEY = '00ff'.repeat(16);
 const SDP = 'v=0\r\nm=application 9 UDP/DTLS/SCTP webrtc-datachannel\r\na=candidate:1 1 udp 1 10.0.0.1 1 typ host\r\n';
-const hex = (bytes: Uint8Array): string => Buffer.from(bytes).toString('hex');
-const bytes = (text: string): Uint8Array => Uint8Array.from(Buffer.from(text, 'hex'));
 
 const MESSAGES: readonly (readonly [Message, string])[] = [
   [{ kind: 'tell', holding: 'gone', keys: [] }, '0100'],
@@ -27,14 +26,14 @@ const MESSAGES: readonly (readonly [Message, string])[] = [
 
 test('messages equal the bytes of the table, and are parsed back', () => {
   for (const [message, expected] of MESSAGES) {
-    assert.equal(hex(writeMessage(message)), expected);
-    assert.deepEqual(readMessage(bytes(expected)), message);
+    assert.equal(hexOf(writeMessage(message)), expected);
+    assert.deepEqual(readMessage(bytesOf(expected)), message);
   }
 });
 
 test('malformed messages are refused without side effects', () => {
   const wrong = ['', '00', '07', '01', '0103', '0100ff', '02', '0204030201ff', '05', '050700000000', '0407000000'];
-  for (const text of wrong) assert.throws(() => readMessage(bytes(text)), FrameError, text);
+  for (const text of wrong) assert.throws(() => readMessage(bytesOf(text)), FrameError, text);
   assert.throws(() => readMessage(new Uint8Array(6 + PART).fill(3)), FrameError);
   assert.throws(() => readMessage(Uint8Array.from([1, 0, ...new Uint8Array(32 * (MAX_FILES_PER_MESSAGE + 20))])), FrameError);
   const random = randomOf(5);
@@ -56,13 +55,13 @@ test('signals are encoded as bytes, and decoded', () => {
     { kind: 'no', attempt: 0, sdp: '' },
   ];
   for (const signal of said) assert.deepEqual(readSignal(writeSignal(signal)), signal);
-  assert.equal(hex(writeSignal(said[2] as Signal)), '010200000000');
+  assert.equal(hexOf(writeSignal(said[2] as Signal)), '010200000000');
 });
 
 test('a signal that describes anything but one data channel is refused', () => {
   const head = '01' + '00' + '00000000';
   for (const text of ['', '02', '0103', head, '010200000000ff', head + 'ff', '010000']) {
-    assert.throws(() => readSignal(bytes(text)), FrameError, text);
+    assert.throws(() => readSignal(bytesOf(text)), FrameError, text);
   }
   const audio = SDP + 'm=audio 9 UDP/TLS/RTP/SAVPF 111\r\n';
   for (const sdp of ['', 'v=0', audio, SDP.replace('application', 'video')]) {

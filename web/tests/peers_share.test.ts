@@ -35,7 +35,7 @@ async function load(page: Page, names: readonly string[] = NAMES): Promise<void>
   }
 }
 
-const requestedFiles = (all: readonly Page[]): string[] => all.flatMap((page) => page.asked);
+const requestedFiles = (all: readonly Page[]): string[] => all.flatMap((page) => page.serverRequests);
 
 test('of eight pages that start together one asks the server for each file, and all share files', async () => {
   const clock = steppedClock();
@@ -43,9 +43,9 @@ test('of eight pages that start together one asks the server for each file, and 
   joinAll(all, clock);
   await Promise.all(all.map((page) => load(page)));
   assert.deepEqual(requestedFiles(all).sort(), [...NAMES].sort());
-  assert.ok(all.filter((page) => page.asked.length > 0).length > 5);
+  assert.ok(all.filter((page) => page.serverRequests.length > 0).length > 5);
   for (const page of all) {
-    assert.ok(page.asked.length < 15);
+    assert.ok(page.serverRequests.length < 15);
     assert.deepEqual([page.dropped.size, page.share.counts.others.bytes + page.share.counts.server.bytes], [0, BYTES]);
   }
 });
@@ -76,41 +76,41 @@ test('pages that leave early cost others only repeated files', async () => {
   const clock = steppedClock();
   const all = pages(4, clock);
   joinAll(all, clock);
-  const [gone, ...left] = all as [Page, ...Page[]];
-  gone.serve = () => new Promise(() => undefined);
-  const loading = Promise.all(left.map((page) => load(page)));
+  const [leaver, ...remaining] = all as [Page, ...Page[]];
+  leaver.serve = () => new Promise(() => undefined);
+  const loading = Promise.all(remaining.map((page) => load(page)));
   await settled();
-  for (const page of left) {
-    page.peers.get(gone.number)?.end();
-    page.peers.delete(gone.number);
+  for (const page of remaining) {
+    page.peers.get(leaver.number)?.end();
+    page.peers.delete(leaver.number);
   }
   await loading;
-  assert.deepEqual([...new Set(requestedFiles(left))].sort(), [...NAMES].sort());
+  assert.deepEqual([...new Set(requestedFiles(remaining))].sort(), [...NAMES].sort());
 });
 
 test('a page whose server stalls is replaced by another one after some seconds', async () => {
   const clock = steppedClock();
   const all = pages(3, clock);
   joinAll(all, clock);
-  const [stuck, ...left] = all as [Page, ...Page[]];
+  const [stuck, ...remaining] = all as [Page, ...Page[]];
   stuck.serve = () => new Promise(() => undefined);
-  const isDone = Promise.all(left.map((page) => load(page))).then(() => true);
+  const isDone = Promise.all(remaining.map((page) => load(page))).then(() => true);
   let done = false;
   void isDone.then(() => (done = true));
   for (let seconds = 0; !done && seconds < 120; seconds++) await clock.pass(1);
   assert.ok(done);
-  assert.equal(left.reduce((sum, page) => sum + page.dropped.size, 0), 0);
+  assert.equal(remaining.reduce((sum, page) => sum + page.dropped.size, 0), 0);
 });
 
 test('announcing missing files costs one request', async () => {
   const clock = steppedClock();
   const [liar, page] = pages(2, clock) as [Page, Page];
-  liar.wanted = [];
+  liar.shownNames = [];
   join(liar, page, clock);
   liar.peers.get(page.number)?.tell('here', NAMES.map((name) => WORLD[name]?.listed.sha256 ?? ''));
   await settled();
   await load(page, NAMES.slice(0, 3));
-  assert.deepEqual([page.asked, liar.asked], [NAMES.slice(0, 3), []]);
+  assert.deepEqual([page.serverRequests, liar.serverRequests], [NAMES.slice(0, 3), []]);
 });
 
 test('before the first picture pages wait for others at most once, and three seconds', async () => {
@@ -127,10 +127,10 @@ test('before the first picture pages wait for others at most once, and three sec
   const coming = page.get(name ?? '');
   await settled();
   await clock.pass(3);
-  assert.deepEqual(page.asked, []);
+  assert.deepEqual(page.serverRequests, []);
   await clock.pass(0.25);
   await coming;
-  assert.deepEqual(page.asked, [name]);
+  assert.deepEqual(page.serverRequests, [name]);
 });
 
 test('files wait at first until others are connected, but not if somebody has them', async () => {
@@ -138,17 +138,17 @@ test('files wait at first until others are connected, but not if somebody has th
   let go = (): void => undefined;
   const page = createPage(1, WORLD, clock, new Promise((done) => (go = done)));
   const other = createPage(2, WORLD, clock);
-  const [waiting = '', held = ''] = NAMES;
-  await other.get(held);
-  const coming = page.get(waiting);
+  const [pendingName = '', storedName = ''] = NAMES;
+  await other.get(storedName);
+  const coming = page.get(pendingName);
   await settled();
-  assert.deepEqual(page.asked, []);
+  assert.deepEqual(page.serverRequests, []);
   join(page, other, clock);
   await settled();
   // Users without files say so.
   assert.deepEqual([page.greeted, other.greeted], [[2], [1]]);
-  await page.get(held);
-  assert.deepEqual(page.asked, []);
+  await page.get(storedName);
+  assert.deepEqual(page.serverRequests, []);
   const stop = new AbortController();
   const dropped = page.get(NAMES[2] ?? '', stop.signal);
   stop.abort(new Error('enough'));
@@ -165,7 +165,7 @@ test('a damaged file of the server is passed to the decoder, and to no other use
   await one.get(name);
   assert.deepEqual(one.store.keys, []);
   join(one, other, clock);
-  one.wanted = [];
+  one.shownNames = [];
   assert.deepEqual(new Uint8Array(await other.get(name)), new Uint8Array(WORLD[name]?.data ?? new ArrayBuffer(0)));
-  assert.deepEqual([other.asked, other.dropped.size], [[name], 0]);
+  assert.deepEqual([other.serverRequests, other.dropped.size], [[name], 0]);
 });

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { openKernel } from '../src/widget/kernel';
-import { createMirror, EVERY, type Model } from '../src/widget/model';
+import { createMirror, MIN_INTERVAL, type Model } from '../src/widget/model';
 import { asManifest, FILE, manifest } from './support/manifest';
 
 type Callback = (...args: never[]) => void;
@@ -104,10 +104,10 @@ test('only changes are sent to Python, and not in every frame', () => {
   const mirror = createMirror(model);
   mirror.tell({ yaw: 0, position: [1, 2, 3] }, 0);
   assert.equal(saved.length, 0);
-  for (let now = 0; now <= 10 * EVERY; now += 16) mirror.tell({ yaw: now }, now);
+  for (let now = 0; now <= 10 * MIN_INTERVAL; now += 16) mirror.tell({ yaw: now }, now);
   assert.ok(saved.length > 5 && saved.length <= 11, `${saved.length}`);
   // The rest is sent after the pause.
-  mirror.tell({ yaw: -1 }, 20 * EVERY);
+  mirror.tell({ yaw: -1 }, 20 * MIN_INTERVAL);
   assert.equal(saved.at(-1)?.['yaw'], -1);
 });
 

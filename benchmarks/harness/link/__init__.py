@@ -71,36 +71,24 @@ def shaped(
 ) -> Iterator[Shaped]:
     """Bring up a link between two sides; both directions have its rate, half its delay, and its losses.
 
-    Parameters
-    ----------
-    link
-        Rate or trace, which counts all bytes from IP headers on and begins with the first packet; delay and loss.
-    queue
-        Size of the queue before the bottleneck in bytes; packets that find it full are dropped. By default a tenth of a
-        second.
-    congestion
-        TCP's congestion control on both sides, one of those that the kernel supports.
-    seed
-        Seed of the losses.
-
-    Raises
-    ------
-    OSError
-        Missing requirements of links, which the message lists; or a congestion control that the kernel lacks.
+    A rate or trace counts all bytes from IP headers on and begins with the first packet. `queue` is the size of the
+    queue before the bottleneck in bytes, by default a tenth of a second; packets that find it full are dropped.
+    `congestion` is TCP's congestion control on both sides. The losses depend on `seed`. OSError that lists missing
+    requirements of links, and for a congestion control that the kernel lacks.
     """
     reason = no_link()
     if reason:
         raise OSError(reason)
     namespaces = [new_namespace(), new_namespace()]
     try:
-        given = {
+        settings = {
             "link": asdict(link),
             "queue": _queue(link) if queue is None else queue,
             "congestion": congestion,
             "seed": seed,
             "namespaces": namespaces,
         }
-        with TemporaryDirectory() as folder, _forwarder(given) as process:
+        with TemporaryDirectory() as folder, _forwarder(settings) as process:
             yield Shaped(namespaces, process, Path(folder))
     finally:
         for namespace in namespaces:
@@ -113,16 +101,16 @@ def _queue(link: nf.stream.Link) -> int:
 
 
 @contextmanager
-def _forwarder(given: dict[str, Any]) -> Iterator[subprocess.Popen[str]]:
+def _forwarder(settings: dict[str, Any]) -> Iterator[subprocess.Popen[str]]:
     """Run the process between the sides until the context ends."""
     # An interrupt is for the user of the link, who then closes it. The process ends when its input is closed.
     with subprocess.Popen(
-        [sys.executable, "-m", "benchmarks.harness.link.forward", json.dumps(given)],
+        [sys.executable, "-m", "benchmarks.harness.link.forward", json.dumps(settings)],
         cwd=CHECKOUT,
         stdin=subprocess.PIPE,
         stdout=subprocess.PIPE,
         text=True,
-        pass_fds=given["namespaces"],
+        pass_fds=settings["namespaces"],
         start_new_session=True,
     ) as process:
         _answer(process)

@@ -45,30 +45,30 @@ def no_link() -> str:
 
 def new_namespace() -> int:
     """Create a network namespace and return the descriptor that holds it."""
-    here = os.open(_SELF, os.O_RDONLY)
+    own_namespace = os.open(_SELF, os.O_RDONLY)
     try:
         _call("unshare", _CLONE_NEWNET)
         try:
             namespace = os.open(_SELF, os.O_RDONLY)
         finally:
-            _call("setns", here, _CLONE_NEWNET)
+            _call("setns", own_namespace, _CLONE_NEWNET)
     finally:
-        os.close(here)
+        os.close(own_namespace)
     return namespace
 
 
 @contextmanager
 def enter_namespace(namespace: int) -> Iterator[None]:
     """Move this thread, and processes that it starts, into the namespace; existing sockets stay where they are."""
-    here = os.open(_SELF, os.O_RDONLY)
+    own_namespace = os.open(_SELF, os.O_RDONLY)
     try:
         _call("setns", namespace, _CLONE_NEWNET)
         try:
             yield
         finally:
-            _call("setns", here, _CLONE_NEWNET)
+            _call("setns", own_namespace, _CLONE_NEWNET)
     finally:
-        os.close(here)
+        os.close(own_namespace)
 
 
 def open_device(namespace: int, address: str, *, mtu: int, congestion: str) -> int:
@@ -89,8 +89,8 @@ def open_device(namespace: int, address: str, *, mtu: int, congestion: str) -> i
         _ip("address", "add", f"{address}/32", "dev", DEVICE)
         _ip("link", "set", DEVICE, "mtu", str(mtu), "txqueuelen", "5000", "up")
         # Set per route, because namespaces may not choose all kinds of congestion control as their default.
-        other = ADDRESSES[1 - ADDRESSES.index(address)]
-        _ip("route", "add", other, "dev", DEVICE, "src", address, "congctl", congestion)
+        peer_address = ADDRESSES[1 - ADDRESSES.index(address)]
+        _ip("route", "add", peer_address, "dev", DEVICE, "src", address, "congctl", congestion)
     return device
 
 

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from benchmarks.orthoview._splats import Pixels
+from nearfar._camera.rotation import rotation
 from nearfar.orthoview._gaussians import MIN_COSINE, SUN, shade
 
 BORDER = 1.27
@@ -25,22 +26,20 @@ Sides = tuple[Floats, Floats]
 def circle(pixels: Pixels, camera: nf.Camera) -> Sides:
     """Discs that face the viewer and enclose a pixel."""
     width = np.hypot(*pixels.sides) / np.sqrt(2)
-    ahead = np.broadcast_to(_ahead(camera), pixels.middle.shape)
+    ahead = np.broadcast_to(ahead_of(camera), pixels.middle.shape)
     right = _unit(np.cross(ahead, [0.0, 1.0, 0.0]))
     return width * right, width * np.cross(right, ahead)
 
 
 def warped_circle(pixels: Pixels, camera: nf.Camera) -> Sides:
     """Discs of the same radius on the tangent planes."""
-    del camera
     width = np.hypot(*pixels.sides) / np.sqrt(2)
-    first = _unit(np.cross(pixels.normal, _other(pixels.normal)))
-    return width * first, width * np.cross(pixels.normal, first)
+    tangent = _unit(np.cross(pixels.normal, _other(pixels.normal)))
+    return width * tangent, width * np.cross(pixels.normal, tangent)
 
 
 def ellipse(pixels: Pixels, camera: nf.Camera) -> Sides:
     """Ellipses on the tangent planes through the corners of the pixels there."""
-    del camera
     return pixels.tangents(MIN_COSINE)
 
 
@@ -75,36 +74,36 @@ def rasterize(pixels: Pixels, sides: Sides, camera: nf.Camera) -> tuple[NDArray[
     u, v = (_image(camera, pixels.middle, side) for side in sides)
     normal = np.cross(*sides)
     plane = (normal * (pixels.middle - np.array(camera.position))).sum(axis=1)
-    half = np.sqrt((u * u + v * v) / 2)
+    half_extent = np.sqrt((u * u + v * v) / 2)
     determinant = u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0]
-    _, along = camera.rays()
-    along = along / (along @ _ahead(camera))[..., None]
-    low, high = (np.floor(middle[:, :2] + sign * half).astype(int) for sign in (-1, 1))
+    _, rays = camera.rays()
+    rays = rays / (rays @ ahead_of(camera))[..., None]
+    low, high = (np.floor(middle[:, :2] + sign * half_extent).astype(int) for sign in (-1, 1))
     nearest = np.full(width * height, np.iinfo(np.uint64).max, np.uint64)
     span = (high - low).max(axis=1)
     for reach in np.unique(span):
-        some = np.flatnonzero(span == reach)
+        splats_of_reach = np.flatnonzero(span == reach)
         for down in range(reach + 1):
             for across in range(reach + 1):
-                x, y = low[some, 0] + across, low[some, 1] + down
-                px, py = x + 0.5 - middle[some, 0], y + 0.5 - middle[some, 1]
-                a = (v[some, 1] * px - v[some, 0] * py) / determinant[some]
-                b = (u[some, 0] * py - u[some, 1] * px) / determinant[some]
+                x, y = low[splats_of_reach, 0] + across, low[splats_of_reach, 1] + down
+                px, py = x + 0.5 - middle[splats_of_reach, 0], y + 0.5 - middle[splats_of_reach, 1]
+                a = (v[splats_of_reach, 1] * px - v[splats_of_reach, 0] * py) / determinant[splats_of_reach]
+                b = (u[splats_of_reach, 0] * py - u[splats_of_reach, 1] * px) / determinant[splats_of_reach]
                 # The sample that contains the middle counts, so that thin splats do not vanish.
-                inside = (a * a + b * b <= 0.5) | ((np.abs(px) <= 0.5) & (np.abs(py) <= 0.5))
-                inside &= (x >= 0) & (x < width) & (y >= 0) & (y < height)
-                splat, x, y = some[inside], x[inside], y[inside]
+                is_inside = (a * a + b * b <= 0.5) | ((np.abs(px) <= 0.5) & (np.abs(py) <= 0.5))
+                is_inside &= (x >= 0) & (x < width) & (y >= 0) & (y < height)
+                splat, x, y = splats_of_reach[is_inside], x[is_inside], y[is_inside]
                 with np.errstate(divide="ignore"):
-                    depth = plane[splat] / (normal[splat] * along[y, x]).sum(axis=1)
+                    depth = plane[splat] / (normal[splat] * rays[y, x]).sum(axis=1)
                 # An edge-on splat has no plane that intersects the ray nearby.
                 depth = np.where(np.abs(depth - middle[splat, 2]) < _reach(sides, splat), depth, middle[splat, 2])
                 key = depth.astype(np.float32).view(np.uint32).astype(np.uint64) << np.uint64(32)
                 np.minimum.at(nearest, y * width + x, key | splat.astype(np.uint64))
-    shown = nearest < np.iinfo(np.uint64).max
+    is_shown = nearest < np.iinfo(np.uint64).max
     depths = np.full(width * height, np.inf)
-    depths[shown] = (nearest[shown] >> np.uint64(32)).astype(np.uint32).view(np.float32)
+    depths[is_shown] = (nearest[is_shown] >> np.uint64(32)).astype(np.uint32).view(np.float32)
     colors = np.zeros((width * height, 3), np.uint8)
-    colors[shown] = _lit(pixels, camera)[(nearest[shown] & np.uint64(0xFFFFFFFF)).astype(np.int64)]
+    colors[is_shown] = _lit(pixels, camera)[(nearest[is_shown] & np.uint64(0xFFFFFFFF)).astype(np.int64)]
     return colors.reshape(height, width, 3), depths.reshape(height, width)
 
 
@@ -128,9 +127,9 @@ def _reach(sides: Sides, splat: NDArray[np.int64]) -> Floats:
     return reach
 
 
-def _ahead(camera: nf.Camera) -> Floats:
-    x, y, z, w = camera.orientation
-    return -np.array([2 * (x * z + y * w), 2 * (y * z - x * w), 1 - 2 * (x * x + y * y)])
+def ahead_of(camera: nf.Camera) -> Floats:
+    """Unit vector in the direction of the camera's view."""
+    return -rotation(camera.orientation)[:, 2]
 
 
 def _other(normals: Floats) -> Floats:

@@ -35,11 +35,12 @@ Picture = NDArray[np.uint8]
 
 def main() -> None:
     given = start(__doc__, "--trees", "--out", repeat=2)
-    whole = nf.datasets.forest(trees=TREES)
-    half = SIDE / 2
-    world = World("far forest", whole.query, (-half, -40.0, -half), SIDE, 120.0, CELL)
+    forest = nf.datasets.forest(trees=TREES)
+    half_side = SIDE / 2
+    world = World("far forest", forest.query, (-half_side, -40.0, -half_side), SIDE, 120.0, CELL)
     with folder_or_temporary(given.trees) as folder:
-        tree = build(world, folder)
+        # Without geometry, since nothing is near.
+        tree = nf.orthoview.open(world.build(folder, 9, geometry=False))
         camera = nf.Camera.look_at(EYE, TARGET, fov=FOV, size=PICTURE)
         clip = nf.Clip(box=tree.bounds)
         print(f"{world.scene.triangle_count:,} triangles; {tree.held['bytes'] / 1e6:.0f} MB of views\n")
@@ -61,20 +62,14 @@ def main() -> None:
 SHOWN = ("geometry, 4 × 4 samples", f"geometry, {LARGE[0]} × {LARGE[1]} reduced", "orthoviews, one sample")
 
 
-def build(world: World, folder: Path) -> nf.orthoview.OrthoTree:
-    """Build the tree, unless the folder contains it, without geometry, since nothing is near."""
-    path = folder / "far-forest.zarr"
-    return nf.orthoview.build(world.scene, path, cell=CELL, aabb=world.box, size=256, directions=9, geometry=False)
-
-
 def methods(
     world: World, tree: nf.orthoview.OrthoTree, camera: nf.Camera, clip: nf.Clip
 ) -> dict[str, Callable[[], Picture]]:
     """Methods of drawing the picture, by name."""
 
     def geometry(samples: int, size: tuple[int, int] = PICTURE) -> nf.Frame:
-        how: dict[str, Any] = {"clip": clip, "samples": samples, "channels": ("color",), "backend": "cpu"}
-        return nf.render(world.scene, replace(camera, size=size), **how)
+        settings: dict[str, Any] = {"clip": clip, "samples": samples, "channels": ("color",), "backend": "cpu"}
+        return nf.render(world.scene, replace(camera, size=size), **settings)
 
     def orthoviews(samples: int, error: float = 1.0) -> Callable[[], Picture]:
         return lambda: tree.render(camera, samples=samples, error_px=error, channels=("color",)).to_image()
@@ -100,9 +95,9 @@ def average(frame: nf.Frame) -> Picture:
 def save(panels: list[tuple[str, Picture]], path: Path) -> None:
     """Save parts of the pictures, and below them an enlarged part of each."""
     x, y, width, height = PART
-    left, top, across, down = CROP
+    column, row, crop_width, crop_height = CROP
     parts = [(title, picture[y : y + height, x : x + width]) for title, picture in panels]
-    crops = [picture[top : top + down, left : left + across] for _, picture in panels]
+    crops = [picture[row : row + crop_height, column : column + crop_width] for _, picture in panels]
     enlarged = [("", crop.repeat(ZOOM, axis=0).repeat(ZOOM, axis=1)) for crop in crops]
     _sheets.save_panels([*parts, *enlarged], len(panels), path)
 

@@ -57,8 +57,8 @@ def main() -> None:
     if given.one:
         print(json.dumps(measure(given.tree, given.tiles, json.loads(given.one))))
         return
-    kept = given.found is not None and given.found.is_file()
-    rows: list[Row] = json.loads(given.found.read_text()) if kept else []
+    has_findings = given.found is not None and given.found.is_file()
+    rows: list[Row] = json.loads(given.found.read_text()) if has_findings else []
     for side, way in itertools.product(given.sides, given.ways):
         if not any((row["side"], row["way"]) == (side, way) for row in rows):
             rows.append({"side": side, "way": way, **run_separately(given, side, way)})
@@ -81,15 +81,15 @@ def run_separately(given: argparse.Namespace, side: float, way: str) -> Row:
 
 def measure(tree: str, tiles: str, job: Row) -> Row:
     """Seconds of the first frame, and of the next ones."""
-    half = 500.0 * (WHOLE if job["side"] == SIDES[-1] else job["side"])
-    began, busy = time.perf_counter(), time.process_time()
-    draws, facts = orthoviews(tree, half) if job["way"] == "orthoviews" else geometry(tiles, half, job["way"])
+    half_side = 500.0 * (WHOLE if job["side"] == SIDES[-1] else job["side"])
+    wall_start, cpu_start = time.perf_counter(), time.process_time()
+    draws, facts = orthoviews(tree, half_side) if job["way"] == "orthoviews" else geometry(tiles, half_side, job["way"])
     row: Row = facts
     for name, height in EYES.items():
         camera = eye(height)
         draws(camera)
         if "first" not in row:
-            row["first"] = [time.perf_counter() - began, time.process_time() - busy]
+            row["first"] = [time.perf_counter() - wall_start, time.process_time() - cpu_start]
         timing = best(partial(draws, camera), repeat=REPEAT)
         row[name] = [timing.wall, timing.cpu]
     return row | {"memory": resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1024}
@@ -97,23 +97,22 @@ def measure(tree: str, tiles: str, job: Row) -> Row:
 
 def eye(height: float) -> nf.Camera:
     """Camera in the middle of the way of `flights growth`."""
-    place = np.array([START[0], height, START[1]])
-    return nf.Camera.look_at(place, np.add(place, [1.0, -0.15, 0.0]), fov=FOV, size=PICTURE)
+    position = np.array([START[0], height, START[1]])
+    return nf.Camera.look_at(position, np.add(position, [1.0, -0.15, 0.0]), fov=FOV, size=PICTURE)
 
 
-def geometry(tiles: str, half: float, way: str) -> tuple[Callable[[nf.Camera], Any], Row]:
+def geometry(tiles: str, half_side: float, way: str) -> tuple[Callable[[nf.Camera], Any], Row]:
     """Draw all triangles of the square."""
     source = nf.open_source(tiles)
     low, high = source.bounds
-    box = [(START[0] - half, low[1], START[1] - half), (START[0] + half, high[1], START[1] + half)]
+    box = [(START[0] - half_side, low[1], START[1] - half_side), (START[0] + half_side, high[1], START[1] + half_side)]
     scene = source.query(box)
-    backends: dict[str, Backend] = {"rays": "cpu", "rasters": "gpu"}
-    backend = backends[way]
-    facts = {"triangles": scene.triangle_count}
-    return lambda camera: nf.render(scene, camera, channels=("color",), backend=backend), facts
+    backend: Backend = "cpu" if way == "rays" else "gpu"
+    draw = partial(nf.render, scene, channels=("color",), backend=backend)
+    return draw, {"triangles": scene.triangle_count}
 
 
-def orthoviews(path: str, half: float) -> tuple[Callable[[nf.Camera], Any], Row]:
+def orthoviews(path: str, half_side: float) -> tuple[Callable[[nf.Camera], Any], Row]:
     """Draw the cells and leaves of the cut whose middles lie in the square."""
     tree = nf.orthoview.open(path)
     opened = tree._open_store()
@@ -121,12 +120,12 @@ def orthoviews(path: str, half: float) -> tuple[Callable[[nf.Camera], Any], Row]
 
     def is_in_square(level: int, place: tuple[int, int, int]) -> bool:
         middle = grid.box(level, place).mean(axis=0) - [START[0], 0.0, START[1]]
-        return float(np.abs(middle[[0, 2]]).max()) <= half
+        return float(np.abs(middle[[0, 2]]).max()) <= half_side
 
     def draw(camera: nf.Camera) -> Any:
-        cut = viewer.cutter.whole(camera, Settings())
-        several = cut.keys()
-        keys = [key for key in several if is_in_square(*key[:2])]
+        cut = viewer.cutter.complete_cut(camera, Settings())
+        views = cut.keys()
+        keys = [key for key in views if is_in_square(*key[:2])]
         leaves = viewer.cutter.with_guests([leaf for leaf in cut.leaf_places() if is_in_square(0, leaf)])
         parts = Parts(viewer.views.get(keys), viewer.near.scene(leaves), None, {})
         return viewer.picture(camera, Shot(cameras=(camera,), channels=("color",)), parts)
@@ -142,11 +141,11 @@ def report(rows: list[Row]) -> str:
         if "failed" in row:
             lines.append([*name, None, row["failed"], None, *(None for _ in EYES)])
             continue
-        again = [(1e3 * row[name][0], 1e3 * row[name][1]) for name in EYES]
-        lines.append([*name, row.get("triangles"), tuple(row["first"]), row["memory"] / 1e9, *again])
+        later_frames = [(1e3 * row[name][0], 1e3 * row[name][1]) for name in EYES]
+        lines.append([*name, row.get("triangles"), tuple(row["first"]), row["memory"] / 1e9, *later_frames])
     eyes = (f"{name}, ms (CPU) {{:.0f}} ({{:.0f}})" for name in EYES)
-    first = ["side, km {:g}", "way", "triangles {:,}", "first frame, s (CPU) {:.1f} ({:.1f})", "memory, GB {:.2f}"]
-    return table("Frames", [*first, *eyes], lines)
+    header = ["side, km {:g}", "way", "triangles {:,}", "first frame, s (CPU) {:.1f} ({:.1f})", "memory, GB {:.2f}"]
+    return table("Frames", [*header, *eyes], lines)
 
 
 def plot(rows: list[Row], out: Path) -> None:
@@ -154,10 +153,10 @@ def plot(rows: list[Row], out: Path) -> None:
     figure, (left, right) = subplots(1, 2, figsize=(9, 3.6))
     labels = dict(zip(WAYS, ("geometry, rays", "geometry, rasters (software)", "orthoviews"), strict=True))
     for way, label in labels.items():
-        found = [row for row in rows if row["way"] == way and "failed" not in row]
-        sides = [row["side"] for row in found]
-        left.plot(sides, [row["first"][1] for row in found], "o-", label=label)
-        right.plot(sides, [1e3 * row["120 m above"][1] for row in found], "o-", label=label)
+        rows_of_way = [row for row in rows if row["way"] == way and "failed" not in row]
+        sides = [row["side"] for row in rows_of_way]
+        left.plot(sides, [row["first"][1] for row in rows_of_way], "o-", label=label)
+        right.plot(sides, [1e3 * row["120 m above"][1] for row in rows_of_way], "o-", label=label)
     for axes, title in ((left, "until the first frame, CPU seconds"), (right, "each frame after it, CPU ms")):
         axes.set(xscale="log", yscale="log", xlabel="side of the world, km", ylabel=title)
         axes.set_xticks(SIDES, [f"{side:g}" for side in SIDES])

@@ -86,8 +86,8 @@ def render_choice(tree: nf.orthoview.OrthoTree, camera: nf.Camera, choose: Choic
     """Draw a tree from chosen views."""
     viewer, cut = tree._viewer, choose(tree, camera)
     keys = cut.keys()
-    near = viewer.near.scene(viewer.cutter.with_guests(cut.leaf_places()))
-    parts = Parts(viewer.views.get(keys), near, None, {"views": len(keys)})
+    near_leaves = viewer.near.scene(viewer.cutter.with_guests(cut.leaf_places()))
+    parts = Parts(viewer.views.get(keys), near_leaves, None, {"views": len(keys)})
     channels = ("color", "range") if samples == 1 else ("color",)
     images = viewer.picture(camera, Shot(cameras=(camera,), channels=channels, samples=samples), parts)
     return nf.Frame(camera, **images)
@@ -109,23 +109,23 @@ def causes(
     toward = np.array(camera.position) - points
     points += NUDGE * toward / np.linalg.norm(toward, axis=1, keepdims=True)
     grid, cut = tree._viewer.cutter.grid, tree.cut(camera, views=VIEWS)
-    found = np.full(len(points), list(CAUSES).index("geometry, or no cell"))
+    causes_of_holes = np.full(len(points), list(CAUSES).index("geometry, or no cell"))
     for (level, place), directions in zip(cells(cut), cut.directions.tolist(), strict=True):
         low, high = grid.box(level, place)
-        some = np.flatnonzero(((points >= low) & (points < high)).all(axis=1))
-        if not len(some):
+        indices = np.flatnonzero(((points >= low) & (points < high)).all(axis=1))
+        if not len(indices):
             continue
-        cause = np.zeros(len(some), int)
+        cause = np.zeros(len(indices), int)
         for direction, steps in enumerate(every.directions):
             view = every.view(level, place, direction)
             if view is not None:
                 rank = 3 if direction in directions else 2 if steps in tree.directions else 1
                 axes = np.stack([view.right, view.up, view.toward])
-                shown = shown_by(points[some], axes, view.extents, view.center, view.depth)
-                cause[shown] = np.maximum(cause[shown], rank)
-        found[some] = cause
+                is_shown = shown_by(points[indices], axes, view.extents, view.center, view.depth)
+                cause[is_shown] = np.maximum(cause[is_shown], rank)
+        causes_of_holes[indices] = cause
     numbers = np.full(holes.shape, -1)
-    numbers[holes] = found
+    numbers[holes] = causes_of_holes
     up = truth.require("normal")[..., 1]
     is_ground = truth.require("position")[..., 1] + truth.origin[1] < 0
     return numbers, np.where(is_ground, 2, np.where(np.nan_to_num(up) > FLAT, 1, 0))
@@ -148,11 +148,11 @@ def with_top(tree: nf.orthoview.OrthoTree, camera: nf.Camera) -> OrthoCut:
     """Choose the two nearest views, and that from above."""
     cut = tree.cut(camera, views=MAX_VIEWS)
     top = tree.directions.index((0, 1, 0))
-    several = []
+    rows = []
     for row in cut.directions.tolist():
         others = [direction for direction in row if direction != top]
-        several.append([*others[: VIEWS - 1], top] if top in row else others[:VIEWS])
-    return replace(cut, directions=np.array(several, np.int8))
+        rows.append([*others[: VIEWS - 1], top] if top in row else others[:VIEWS])
+    return replace(cut, directions=np.array(rows, np.int8))
 
 
 def choice_rows(world: World, trees: Path) -> list[list[object]]:
@@ -162,8 +162,8 @@ def choice_rows(world: World, trees: Path) -> list[list[object]]:
     for place, cameras in (("air", world.from_air()), ("ground", world.from_ground())):
         truths = [Truth(world, camera, tree.bounds) for camera in cameras]
         for name, choose in CHOICES.items():
-            found = np.mean([measure(tree, truth, choose) for truth in truths], axis=0)
-            rows.append([f"{world.name}, {place}", name, *found])
+            mean_quality = np.mean([measure(tree, truth, choose) for truth in truths], axis=0)
+            rows.append([f"{world.name}, {place}", name, *mean_quality])
             print(rows[-1], file=sys.stderr, flush=True)
     return rows
 
@@ -191,9 +191,9 @@ def other_place_rows(world: World, trees: Path) -> list[list[float]]:
         for angle in (0, 20, 30, 45):
             shares = []
             for truth in truths:
-                found = render_choice(tree, truth.camera, raise_direction(angle)).require("range")
-                is_there = np.isfinite(truth.range)
-                shares.append(100 * float((is_there & ~np.isfinite(found)).sum() / max(is_there.sum(), 1)))
+                ranges = render_choice(tree, truth.camera, raise_direction(angle)).require("range")
+                is_surface = np.isfinite(truth.range)
+                shares.append(100 * float((is_surface & ~np.isfinite(ranges)).sum() / max(is_surface.sum(), 1)))
             rows.append([directions, angle, float(np.mean(shares)), max(shares)])
             print(rows[-1], file=sys.stderr, flush=True)
     return rows
@@ -202,8 +202,8 @@ def other_place_rows(world: World, trees: Path) -> list[list[float]]:
 def measure(tree: nf.orthoview.OrthoTree, truth: Truth, choose: Choice) -> list[float]:
     """Thousands of splats in the picture, holes in percent of the surfaces, PSNR and SSIM."""
     frame = render_choice(tree, truth.camera, choose)
-    is_there = np.isfinite(truth.range)
-    holes = 100 * float((is_there & ~np.isfinite(frame.require("range"))).sum() / is_there.sum())
+    is_surface = np.isfinite(truth.range)
+    holes = 100 * float((is_surface & ~np.isfinite(frame.require("range"))).sum() / is_surface.sum())
     picture, reference = render_choice(tree, truth.camera, choose, SAMPLES).to_image(), truth.color.to_image()
     psnr, ssim = (float(measure(reference, picture, data_range=255)) for measure in (nf.psnr, nf.ssim))
     return [frame.stats["splats_in_picture"] / 1e3, holes, psnr, ssim]

@@ -86,8 +86,8 @@ LIGHTS = (
 
 def main() -> None:
     given = start(__doc__, "--trees", "--out")
-    city, half = nf.datasets.city(blocks=BLOCKS), SIDE / 2
-    world = World("city", city.query, (-half, -4.0, -half), SIDE, 110.0, CELL)
+    city, half_side = nf.datasets.city(blocks=BLOCKS), SIDE / 2
+    world = World("city", city.query, (-half_side, -4.0, -half_side), SIDE, 110.0, CELL)
     heads = lamps(city)
     fov = nf.Fov.symmetric(50, SIZE[0] / SIZE[1])
     camera = nf.Camera.look_at(EYE, TARGET, fov=fov, size=(GRID * SIZE[0], GRID * SIZE[1]))
@@ -126,15 +126,15 @@ def shade(frame: nf.Frame, light: Light, heads: NDArray[np.float64]) -> NDArray[
     _, rays = frame.camera.rays()
     linear = background(rays.astype(np.float32), light)
     normal, position = frame.require("shading_normal"), frame.require("position") + np.array(frame.origin)
-    is_there = np.isfinite(normal).all(axis=-1)
-    n, points = normal[is_there], position[is_there]
-    away, toward = np.array(light.sky, np.float32)
-    share = 0.5 + 0.5 * (n @ np.array(light.brightest, np.float32))[:, None]
-    bright = away + (toward - away) * share
+    is_surface = np.isfinite(normal).all(axis=-1)
+    n, points = normal[is_surface], position[is_surface]
+    darkest, brightest = np.array(light.sky, np.float32)
+    sky_weight = 0.5 + 0.5 * (n @ np.array(light.brightest, np.float32))[:, None]
+    bright = darkest + (brightest - darkest) * sky_weight
     bright += np.array(light.sun, np.float32) * np.maximum(n @ np.array(light.toward, np.float32), 0)[:, None]
     if any(light.lamp):
         bright += np.array(light.lamp, np.float32) * from_lamps(points, n, heads)[:, None]
-    linear[is_there] = frame.require("albedo")[is_there] * bright
+    linear[is_surface] = frame.require("albedo")[is_surface] * bright
     return encode(linear)
 
 
@@ -142,10 +142,10 @@ def from_lamps(points: NDArray[np.float64], normals: Floats, heads: NDArray[np.f
     """Light of the nearest lamps, which decreases with the square of the distance."""
     distance, lamp = KDTree(heads).query(points, LAMPS, distance_upper_bound=REACH)
     total = np.zeros(len(points), np.float32)
-    for away, number in zip(distance.T, lamp.T, strict=True):
-        lit = np.isfinite(away)
-        ray = (heads[number[lit]] - points[lit]) / away[lit, None]
-        total[lit] += np.maximum((ray * normals[lit]).sum(axis=1), 0) / (1 + away[lit] ** 2)
+    for distances, number in zip(distance.T, lamp.T, strict=True):
+        lit = np.isfinite(distances)
+        ray = (heads[number[lit]] - points[lit]) / distances[lit, None]
+        total[lit] += np.maximum((ray * normals[lit]).sum(axis=1), 0) / (1 + distances[lit] ** 2)
     return total
 
 

@@ -32,7 +32,7 @@ from nearfar.datasets._palette import material, materials
 from nearfar.datasets._shapes import quads
 from nearfar.datasets._stage import Stage
 from nearfar.orthoview import _codec
-from nearfar.orthoview._codec import CONNECTED
+from nearfar.orthoview._codec import CONNECTION_LIMITS
 from nearfar.orthoview._layout import Layout
 
 SIDE = 10.0
@@ -63,9 +63,9 @@ def main() -> None:
     rows, panels = [], [(f"truth\nfrom {TURN:g}° beside the view", truth.picture)]
     for name, shape in shapes(views, number).items():
         color, depth = _shapes.rasterize(pixels, shape(pixels, truth.fine), truth.fine)
-        found = truth.compared(color, depth)
-        rows.append([name, *found.cells()])
-        panels.append((f"{name}\n{found.psnr:.1f} dB, {found.holes:.1f} % holes", found.picture))
+        findings = truth.compared(color, depth)
+        rows.append([name, *findings.cells()])
+        panels.append((f"{name}\n{findings.psnr:.1f} dB, {findings.holes:.1f} % holes", findings.picture))
     print(table(f"{len(pixels.middle):,} splats", f"shape | {HEADER.replace('%', '% {:.1f}')}", rows))
     kernel = truth.compared(*kernel_picture(leaf, views, number, truth.fine))
     ours = truth.compared(*_shapes.rasterize(pixels, shapes(views, number)["ours"](pixels, truth.fine), truth.fine))
@@ -80,18 +80,18 @@ def tree_table(worlds: list[World], trees: Path) -> str:
     rows = []
     for world in worlds:
         tree = open_tree(world.build(trees), len(layout_of().directions))
-        shown = [seen.Truth(world, onto, tree.bounds) for onto in world.from_air()]
+        true_pictures = [seen.Truth(world, onto, tree.bounds) for onto in world.from_air()]
         for views in (1, 3):
-            for name, decoded in (("ours", _codec.decoded), ("ellipses", _surfels)):
-                with mock.patch.object(_codec, "decoded", decoded):
-                    found = seen.mean([seen.compare(truth, tree, seen.Setting(views)) for truth in shown])
-                shares = (100 * share for share in (found.holes, found.through, found.before, found.false))
-                rows.append([f"{world.name}, air", views, name, found.psnr, found.ssim, *shares])
+            for name, decoded in (("ours", _codec.decode), ("ellipses", _surfels)):
+                with mock.patch.object(_codec, "decode", decoded):
+                    quality = seen.mean([seen.compare(truth, tree, seen.Setting(views)) for truth in true_pictures])
+                shares = (100 * share for share in (quality.holes, quality.through, quality.before, quality.false))
+                rows.append([f"{world.name}, air", views, name, quality.psnr, quality.ssim, *shares])
                 print(rows[-1], file=sys.stderr, flush=True)
     return table("Pictures of trees", f"place | views | splats | {HEADER.replace('%', '% {:.2f}')}", rows)
 
 
-def _surfels(*arguments: Any, decoded: Callable[..., Any] = _codec.decoded) -> Any:
+def _surfels(*arguments: Any, decoded: Callable[..., Any] = _codec.decode) -> Any:
     """Decode views with all pixels connected."""
     views, bits = decoded(*arguments)
     return views, np.full_like(bits, 15)
@@ -120,31 +120,32 @@ def wall(low: Floats, count: tuple[int, int], side: tuple[float, float]) -> Floa
 def bricks(columns: int, rows: int) -> NDArray[np.int32]:
     """Materials of a wall's squares in turn."""
     y, x = (axis.ravel() for axis in np.indices((rows, columns)))
-    several: NDArray[np.int32] = np.array(materials("brick_red", "stone_pale"), np.int32)[(x + y) % 2]
-    return several
+    numbers: NDArray[np.int32] = np.array(materials("brick_red", "stone_pale"), np.int32)[(x + y) % 2]
+    return numbers
 
 
 def camera(leaf: Leaf, layout: Layout) -> nf.Camera:
     """Camera beside the view's direction, for which a pixel of the view is as wide as one of the picture."""
     turn, fov = np.radians(TURN), nf.Fov.symmetric(24, SIZE[0] / SIZE[1])
-    away = leaf.side / layout.size / (2 * fov.right / SIZE[0])
+    distance = leaf.side / layout.size / (2 * fov.right / SIZE[0])
     middle = leaf.box.mean(axis=0)
-    return nf.Camera.look_at(middle + away * np.array([np.sin(turn), 0.0, np.cos(turn)]), middle, fov=fov, size=SIZE)
+    eye = middle + distance * np.array([np.sin(turn), 0.0, np.cos(turn)])
+    return nf.Camera.look_at(eye, middle, fov=fov, size=SIZE)
 
 
 def shapes(views: _core.OrthoViews, number: int) -> dict[str, Shape]:
     """The shapes by name."""
-    depth, slope, _ = CONNECTED
-    found: dict[str, Shape] = {
+    depth, slope, _ = CONNECTION_LIMITS
+    shapes_by_name: dict[str, Shape] = {
         "circle": _shapes.circle,
         "warped circle": _shapes.warped_circle,
         "ellipse": _shapes.ellipse,
     }
-    for name, bounds in (("ours, no test of sphericity", (depth, slope, -1.0)), ("ours", CONNECTED)):
+    for name, bounds in (("ours, no test of sphericity", (depth, slope, -1.0)), ("ours", CONNECTION_LIMITS)):
         bits = views.connected(bounds)
         is_surfel = _core.orthoview_surfels(bits)[number, ..., 0]
-        found[name] = _shapes.mixed(is_surfel, _shapes.inner(bits[number, ..., 0]))
-    return found
+        shapes_by_name[name] = _shapes.mixed(is_surfel, _shapes.inner(bits[number, ..., 0]))
+    return shapes_by_name
 
 
 @dataclass(frozen=True)
@@ -196,18 +197,17 @@ class Truth:
 
     def compared(self, color: NDArray[np.uint8], depth: Floats) -> Findings:
         """Compare a picture of the same samples."""
-        is_there = np.isfinite(depth)
+        is_drawn = np.isfinite(depth)
         linear = to_linear(color / 255.0)
-        picture = average(np.where(is_there[..., None], linear, self.sky))
-        _, along = self.fine.rays()
-        middle = along[along.shape[0] // 2, along.shape[1] // 2]
-        truth = self.frame.require("range") * (along @ (middle / np.linalg.norm(middle)))
+        picture = average(np.where(is_drawn[..., None], linear, self.sky))
+        _, rays = self.fine.rays()
+        truth = self.frame.require("range") * (rays @ _shapes.ahead_of(self.fine))
         with np.errstate(invalid="ignore"):
-            beyond = depth - truth
-        shares = (~is_there, is_there & (beyond > NEAR), beyond < -NEAR)
+            behind = depth - truth
+        shares = (~is_drawn, is_drawn & (behind > NEAR), behind < -NEAR)
         holes, far, near = (100 * float(share[self.shown].mean()) for share in shares)
         sky = ~np.isfinite(truth)
-        false = 100 * float((sky & is_there).sum() / self.shown.sum())
+        false = 100 * float((sky & is_drawn).sum() / self.shown.sum())
         fair = blocks(self.shown | sky).all(axis=(1, 3))
         reference = self.picture
         difference = (reference.astype(float) - picture)[fair]
@@ -226,13 +226,12 @@ def kernel_picture(
     leaf: Leaf, views: _core.OrthoViews, number: int, fine: nf.Camera
 ) -> tuple[NDArray[np.uint8], Floats]:
     """Picture of one view by the kernel of `tree.render`."""
-    splats = _core.OrthoSplats(views, number, views.connected(CONNECTED), (leaf.corner, leaf.side))
+    splats = _core.OrthoSplats(views, number, views.connected(CONNECTION_LIMITS), (leaf.corner, leaf.side))
     settings = Shot(cameras=(fine,), channels=("color", "range")).settings
     images = _core.splat_orthoviews([splats], fine._core, settings, origin=(0.0, 0.0, 0.0), grid=1)
-    _, along = fine.rays()
-    middle = along[along.shape[0] // 2, along.shape[1] // 2]
+    _, rays = fine.rays()
     color = _core.encode_srgb(images["color"].ravel()).reshape(images["color"].shape)
-    return color, images["range"] * (along @ middle)
+    return color, images["range"] * (rays @ _shapes.ahead_of(fine))
 
 
 def blocks(samples: NDArray[Any]) -> NDArray[Any]:

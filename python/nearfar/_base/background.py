@@ -28,7 +28,7 @@ Result = TypeVar("Result")
 _POLL = 0.05
 """Seconds between two checks for signals, for systems where signals do not end a wait."""
 
-_PATIENCE = 0.3
+_END_TIMEOUT = 0.3
 """Seconds that the end of the program waits for an abandoned thread."""
 
 
@@ -121,23 +121,12 @@ _begun_alone: list[_Task] = []
 
 
 def run(work: Callable[[], Result], *, alone: bool = False) -> Result:
-    """Call a function in a separate thread and wait for it; Ctrl-C raises at once and abandons the thread.
+    """Call a function in a separate thread and return its result; Ctrl-C raises at once and abandons the thread.
 
     Only the main thread is interrupted, so in other threads this is an ordinary call. An abandoned function runs to its
-    end and its result is dropped.
-
-    Parameters
-    ----------
-    work
-        Takes no arguments. Its side effects may happen after the caller was interrupted.
-    alone
-        Whether to wait first for abandoned work of this kind, because it changes shared state: the import of a package,
-        and packages that cache what they read.
-
-    Returns
-    -------
-    Any
-        Result of `work`; its exceptions are raised with their traceback. It sees the caller's context variables.
+    end, with its side effects, and its result is dropped. Exceptions are raised with their traceback. The function sees
+    the caller's context variables. With `alone` abandoned work of this kind ends first, because it changes shared
+    state: the import of a package, and packages that cache what they read.
     """
     if threading.current_thread() is not threading.main_thread():
         return work()
@@ -216,6 +205,6 @@ def module(name: str) -> ModuleType:
 @atexit.register
 def _end() -> None:
     """End abandoned work before interpreter shutdown, which freezes threads anywhere."""
-    deadline = time.monotonic() + _PATIENCE
+    deadline = time.monotonic() + _END_TIMEOUT
     for task in _running(_begun):
         task.end(deadline)

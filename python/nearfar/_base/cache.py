@@ -18,25 +18,17 @@ from nearfar._base.files import atomic_file
 
 def folder() -> Path:
     """Return the cache folder: `NEARFAR_CACHE` if set, else nearfar's folder in the platform's cache folder."""
-    chosen = os.environ.get("NEARFAR_CACHE", "").strip()
-    if chosen:
-        return Path(chosen).expanduser()
+    path = os.environ.get("NEARFAR_CACHE", "").strip()
+    if path:
+        return Path(path).expanduser()
     return platformdirs.user_cache_path("nearfar", appauthor=False)
 
 
 def key(*parts: Any) -> str:
-    """Hash everything that a result depends on to 40 hexadecimal digits.
+    """Hash everything that a result depends on to 40 hexadecimal digits, with the algorithm's name and version.
 
-    Parameters
-    ----------
-    *parts
-        Strings, bytes, numbers, booleans, None, arrays, and tuples, lists and dicts of these. Include the name and the
-        version of the algorithm.
-
-    Raises
-    ------
-    TypeError
-        Other types, whose text may contain an address that differs between runs.
+    Parts are strings, bytes, numbers, booleans, None, arrays, and tuples, lists and dicts of these; TypeError for other
+    types, whose text may contain an address that differs between runs.
     """
     digest = hashlib.blake2b(digest_size=20)
     for piece in _encoded(parts):
@@ -45,29 +37,12 @@ def key(*parts: Any) -> str:
 
 
 def get_or_make(key: str, suffix: str, make: Callable[[Path], None]) -> Path:
-    """Return the cached file of a key; make it first if there is none.
+    """Return the cached file of a key, marked as just used; make it first if there is none.
 
-    Parameters
-    ----------
-    key
-        Hash from `key`.
-    suffix
-        The file's suffix with its dot, such as ".npy".
-    make
-        Writes the file at the path that it receives. If it raises, nothing is cached.
-
-    Returns
-    -------
-    Path
-        The file, marked as just used. While the folder exceeds `NEARFAR_CACHE_MAX_GB` (default 4) gigabytes of 10⁹
-        bytes, the least recently used other files are removed.
-
-    Raises
-    ------
-    OSError
-        If the folder is not writable; the error names it. `NEARFAR_CACHE` sets another folder.
-    ValueError
-        If `NEARFAR_CACHE_MAX_GB` is not a number of at least 0.
+    `key` is a hash from `key`, and the suffix has a dot, such as ".npy". `make` writes the file at the path that it
+    receives; if it raises, nothing is cached. While the folder exceeds `NEARFAR_CACHE_MAX_GB` (default 4) gigabytes of
+    10⁹ bytes, the least recently used other files are removed. ValueError if that is not a number of at least 0,
+    OSError with the folder's name if it is not writable; `NEARFAR_CACHE` sets another folder.
     """
     path = find(key, suffix)
     return keep(key, suffix, make) if path is None else path
@@ -111,10 +86,10 @@ def _limit() -> int:
     return int(limit * 1e9)
 
 
-_UNSEEN = 64
+_SCANS_PER_LIMIT = 64
 """Share of the limit (1/64) that this process may add before it scans the folder again."""
 
-_held: dict[tuple[Path, int], tuple[int, int]] = {}
+_sizes: dict[tuple[Path, int], tuple[int, int]] = {}
 """By folder and limit: bytes in the folder at the last scan, and bytes that this process has added since."""
 
 _lock = threading.Lock()
@@ -123,11 +98,11 @@ _lock = threading.Lock()
 def _is_due(limit: int, just_made: Path) -> bool:
     """Whether to scan the folder: a scan after each of thousands of small files would be slow."""
     with _lock:
-        place = (folder(), limit)
+        key = (folder(), limit)
         size = just_made.stat().st_size
-        held, added = _held.get(place, (limit, 0))
-        _held[place] = (held, added + size)
-        return held + added + size > limit or added + size > limit // _UNSEEN
+        held, added = _sizes.get(key, (limit, 0))
+        _sizes[key] = (held, added + size)
+        return held + added + size > limit or added + size > limit // _SCANS_PER_LIMIT
 
 
 def _trim(limit: int, just_made: Path) -> None:
@@ -147,7 +122,7 @@ def _trim(limit: int, just_made: Path) -> None:
             path.unlink(missing_ok=True)
             held -= size
     with _lock:
-        _held[folder(), limit] = (held, 0)
+        _sizes[folder(), limit] = (held, 0)
 
 
 def _encoded(value: Any) -> Iterator[bytes]:

@@ -80,12 +80,12 @@ def page(title: str, facts: Iterable[tuple[str, str]], *parts: str, notes: Seque
 
     Title, facts and notes are plain text, which is escaped.
     """
-    listed = "".join(f"<li>{html.escape(note)}</li>" for note in notes)
-    below = f'<ul style="margin:.4em 0 0;padding-left:1.2em;opacity:.8">{listed}</ul>' if listed else ""
+    items = "".join(f"<li>{html.escape(note)}</li>" for note in notes)
+    note_list = f'<ul style="margin:.4em 0 0;padding-left:1.2em;opacity:.8">{items}</ul>' if items else ""
     return (
         f'<div style="max-width:62em"><div style="margin-bottom:.4em;overflow-wrap:anywhere"><b>{html.escape(title)}'
         f'</b></div><div style="display:flex;flex-wrap:wrap;gap:.6em 1.5em;align-items:flex-start">'
-        f"{''.join(parts)}{table(facts)}</div>{below}</div>"
+        f"{''.join(parts)}{table(facts)}</div>{note_list}</div>"
     )
 
 
@@ -99,8 +99,8 @@ def table(rows: Iterable[Sequence[str]], header: Sequence[str] = ()) -> str:
     lines = []
     for number, row in enumerate([list(header), *body] if header else body):
         is_head, cells = bool(header) and number == 0, []
-        for place, text in enumerate(row):
-            is_name = is_head or (len(row) == 2 and place == 0)
+        for column, text in enumerate(row):
+            is_name = is_head or (len(row) == 2 and column == 0)
             weak = "opacity:.75;font-weight:normal;" if is_name else ""
             side = "right" if len(row) > 2 else "left"
             wrap = "white-space:nowrap;" if len(row) > 2 else "overflow-wrap:break-word;"
@@ -115,7 +115,7 @@ def table(rows: Iterable[Sequence[str]], header: Sequence[str] = ()) -> str:
 
 def picture(pixels: NDArray[np.uint8], alt: str, caption: str = "", legend: Iterable[tuple[str, str]] = ()) -> str:
     """Embed a picture (H, W, 3 or 4), with a caption and a legend of pairs of a colour and its meaning."""
-    image = _fitted(pixels)
+    image = _fit_to_page(pixels)
     data = base64.b64encode(_encoded(image)).decode("ascii")
     return (
         f'<figure style="margin:0;width:{image.width}px;max-width:100%">'
@@ -134,10 +134,10 @@ def _caption(text: str, legend: Iterable[tuple[str, str]]) -> str:
 
 def png(pixels: NDArray[np.uint8]) -> bytes:
     """Encode a picture (H, W, 3 or 4) as PNG, scaled to a size that suits pages."""
-    return _encoded(_fitted(pixels))
+    return _encoded(_fit_to_page(pixels))
 
 
-def _fitted(pixels: NDArray[np.uint8]) -> Image.Image:
+def _fit_to_page(pixels: NDArray[np.uint8]) -> Image.Image:
     from PIL import Image
 
     image = Image.fromarray(np.ascontiguousarray(pixels))
@@ -153,7 +153,7 @@ def _encoded(image: Image.Image) -> bytes:
     return buffer.getvalue()
 
 
-def thinned(image: NDArray[Any]) -> NDArray[Any]:
+def subsample(image: NDArray[Any]) -> NDArray[Any]:
     """Subsample an image (H, W, …) to at most twice the embedded size."""
     step = max(1, math.ceil(max(image.shape[:2]) / (2 * MAX_PIXELS)))
     return image[::step, ::step]
@@ -186,17 +186,17 @@ def plot(lines: Sequence[Line], x_label: str, y_label: str, *, log_y: bool = Fal
         _text(middle, foot + 34, x_label),
         _text(0, 0, y_label, f' transform="translate(12 {foot / 2}) rotate(-90)"'),
     ]
-    drawn = []
+    elements = []
     for number, line in enumerate(lines):
         color = COLORS[number % len(COLORS)]
-        track = " ".join(f"{a:.1f},{b:.1f}" for a, b in _places(x, y, line.x, line.y))
-        drawn.append(f'<polyline points="{track}" fill="none" stroke="{color}" stroke-width="2"/>')
+        track = " ".join(f"{a:.1f},{b:.1f}" for a, b in _positions(x, y, line.x, line.y))
+        elements.append(f'<polyline points="{track}" fill="none" stroke="{color}" stroke-width="2"/>')
         if line.points is not None:
-            drawn += [
-                f'<circle cx="{a:.1f}" cy="{b:.1f}" r="2" fill="{color}"/>' for a, b in _places(x, y, *line.points)
+            elements += [
+                f'<circle cx="{a:.1f}" cy="{b:.1f}" r="2" fill="{color}"/>' for a, b in _positions(x, y, *line.points)
             ]
     legend = [(COLORS[number % len(COLORS)], line.label) for number, line in enumerate(lines) if line.label]
-    return svg(PLOT, "".join(grid + drawn), f"{y_label} over {x_label}", legend)
+    return svg(PLOT, "".join(grid + elements), f"{y_label} over {x_label}", legend)
 
 
 def svg(size: tuple[int, int], content: str, alt: str, legend: Iterable[tuple[str, str]] = ()) -> str:
@@ -214,14 +214,14 @@ def length(metres: float) -> str:
     return f"{metres:,.4g}" if abs(metres) < 1000.0 else f"{metres:,.0f}"
 
 
-def point(place: Iterable[float]) -> str:
+def point(position: Iterable[float]) -> str:
     """Format a position in metres."""
-    return ", ".join(length(value) for value in place) + " m"
+    return ", ".join(length(value) for value in position) + " m"
 
 
 def _text(x: float, y: float, text: str, more: str = "", anchor: str = "middle") -> str:
-    place = f'x="{x:.1f}" y="{y:.1f}" text-anchor="{anchor}"'
-    return f'<text {place} fill="currentColor" fill-opacity=".85"{more}>{html.escape(text)}</text>'
+    attributes = f'x="{x:.1f}" y="{y:.1f}" text-anchor="{anchor}"'
+    return f'<text {attributes} fill="currentColor" fill-opacity=".85"{more}>{html.escape(text)}</text>'
 
 
 @dataclass(frozen=True)
@@ -235,8 +235,8 @@ class _Axis:
     @classmethod
     def spanning(cls, values: NDArray[np.float64], is_log: bool, start: float, end: float) -> _Axis:
         """Make the axis that shows all values, except those that are not finite or have no logarithm."""
-        kept = values[np.isfinite(values) & (values > 0.0)] if is_log else values[np.isfinite(values)]
-        low, high = (float(kept.min()), float(kept.max())) if kept.size else (1.0, 10.0)
+        visible = values[np.isfinite(values) & (values > 0.0)] if is_log else values[np.isfinite(values)]
+        low, high = (float(visible.min()), float(visible.max())) if visible.size else (1.0, 10.0)
         if high <= low:
             low, high = (low / 2.0, high * 2.0) if is_log else (low - 0.5, high + 0.5)
         return cls(low, high, is_log, start, end)
@@ -244,8 +244,8 @@ class _Axis:
     def __call__(self, value: Any) -> Any:
         scale = np.log10 if self.is_log else np.asarray
         with np.errstate(divide="ignore", invalid="ignore"):
-            share = (scale(value) - scale(self.low)) / (scale(self.high) - scale(self.low))
-        return self.start + share * (self.end - self.start)
+            fraction = (scale(value) - scale(self.low)) / (scale(self.high) - scale(self.low))
+        return self.start + fraction * (self.end - self.start)
 
     def ticks(self) -> list[tuple[float, str]]:
         """Return two to seven tick values, round ones if possible, with their texts."""
@@ -269,7 +269,7 @@ def _short(value: float) -> str:
     return f"{value:.3g}"
 
 
-def _places(x: _Axis, y: _Axis, across: Any, along: Any) -> list[tuple[float, float]]:
-    pairs = np.stack([x(np.asarray(across, np.float64)), y(np.asarray(along, np.float64))], axis=-1)
-    found: list[tuple[float, float]] = pairs[np.isfinite(pairs).all(axis=-1)].tolist()
-    return found
+def _positions(x: _Axis, y: _Axis, x_values: Any, y_values: Any) -> list[tuple[float, float]]:
+    pairs = np.stack([x(np.asarray(x_values, np.float64)), y(np.asarray(y_values, np.float64))], axis=-1)
+    positions: list[tuple[float, float]] = pairs[np.isfinite(pairs).all(axis=-1)].tolist()
+    return positions

@@ -6,6 +6,7 @@ import os
 from collections import deque
 from collections.abc import Callable, Generator, Iterable, Iterator
 from contextlib import contextmanager
+from itertools import islice
 from typing import Any, TypeVar
 
 from nearfar._base import check, progress
@@ -29,12 +30,7 @@ def check_client(name: str, client: object) -> None:
 def client_of(cluster: object) -> Iterator[Any]:
     """Open a client for `LOCAL`, whose workers end with the block; pass on a `distributed.Client`.
 
-    Raises
-    ------
-    ValueError, TypeError
-        Anything else.
-    ImportError
-        The package distributed is missing.
+    ValueError or TypeError for anything else, ImportError if the package distributed is missing.
     """
     if not isinstance(cluster, str):
         check_client("cluster", cluster)
@@ -56,51 +52,38 @@ def client_of(cluster: object) -> Iterator[Any]:
 
 
 def in_order(
-    function: Callable[[Item, progress.Report], Result], items: Iterable[Item], client: Any, *, ahead: int | None = None
+    function: Callable[[Item, progress.Report], Result],
+    items: Iterable[Item],
+    client: Any,
+    *,
+    backlog: int | None = None,
 ) -> Generator[Result, None, None]:
     """Call a function for each item on a cluster, and yield the results in the order of the items.
 
-    Parameters
-    ----------
-    function, items
-        As in `nearfar._base.distribute`.
-    client
-        A `distributed.Client`. If a worker is lost, another one does its unfinished items.
-    ahead
-        Greatest number of unconsumed results for each of the cluster's threads; None for no limit.
-
-    Raises
-    ------
-    ConnectionError
-        The scheduler is lost, or an item ended several workers in turn.
-    Exception
-        The first exception of the function. Items that have not begun are then cancelled, as on Ctrl-C.
+    Function and items are those of `nearfar._base.distribute`; `client` is a `distributed.Client`. If a worker is lost,
+    another one does its unfinished items. `backlog` is the greatest number of unconsumed results for each of the
+    cluster's threads, None for no limit. The function's first exception is raised; items that have not begun are then
+    cancelled, as on Ctrl-C. ConnectionError if the scheduler is lost, or an item ended several workers in turn.
     """
     waiting: deque[tuple[Any, Any]] = deque()
-    rest = iter(items)
+    iterator = iter(items)
     try:
         while True:
-            _check_running(client)
-            most = float("inf") if ahead is None else ahead * max(1, sum(client.ncores().values()))
-            while len(waiting) < most and (item := next(rest, _END)) is not _END:
+            if client.status != "running":
+                raise ConnectionError(f"cluster: the scheduler is lost: the client is {client.status}")
+            limit = None if backlog is None else max(0, backlog * max(1, sum(client.ncores().values())) - len(waiting))
+            for item in islice(iterator, limit):
                 # Items are scattered to workers directly: as arguments they would pass through the scheduler.
-                scattered = client.scatter([item], hash=False)[0] if ahead is None else item
+                scattered = client.scatter([item], hash=False)[0] if backlog is None else item
                 waiting.append((client.submit(_on_cluster, function, scattered, pure=False), scattered))
             if not waiting:
                 return
             future, _ = waiting.popleft()
             yield _result(future, client)
     finally:
-        if waiting:
-            _cancel(waiting, client)
-
-
-_END = object()
-
-
-def _check_running(client: Any) -> None:
-    if client.status != "running":
-        raise ConnectionError(f"cluster: the scheduler is lost: the client is {client.status}")
+        # Cancels items that have not begun; impossible if the scheduler is lost.
+        if waiting and client.status == "running":
+            client.cancel([future for future, _ in waiting])
 
 
 def _result(future: Any, client: Any) -> Any:
@@ -114,18 +97,11 @@ def _result(future: Any, client: Any) -> Any:
     except (CancelledError, CommClosedError) as error:
         raise ConnectionError(f"cluster: the scheduler is lost: {check.one_line(str(error), 180)}") from None
     except KilledWorker as error:
-        raise ConnectionError(
-            f"cluster: workers ended one after the other: {check.one_line(str(error), 180)}"
-        ) from None
+        reason = check.one_line(str(error), 180)
+        raise ConnectionError(f"cluster: workers ended one after the other: {reason}") from None
     except BaseException:
         client.cancel([future])
         raise
-
-
-def _cancel(waiting: Iterable[tuple[Any, Any]], client: Any) -> None:
-    """Cancel items that have not begun; impossible if the scheduler is lost."""
-    if client.status == "running":
-        client.cancel([future for future, _ in waiting])
 
 
 def _on_cluster(function: Callable[[Item, progress.Report], Result], item: Item) -> Result:

@@ -13,13 +13,13 @@ def root() -> Path | None:
 
     It is `NEARFAR_DATA` if set, else the nearest `shared/data` above this file, else above the working directory.
     """
-    chosen = os.environ.get("NEARFAR_DATA", "").strip()
-    if chosen:
-        return Path(chosen).expanduser()
+    path = os.environ.get("NEARFAR_DATA", "").strip()
+    if path:
+        return Path(path).expanduser()
     for start in (Path(__file__).resolve().parent, Path.cwd()):
-        for above in (start, *start.parents):
-            if (above / "shared" / "data").is_dir():
-                return above / "shared" / "data"
+        for folder in (start, *start.parents):
+            if (folder / "shared" / "data").is_dir():
+                return folder / "shared" / "data"
     return None
 
 

@@ -30,24 +30,17 @@ def distribute(
         Takes an item and `report`, which it calls as `report(done, total)` between its steps. In another process
         `report` raises once the caller was interrupted; a worker that has not ended 0.2 s later is terminated. Workers
         import the function: it must be defined at the top of a module, or be a `functools.partial` of such a function.
+        Its first exception is raised; items that have not begun are then cancelled.
     items
         Items; they must be picklable if they leave this process.
     label
         Text of the progress bar, such as "measuring".
     workers
-        Number of processes. The program's main module must be importable, as always with `multiprocessing`. Each
-        process gets its share of the machine's threads. None stays in this process.
+        Number of processes; None stays in this one. The program's main module must be importable, as always with
+        `multiprocessing`: RuntimeError if processes end at once, as in scripts without a guard for `__main__`. Each
+        process gets an equal part of the machine's threads.
     client
-        A `distributed.Client`, whose workers have nearfar.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Invalid workers or clients, or both together.
-    RuntimeError
-        Processes end at once, as in scripts without a guard for `__main__`.
-    Exception
-        The first exception of the function; items that have not begun are cancelled.
+        A `distributed.Client`, whose workers have nearfar, instead of `workers`.
     """
     if workers is not None and client is not None:
         raise ValueError("workers: expected None with a client, which has its own workers")
@@ -58,16 +51,23 @@ def distribute(
     if not items:
         return []
     if client is not None:
-        return _over_cluster(function, items, label, client)
+        results: list[Result] = []
+        with progress.bar(label) as report:
+            for result in cluster.in_order(function, items, client):
+                results.append(result)
+                report(len(results), len(items))
+        return results
     if workers is None:
-        return _in_turn(function, items, label)
+        return _in_this_process(function, items, label)
     # Imported here: processes need libraries that `import nearfar` does not.
     from nearfar._base import processes
 
     return processes.over_processes(function, items, label, workers)
 
 
-def _in_turn(function: Callable[[Item, progress.Report], Result], items: Sequence[Item], label: str) -> list[Result]:
+def _in_this_process(
+    function: Callable[[Item, progress.Report], Result], items: Sequence[Item], label: str
+) -> list[Result]:
     results = []
     with progress.bar(label) as report:
         for number, item in enumerate(items):
@@ -77,15 +77,4 @@ def _in_turn(function: Callable[[Item, progress.Report], Result], items: Sequenc
                 report(BAR_STEPS_PER_ITEM * number + steps, BAR_STEPS_PER_ITEM * len(items))
 
             results.append(function(item, report_item))
-    return results
-
-
-def _over_cluster(
-    function: Callable[[Item, progress.Report], Result], items: Sequence[Item], label: str, client: Any
-) -> list[Result]:
-    results: list[Result] = []
-    with progress.bar(label) as report:
-        for result in cluster.in_order(function, items, client):
-            results.append(result)
-            report(len(results), len(items))
     return results

@@ -26,57 +26,26 @@ def write(
     document: Mapping[str, Any],
     vectors: Mapping[str, tuple[float, float, float]] | None = None,
 ) -> None:
-    """Write a file atomically; compression is lossless.
+    """Write channels of each part by the part's name to a file, atomically; compression is lossless.
 
-    Parameters
-    ----------
-    path
-        The file to make or replace.
-    parts
-        Channels of each part by the part's name.
-    document
-        A header made by `formats.header`, with the format's further fields.
-    vectors
-        Triples of numbers by name, written to every part's header as float32 attributes for programs that do not read
-        `document`.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Images that OpenEXR cannot store.
-    OSError
-        The file cannot be written.
+    `document` is a header made by `formats.header`, with the format's further fields. `vectors` are triples of numbers
+    by name, written to every part's header as float32 attributes for programs that do not read `document`. ValueError
+    or TypeError for images that OpenEXR cannot store.
     """
     text = json.dumps(dict(document), allow_nan=False)
     with files.atomic_file(path) as temporary:
         encoded: list[_core._Part] = []
         for name, channels in parts.items():
-            first = {} if encoded else {ATTRIBUTE: text}
-            encoded.append((name, dict(channels), {**first, **(vectors or {})}))
+            document_attribute = {} if encoded else {ATTRIBUTE: text}
+            encoded.append((name, dict(channels), {**document_attribute, **(vectors or {})}))
         files.write(temporary, _core.encode_exr(encoded).data)
 
 
 def read(path: str | os.PathLike[str], name: str, version: int) -> tuple[dict[str, Any], dict[str, Channels]]:
-    """Read the document and the parts of a file that `write` made.
+    """Read a file that `write` made: the document, and the channels of each part by the part's name.
 
-    Parameters
-    ----------
-    path
-        The file.
-    name, version
-        Expected format without "nearfar.", and the newest supported version.
-
-    Returns
-    -------
-    dict, dict
-        The document, and the channels of each part by the part's name.
-
-    Raises
-    ------
-    FormatError
-        A file that is not an OpenEXR file of this format, or has a newer version of it.
-    OSError
-        The file cannot be read.
+    `name` is the expected format without "nearfar.", `version` the newest supported one. FormatError for a file that is
+    not an OpenEXR file of this format, or has a newer version of it.
     """
     data = background.run(check.path("path", path).read_bytes)
     try:
@@ -85,7 +54,7 @@ def read(path: str | os.PathLike[str], name: str, version: int) -> tuple[dict[st
     except (FormatError, ValueError, RecursionError) as error:
         raise FormatError(f"{os.fspath(path)}: {error}") from None
     checked = formats.check(document, name, version, path)
-    return checked, {part: channels for part, channels, _ in parts}
+    return checked, {part_name: channels for part_name, channels, _ in parts}
 
 
 def of_kind(kind: str, values: NDArray[Any]) -> NDArray[Any]:

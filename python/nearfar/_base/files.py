@@ -1,17 +1,34 @@
-"""Atomic writing of files and folders: a temporary one is written, flushed to disk, and renamed to the target."""
+"""Atomic writing of files and folders: a temporary one is written, flushed to disk, and renamed to the target.
+
+Names of temporaries tell their target, and lock files beside them their owner, so that leftovers of dead owners can go.
+"""
 
 from __future__ import annotations
 
 import errno
 import os
+import re
+import secrets
 import shutil
 import stat
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
+import numpy as np
+from numpy.typing import NDArray
+
 from nearfar import _core
-from nearfar._base import aside, background
+from nearfar._base import background, locks
+
+MAX_NAME = 255
+"""Greatest length of a file name, bytes."""
+
+_TAG = 6
+"""Random bytes in a name."""
+
+_LOCK = ".lock"
+"""Suffix of a lock file, added to the name of its temporary."""
 
 _PIECE = 1 << 24
 """Bytes written between two checks for Ctrl-C."""
@@ -19,77 +36,47 @@ _PIECE = 1 << 24
 
 @contextmanager
 def atomic_file(path: str | os.PathLike[str]) -> Iterator[Path]:
-    """Write a file atomically.
+    """Write a file atomically: yield an empty temporary file in the folder of `path`, with the same suffix.
 
-    Parameters
-    ----------
-    path
-        The file to create or replace. Its folder must exist.
-
-    Yields
-    ------
-    Path
-        An empty temporary file in the folder of `path`, with the same suffix. It replaces `path` when the block ends,
-        and is removed if the block raises.
-
-    Raises
-    ------
-    OSError
-        Before the block runs, if the folder is missing or not writable, or `path` is a folder, a pipe or a device; the
-        error names `path`.
+    It replaces `path` when the block ends, and is removed if the block raises. OSError that names `path`, before the
+    block runs, if the folder is missing or not writable, or `path` is a folder, a pipe or a device.
     """
     target = _absolute(path)
     if target.is_dir():
         raise IsADirectoryError(errno.EISDIR, "is a folder, expected a file path", str(target))
     if target.exists() and not target.is_file():
-        message = "is a pipe, a socket or a device, expected a file path"
-        raise OSError(errno.EINVAL, message, str(target))
-    aside.clear(target)
-    with aside.temporary_beside(target, folder=False) as temporary:
+        raise OSError(errno.EINVAL, "is a pipe, a socket or a device, expected a file path", str(target))
+    clear(target)
+    with temporary_beside(target, folder=False) as temporary:
         yield temporary
         _flush(temporary)
         _keep_mode(target, temporary)
-        with aside.naming_errors(target):
+        with naming_errors(target):
             os.replace(temporary, target)
         _flush(target.parent)
 
 
 @contextmanager
 def atomic_folder(path: str | os.PathLike[str], *, marker: str = "manifest.json") -> Iterator[Path]:
-    """Write a folder atomically.
+    """Write a folder atomically: yield an empty temporary folder beside `path`.
 
-    Parameters
-    ----------
-    path
-        The folder to create. An existing one is replaced only if it is empty or contains `marker`. The parent folder
-        must exist.
-    marker
-        Name of the file that every folder of this kind contains.
-
-    Yields
-    ------
-    Path
-        An empty temporary folder beside `path`. It replaces `path` when the block ends, and is removed if the block
-        raises.
-
-    Raises
-    ------
-    OSError
-        Before the block runs, if the folder above is missing or not writable, or `path` is a file or a folder with
-        other files; the error names `path`.
+    It replaces `path` when the block ends, and is removed if the block raises. An existing folder is replaced only if
+    it is empty or contains `marker`, the name of the file that every folder of this kind contains. OSError that names
+    `path`, before the block runs, if the parent folder is missing or not writable, or `path` is a file or a folder with
+    other files.
     """
     target = _absolute(path)
-    aside.restore(target)
+    restore(target)
     _check_replaceable(target, marker)
-    aside.clear(target)
-    with aside.temporary_beside(target, folder=True) as temporary:
+    clear(target)
+    with temporary_beside(target, folder=True) as temporary:
         yield temporary
         for item in sorted(temporary.rglob("*")):
             _flush(item)
         _flush(temporary)
         _keep_mode(target, temporary)
         _check_replaceable(target, marker)
-        with aside.naming_errors(target):
+        with naming_errors(target):
             _take_place(temporary, target)
         _flush(target.parent)
 
@@ -102,16 +89,19 @@ def write(path: Path, data: bytes | memoryview) -> None:
             whole = whole[file.write(whole[:_PIECE]) :]
 
 
+def write_png(path: Path, pixels: NDArray[np.uint8]) -> None:
+    """Write a picture (H, W, 3 or 4) as PNG atomically."""
+    from PIL import Image
+
+    with atomic_file(path) as temporary:
+        Image.fromarray(pixels).save(temporary, format="PNG")
+
+
 def write_with_mode(path: Path, data: bytes, mode: int) -> None:
     """Write a file atomically, with its mode set before any content is readable."""
     with atomic_file(path) as temporary:
         temporary.chmod(mode)
         temporary.write_bytes(data)
-
-
-def restore(path: str | os.PathLike[str]) -> None:
-    """Restore a folder whose replacement was interrupted by the process's death, on systems without an exchange."""
-    aside.restore(_absolute(path))
 
 
 def _take_place(temporary: Path, target: Path) -> None:
@@ -122,14 +112,14 @@ def _take_place(temporary: Path, target: Path) -> None:
     if _core.exchange_paths(str(temporary), str(target)):
         shutil.rmtree(temporary, ignore_errors=True)
         return
-    old = aside.replaced(target)
+    old = replaced(target)
     shutil.rmtree(old, ignore_errors=True)
     try:
         os.rename(target, old)
         os.rename(temporary, target)
     finally:
         # Also after an error between the two; after a crash the next caller of `restore` does this.
-        aside.restore(target)
+        restore(target)
     shutil.rmtree(old, ignore_errors=True)
 
 
@@ -169,3 +159,90 @@ def _flush(path: Path) -> None:
             os.close(descriptor)
 
     background.run(flush)
+
+
+def replaced(target: Path) -> Path:
+    """Return the path of the old target during a replacement, on systems that cannot exchange two paths."""
+    start, end = _affixes(target)
+    return target.with_name(f"{start}replaced{end}")
+
+
+def restore(path: str | os.PathLike[str]) -> None:
+    """Put back the old target, if the process died before it was replaced, on systems without an exchange."""
+    target = _absolute(path)
+    waiting = replaced(target)
+    if not target.exists() and waiting.exists():
+        with suppress(OSError):
+            os.rename(waiting, target)
+
+
+@contextmanager
+def temporary_beside(target: Path, *, folder: bool) -> Iterator[Path]:
+    """Create an empty file or folder beside the target: a rename across file systems would copy.
+
+    A lock file beside it marks it as owned by a running process. If the block raises, the temporary is removed.
+    """
+    start, end = _affixes(target)
+    path, lock = target.with_name(f"{start}{secrets.token_hex(_TAG)}{end}"), None
+    try:
+        with naming_errors(target):
+            os.stat(target.parent / ".")  # creating the lock would create the folder
+            # The lock is created first and removed last, so that no temporary is ever seen without an owner.
+            lock = locks.try_hold(path.with_name(path.name + _LOCK))
+            if folder:
+                path.mkdir()
+            else:
+                path.touch(exist_ok=False)
+        yield path
+    except BaseException:
+        with suppress(OSError):
+            _remove(path)
+        raise
+    finally:
+        if lock is not None:
+            locks.remove(lock)
+
+
+@contextmanager
+def naming_errors(target: Path) -> Iterator[None]:
+    """Replace the temporary path in errors by the caller's path."""
+    try:
+        yield
+    except OSError as error:
+        raise OSError(error.errno, f"cannot be written: {error.strerror}", str(target)) from None
+
+
+def clear(target: Path) -> None:
+    """Remove temporaries of a target whose owners have died."""
+    start, end = _affixes(target)
+    pattern = re.compile(re.escape(start) + f"[0-9a-f]{{{2 * _TAG}}}" + re.escape(end + _LOCK))
+    with suppress(OSError):
+        for name in os.listdir(target.parent):
+            if pattern.fullmatch(name):
+                _remove_if_dead(target.with_name(name))
+
+
+def _remove_if_dead(lock_path: Path) -> None:
+    with suppress(OSError):
+        lock = locks.try_hold(lock_path)
+        if lock is not None:
+            _remove(lock_path.with_name(lock_path.name.removesuffix(_LOCK)))
+            locks.remove(lock)
+
+
+def _remove(path: Path) -> None:
+    if path.is_dir() and not path.is_symlink():
+        shutil.rmtree(path, ignore_errors=True)
+    else:
+        path.unlink(missing_ok=True)
+
+
+def _affixes(target: Path) -> tuple[str, str]:
+    """Prefix and suffix of temporaries' names: parts of the target's name, shortened to fit."""
+    tag = 2 * _TAG
+    suffix = target.suffix if len(os.fsencode(target.suffix)) <= MAX_NAME // 2 else ""
+    max_stem_bytes = MAX_NAME - len("..") - tag - len(os.fsencode(suffix + _LOCK))
+    stem = target.name.removesuffix(suffix)
+    while len(os.fsencode(stem)) > max_stem_bytes:
+        stem = stem[:-1]
+    return f".{stem}.", suffix

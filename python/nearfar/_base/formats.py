@@ -35,50 +35,32 @@ _REASON = 180
 
 
 def header(name: str, version: int, **conventions: Any) -> dict[str, Any]:
-    """Return the header fields of a document.
+    """Return the header fields of a document of a format, whose name is without "nearfar.", such as "report".
 
-    Parameters
-    ----------
-    name
-        The format's name without "nearfar.", such as "report".
-    version
-        Version of the format; readers reject newer ones.
-    **conventions
-        Values that differ from `CONVENTIONS`, such as `origin=(x, y, z)` in metres or `color_space="linear"`, and
-        further fields about the whole file.
+    Readers reject newer versions. `conventions` are values that differ from `CONVENTIONS`, such as `origin=(x, y, z)`
+    in metres or `color_space="linear"`, and further fields about the whole file.
     """
     identity = {"format": f"nearfar.{name}", "version": version, "generator": f"nearfar {__version__}"}
     return identity | CONVENTIONS | conventions
 
 
 def check(document: Any, name: str, version: int, path: str | os.PathLike[str]) -> dict[str, Any]:
-    """Return a document if its header has the expected format and a supported version.
+    """Return the decoded content of a file if its header has the expected format and a supported version.
 
-    Parameters
-    ----------
-    document
-        Decoded content of the file, of any type.
-    name, version
-        Expected format without "nearfar.", and the newest supported version.
-    path
-        The file, for the error message.
-
-    Raises
-    ------
-    FormatError
-        Another format, a missing or invalid version, or a version newer than `version`.
+    `name` is that of the format without "nearfar.", `version` the newest supported one. FormatError with the file's
+    path for another format, a missing or invalid version, or a newer one.
     """
-    where, wanted = os.fspath(path), f"nearfar.{name}"
+    file_name, format_name = os.fspath(path), f"nearfar.{name}"
     if not isinstance(document, dict):
-        raise FormatError(f"{where}: expected a {wanted} document, got {type(document).__name__}")
-    if document.get("format") != wanted:
-        raise FormatError(f"{where}: expected format {wanted!r}, got {shortened(document.get('format'))}")
+        raise FormatError(f"{file_name}: expected a {format_name} document, got {type(document).__name__}")
+    if document.get("format") != format_name:
+        raise FormatError(f"{file_name}: expected format {format_name!r}, got {shortened(document.get('format'))}")
     file_version = document.get("version")
     if not isinstance(file_version, int) or isinstance(file_version, bool) or file_version < 1:
-        raise FormatError(f"{where}: expected a version of at least 1, got {shortened(file_version)}")
+        raise FormatError(f"{file_name}: expected a version of at least 1, got {shortened(file_version)}")
     if file_version > version:
         raise FormatError(
-            f"{where}: {wanted} version {shortened(file_version)} was written by "
+            f"{file_name}: {format_name} version {shortened(file_version)} was written by "
             f"{one_line(str(document.get('generator', 'a newer nearfar')), _GENERATOR)}; "
             f"this is nearfar {__version__}, which reads up to version {version}"
         )
@@ -143,16 +125,8 @@ def read_json(path: str | os.PathLike[str], name: str, version: int) -> dict[str
     return check(document, name, version, path)
 
 
-DAMAGE = (
-    ValueError,
-    TypeError,
-    LookupError,
-    AttributeError,
-    StopIteration,
-    ArithmeticError,
-    RecursionError,
-    struct.error,
-)
+_INVALID = (ValueError, TypeError, LookupError, AttributeError, ArithmeticError)
+DAMAGE: tuple[type[Exception], ...] = (*_INVALID, StopIteration, RecursionError, struct.error)
 """Exceptions that reading a damaged file may raise."""
 
 
@@ -191,7 +165,7 @@ def load_schema(name: str) -> dict[str, Any]:
     folder = resources.files("nearfar") / "schemas"
     file = folder / f"{name}.schema.json"
     if not file.is_file():
-        known = sorted(item.name.removesuffix(".schema.json") for item in folder.iterdir())
-        raise ValueError(f"name: expected one of {', '.join(known)}, got {shortened(name)}")
+        names = sorted(item.name.removesuffix(".schema.json") for item in folder.iterdir())
+        raise ValueError(f"name: expected one of {', '.join(names)}, got {shortened(name)}")
     schema: dict[str, Any] = json.loads(file.read_text(encoding="utf-8"))
     return schema

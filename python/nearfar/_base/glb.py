@@ -48,20 +48,10 @@ class Writer:
     def accessor(
         self, view: int, values: NDArray[Any], start: int, *, normalized: bool = False, extent: Any = None
     ) -> int:
-        """Add an accessor for rows of a view from row `start` on, and return its index.
+        """Add an accessor for the rows `values`, (N,) or (N, K), of a view from its row `start` on; return its index.
 
-        Parameters
-        ----------
-        view
-            Index of a view, from `view`.
-        values
-            The rows (N,) or (N, K) that this accessor covers.
-        start
-            Number of the view's rows before this accessor's.
-        normalized
-            Whether integers represent 0..1.
-        extent
-            Least and greatest values by column, if the format requires them.
+        `view` is an index from `view`. With `normalized`, integers represent 0..1. `extent` has the least and the
+        greatest values by column, if the format requires them.
         """
         component = next(code for code, kind in _COMPONENTS.items() if values.dtype == kind)
         width = 1 if values.ndim == 1 else values.shape[1]
@@ -81,13 +71,13 @@ class Writer:
 
     def encode(self, document: dict[str, Any]) -> bytes:
         """Encode the file. Empty lists are left out, because glTF does not allow them."""
-        whole = {
+        content = {
             **document,
             "accessors": self._accessors,
             "bufferViews": self._views,
             "buffers": [{"byteLength": self._size}] if self._size else [],
         }
-        text = json.dumps({key: value for key, value in whole.items() if value != []}, allow_nan=False)
+        text = json.dumps({key: value for key, value in content.items() if value != []}, allow_nan=False)
         return _file(text, *([_CHUNK.pack(self._size, b"BIN\0"), *self._pieces] if self._size else []))
 
 
@@ -123,11 +113,11 @@ def binary(data: bytes, end: int) -> memoryview:
 
 def entry(document: dict[str, Any], section: str, number: Any) -> dict[str, Any]:
     """Entry of one of the document's lists; IndexError for an invalid index."""
-    listed = document.get(section, [])
-    if type(number) is not int or not 0 <= number < len(listed):
-        raise IndexError(f"entry {number} of {len(listed)} {section}")
-    found: dict[str, Any] = listed[number]
-    return found
+    entries = document.get(section, [])
+    if type(number) is not int or not 0 <= number < len(entries):
+        raise IndexError(f"entry {number} of {len(entries)} {section}")
+    item: dict[str, Any] = entries[number]
+    return item
 
 
 def json_object(text: bytes, parse: Callable[[bytes], Any] = formats.from_foreign_json) -> dict[str, Any]:
@@ -161,9 +151,8 @@ class Reader:
         described = entry(self.document, "bufferViews", view)
         start, length = described["byteOffset"], described["byteLength"]
         if not 0 <= start <= start + length <= len(self._buffer):
-            raise ValueError(
-                f"expected bytes within the buffer of {len(self._buffer)}, got {start} to {start + length}"
-            )
+            size = len(self._buffer)
+            raise ValueError(f"expected bytes within the buffer of {size}, got {start} to {start + length}")
         return self._buffer[start : start + length]
 
     def array(self, accessor: int) -> NDArray[Any]:

@@ -15,20 +15,10 @@ if TYPE_CHECKING:
 def hold(path: Path, other_task: str | None) -> Iterator[None]:
     """Hold a lock file; the system releases it when the process ends, even if it is killed.
 
-    On a file system without locks, the file's existence is the lock, and the file names the process that created it. If
-    that process has ended, the next one on the same machine removes the file.
-
-    Parameters
-    ----------
-    path
-        The lock file. Its folder is created.
-    other_task
-        Task of another holder, for the error, such as "another build writes into world.zarr"; None waits for its end.
-
-    Raises
-    ------
-    BlockingIOError
-        Another process holds the lock, and `other_task` is given.
+    Its folder is created. On a file system without locks, the file's existence is the lock, and the file names the
+    process that created it. If that process has ended, the next one on the same machine removes the file. If another
+    process holds the lock, BlockingIOError with its `other_task`, such as "another build writes into world.zarr"; None
+    waits for its end.
     """
     path.parent.mkdir(parents=True, exist_ok=True)
     lock = _lock(path)

@@ -13,13 +13,13 @@ _SYSTEM, _GROUP = Path("/proc/meminfo"), Path("/sys/fs/cgroup")
 """Files in which Linux states memory, and the limit and use of a container."""
 
 
-def check_room(argument: str, what: str, size: int) -> None:
+def check_room(argument: str, result: str, size: int) -> None:
     """Reject a result of `size` bytes for an argument; MemoryError if the system reports too little memory."""
     if size <= _SMALL:
         return
-    room = _room()
-    if room is not None and size > room:
-        raise MemoryError(f"{argument}: {what} takes {size / 1e9:.1f} GB of memory, and {room / 1e9:.1f} GB are free")
+    free = _free_bytes()
+    if free is not None and size > free:
+        raise MemoryError(f"{argument}: {result} takes {size / 1e9:.1f} GB of memory, and {free / 1e9:.1f} GB are free")
 
 
 @functools.cache
@@ -31,19 +31,19 @@ def installed() -> int:
         return 1 << 40
 
 
-def _room() -> int | None:
+def _free_bytes() -> int | None:
     """Bytes that a process may still allocate; None if unknown."""
     try:
         lines = (line.split() for line in _SYSTEM.read_text(encoding="ascii").splitlines())
         kilobytes = {words[0]: int(words[1]) for words in lines if len(words) > 1}
-        room = 1024 * (kilobytes["MemAvailable:"] + kilobytes.get("SwapFree:", 0))
+        free = 1024 * (kilobytes["MemAvailable:"] + kilobytes.get("SwapFree:", 0))
     except (OSError, KeyError, ValueError):
         return None
     try:
-        limit, taken = (int((_GROUP / f"memory.{name}").read_text(encoding="ascii")) for name in ("max", "current"))
+        limit, used = (int((_GROUP / f"memory.{name}").read_text(encoding="ascii")) for name in ("max", "current"))
         lines = (line.split() for line in (_GROUP / "memory.stat").read_text(encoding="ascii").splitlines())
         # Cached file pages count as used, but are freed on demand.
         files = next((int(words[1]) for words in lines if words[0] == "inactive_file"), 0)
     except (OSError, ValueError):  # there is no limit
-        return room
-    return max(0, min(room, limit - taken + files))
+        return free
+    return max(0, min(free, limit - used + files))

@@ -35,11 +35,11 @@ def load_curve(
 def _per_cent(axes: Axes, total: int) -> None:
     """Add a right axis that shows the reduction relative to `total` in per cent."""
     lowest = axes.get_ylim()[0]
-    shares = [10.0**-n for n in range(1, 1 + int(np.log10(total / lowest)))]
+    fractions = [10.0**-n for n in range(1, 1 + int(np.log10(total / lowest)))]
     right = axes.secondary_yaxis("right")
     # 1 − 10⁻ⁿ has n − 2 decimals in per cent.
-    labels = [f"{100.0 * (1.0 - share):.{max(n - 2, 0)}f} %" for n, share in enumerate(shares, start=1)]
-    right.set_yticks([total, *(total * share for share in shares)], ["0 %", *labels], minor=False)
+    labels = [f"{100.0 * (1.0 - share):.{max(n - 2, 0)}f} %" for n, share in enumerate(fractions, start=1)]
+    right.set_yticks([total, *(total * share for share in fractions)], ["0 %", *labels], minor=False)
     right.set_yticks([], minor=True)
     right.set_ylabel("reduction")
 
@@ -73,19 +73,13 @@ def over_time(ax: Axes | None, times: NDArray[Any], values: NDArray[Any], name: 
 
 def _axes(ax: Axes | None) -> Axes:
     """Return the caller's axes, or new ones; TypeError for anything else."""
-    if ax is None:
-        pyplot = _pyplot()
-        new: Axes = pyplot.subplots(layout="constrained")[1]
-        return new
-    from matplotlib import axes
+    if ax is not None:
+        from matplotlib.axes import Axes
 
-    check.instance("ax", ax, axes.Axes, "Axes of matplotlib")
-    return ax
-
-
-def _pyplot() -> Any:
+        return check.instance("ax", ax, Axes, "Axes of matplotlib")
     try:
         from matplotlib import pyplot
     except ImportError:
         raise ImportError("plots need matplotlib: pip install matplotlib") from None
-    return pyplot
+    axes: Axes = pyplot.subplots(layout="constrained")[1]
+    return axes

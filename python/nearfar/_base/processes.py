@@ -18,7 +18,7 @@ from nearfar._base import progress
 Item = TypeVar("Item")
 Result = TypeVar("Result")
 
-PATIENCE = 0.2
+END_TIMEOUT = 0.2
 """Seconds that an interrupted caller waits for its workers to end by themselves."""
 
 _is_stopped: Callable[[], bool] | None = None
@@ -35,7 +35,7 @@ def over_processes(
     workers = min(workers, len(items))
     threads = max(1, (os.cpu_count() or 1) // workers)
     pool = concurrent.futures.ProcessPoolExecutor(
-        workers, mp_context=context, initializer=_begin, initargs=(stop, threads)
+        workers, mp_context=context, initializer=_set_up_worker, initargs=(stop, threads)
     )
     try:
         futures = [pool.submit(_in_worker, function, item) for item in items]
@@ -53,12 +53,12 @@ def over_processes(
     except BaseException:
         stop.set()
         # The pool exposes its processes only here, and forgets them at shutdown.
-        own = list((pool._processes or {}).values())
+        processes = list((pool._processes or {}).values())
         # A worker terminated while it writes a result leaves a part of it, whose reader would wait for the rest.
         results: Any = pool._result_queue
         results._writer.close()
         pool.shutdown(wait=False, cancel_futures=True)
-        _end(own)
+        _end(processes)
         raise
     finally:
         pool.shutdown(wait=True, cancel_futures=True)
@@ -66,7 +66,7 @@ def over_processes(
 
 def _end(processes: Sequence[BaseProcess]) -> None:
     """Give processes a short time to end, then terminate them. Starting processes do not check the event yet."""
-    deadline = time.monotonic() + PATIENCE
+    deadline = time.monotonic() + END_TIMEOUT
     for process in processes:
         process.join(max(0.0, deadline - time.monotonic()))
     for process in processes:
@@ -74,7 +74,7 @@ def _end(processes: Sequence[BaseProcess]) -> None:
         process.terminate()
 
 
-def _begin(stop: Event, threads: int) -> None:
+def _set_up_worker(stop: Event, threads: int) -> None:
     """Set up a worker process before its first kernel."""
     global _is_stopped
     _is_stopped = stop.is_set

@@ -7,7 +7,7 @@ import os
 import sys
 import time
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import closing, contextmanager
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
@@ -29,7 +29,7 @@ _writes_lines = False
 """Whether progress is written as lines if no bar can be shown."""
 _last_line = 0.0
 """Time of the last line, or of the start of the command."""
-_shown: _Bar | None = None
+_visible_bar: _Bar | None = None
 """The visible bar. Only one is shown at a time, so nested bars stay invisible."""
 _hidden = contextvars.ContextVar("_hidden", default=False)
 """Whether progress is hidden; separate for each thread."""
@@ -39,34 +39,23 @@ _look: contextvars.ContextVar[Callable[[], None] | None] = contextvars.ContextVa
 
 @contextmanager
 def bar(label: str) -> Iterator[Report]:
-    """Show the progress of a kernel.
+    """Show the progress of work with a label of one or two words: yield a `Report`, which kernels take as `report=`.
 
-    Parameters
-    ----------
-    label
-        Name of the work, one or two words.
-
-    Yields
-    ------
-    Callable
-        Takes (done, total) in any unit; pass it to a kernel as `report=`. `NEARFAR_PROGRESS=0` hides all progress.
+    `NEARFAR_PROGRESS=0` hides all progress.
     """
-    shown = _Bar(label)
-    try:
-        yield shown.report
-    finally:
-        shown.close()
+    with closing(_Bar(label)) as visible:
+        yield visible.report
 
 
 @contextmanager
 def lines() -> Iterator[None]:
     """Within the block, write a line to standard error every `INTERVAL` seconds of work if no bar can be shown."""
     global _writes_lines, _last_line
-    before, _writes_lines, _last_line = _writes_lines, True, time.monotonic()
+    previous, _writes_lines, _last_line = _writes_lines, True, time.monotonic()
     try:
         yield
     finally:
-        _writes_lines = before
+        _writes_lines = previous
 
 
 @contextmanager
@@ -100,7 +89,7 @@ class _Bar:
     def __init__(self, label: str) -> None:
         self._label = label
         self._started = time.monotonic()
-        self._silent = _hidden.get() or os.environ.get("NEARFAR_PROGRESS", "").strip() == "0"
+        self._is_silent = _hidden.get() or os.environ.get("NEARFAR_PROGRESS", "").strip() == "0"
         self._progress: Progress | None = None
         self._task: TaskID | None = None
         self._cell: Any = None
@@ -108,7 +97,7 @@ class _Bar:
 
     def report(self, done: int, total: int) -> None:
         look()
-        if self._silent:
+        if self._is_silent:
             return
         if _writes_lines and not _visible():
             self._write(done, total)
@@ -126,17 +115,17 @@ class _Bar:
         if time.monotonic() - _last_line < INTERVAL or sys.stderr is None:
             return
         _last_line = time.monotonic()
-        share = f", {100.0 * done / total:.0f} %" if total > 0 else ""
-        print(f"nearfar: {self._label}{share}, {_last_line - self._started:.0f} s", file=sys.stderr, flush=True)
+        percentage = f", {100.0 * done / total:.0f} %" if total > 0 else ""
+        print(f"nearfar: {self._label}{percentage}, {_last_line - self._started:.0f} s", file=sys.stderr, flush=True)
 
     def _open(self, done: int, total: int) -> bool:
-        global _shown
-        if _shown is not None or time.monotonic() - self._started < DELAY or 0 < total <= done:
+        global _visible_bar
+        if _visible_bar is not None or time.monotonic() - self._started < DELAY or 0 < total <= done:
             return False
         if not _visible():
-            self._silent = True
+            self._is_silent = True
             return False
-        _shown = self
+        _visible_bar = self
         if _in_notebook():
             # rich needs widgets in notebooks, and leaves broken ones behind in saved notebooks.
             from IPython.display import display
@@ -153,15 +142,15 @@ class _Bar:
         return True
 
     def close(self) -> None:
-        global _shown
+        global _visible_bar
         if self._progress is not None:
             self._progress.stop()
             self._progress = None
         if self._cell is not None:
             self._cell.update(_html("", 0, 0))
             self._cell = None
-        if _shown is self:
-            _shown = None
+        if _visible_bar is self:
+            _visible_bar = None
 
 
 def _visible() -> bool:
@@ -180,5 +169,5 @@ def _html(label: str, done: int, total: int) -> Any:
     """HTML of a notebook's bar; empty without a label, once the work is done."""
     from IPython.display import HTML
 
-    share = f'value="{done}" max="{total}"' if total else ""
-    return HTML(f"<label>{label} <progress {share}></progress></label>" if label else "<span></span>")
+    attributes = f'value="{done}" max="{total}"' if total else ""
+    return HTML(f"<label>{label} <progress {attributes}></progress></label>" if label else "<span></span>")

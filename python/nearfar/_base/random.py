@@ -18,21 +18,10 @@ _WORD = 2**64 - 1
 
 
 def uniform(seed: int, cell: int, index: ArrayLike) -> NDArray[np.float64]:
-    """Draw a float64 in [0, 1) for each index.
+    """Draw a float64 in [0, 1) for each index of a draw, integers of any shape.
 
-    Parameters
-    ----------
-    seed
-        Number of the scene or experiment, 0 to 2⁶⁴ − 1.
-    cell
-        Number of the random quantity, 0 to 2⁶⁴ − 1; different quantities of a seed are independent.
-    index
-        Indices of the draws: integers of any shape.
-
-    Returns
-    -------
-    NDArray[np.float64]
-        Values in the shape of `index`.
+    `seed` is the number of the scene or experiment, `cell` that of the random quantity, both 0 to 2⁶⁴ − 1; different
+    quantities of a seed are independent.
     """
     indices = check.array("index", index, columns=None, dtype=np.uint64)
     seed, cell = check.integer("seed", seed, 0, _WORD), check.integer("cell", cell, 0, _WORD)
@@ -52,28 +41,19 @@ def integers(seed: int, cell: int, index: ArrayLike, low: int, high: int) -> NDA
 def choice(
     seed: int, cell: int, index: ArrayLike, options: Sequence[Any] | NDArray[Any], *, weights: ArrayLike | None = None
 ) -> NDArray[Any]:
-    """Draw one of `options` for each index; see `uniform` for `seed`, `cell` and `index`.
+    """Draw one of `options`, along their first axis, for each index; see `uniform` for `seed`, `cell` and `index`.
 
-    Parameters
-    ----------
-    options
-        The options, along the first axis.
-    weights
-        Relative probability of each option, at least 0; None makes all equal.
-
-    Returns
-    -------
-    NDArray
-        Drawn options: the shape of `index`, followed by the shape of one option.
+    `weights` are the relative probabilities of the options, at least 0; None makes all equal. The result has the shape
+    of `index`, followed by the shape of one option.
     """
-    listed = check.plain("options", options)
-    if listed.ndim == 0 or len(listed) == 0:
-        raise ValueError(f"options: expected at least one, got shape {listed.shape}")
+    choices = check.plain("options", options)
+    if choices.ndim == 0 or len(choices) == 0:
+        raise ValueError(f"options: expected at least one, got shape {choices.shape}")
     if weights is None:
-        return np.asarray(listed[integers(seed, cell, index, 0, len(listed))])
-    share = check.array("weights", weights, columns=None, dtype=np.float64, finite=True)
-    if share.shape != (len(listed),) or share.min() < 0.0 or share.sum() <= 0.0:
-        raise ValueError(f"weights: expected {len(listed)} numbers of at least 0 and not all 0, got {share.tolist()}")
-    edges = np.cumsum(share)
-    drawn = np.searchsorted(edges, uniform(seed, cell, index) * edges[-1], side="right")
-    return np.asarray(listed[np.minimum(drawn, np.flatnonzero(share)[-1])])
+        return np.asarray(choices[integers(seed, cell, index, 0, len(choices))])
+    odds = check.array("weights", weights, columns=None, dtype=np.float64, finite=True)
+    if odds.shape != (len(choices),) or odds.min() < 0.0 or odds.sum() <= 0.0:
+        raise ValueError(f"weights: expected {len(choices)} numbers of at least 0 and not all 0, got {odds.tolist()}")
+    edges = np.cumsum(odds)
+    numbers = np.searchsorted(edges, uniform(seed, cell, index) * edges[-1], side="right")
+    return np.asarray(choices[np.minimum(numbers, np.flatnonzero(odds)[-1])])

@@ -47,7 +47,7 @@ def system(url: str) -> tuple[Any, str]:
     import fsspec
 
     try:
-        found, path = fsspec.core.url_to_fs(url)
+        file_system, path = fsspec.core.url_to_fs(url)
     except ImportError as error:
         needed = f"pip install {HTTP_PACKAGES}" if is_web else check.one_line(str(error), 180)
         raise ValueError(
@@ -59,7 +59,7 @@ def system(url: str) -> tuple[Any, str]:
         ) from None
     if not path.strip("/"):
         raise ValueError(f"path: expected a URL with a folder, got {check.shortened(url)}")
-    return found, path.rstrip("/")
+    return file_system, path.rstrip("/")
 
 
 @contextmanager

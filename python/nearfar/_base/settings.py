@@ -4,11 +4,24 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import fields, replace
-from typing import Any, TypeVar
+from typing import Any, ClassVar, TypeVar
 
 from nearfar._base import check
 
 Settings = TypeVar("Settings")
+
+
+class Alternatives:
+    """Base of settings with groups of fields of which a caller sets one, such as a radius or a budget."""
+
+    _alternatives: ClassVar[tuple[tuple[str, ...], ...]] = ()
+    """Names of the fields of each group; None means that a field is not set."""
+
+    def _adapted_to(self, keywords: Mapping[str, Any]) -> dict[str, Any]:
+        """Values of fields that keywords exclude: None for all groups but the one that they set."""
+        groups = [names for names in self._alternatives if any(keywords.get(name) is not None for name in names)]
+        others = [names for names in self._alternatives if len(groups) == 1 and names not in groups]
+        return dict.fromkeys(name for names in others for name in names)
 
 
 def gather(
@@ -16,21 +29,9 @@ def gather(
 ) -> Settings:
     """Return settings with the fields that a caller passed as keywords replaced.
 
-    Parameters
-    ----------
-    kind
-        The dataclass, which checks its fields.
-    settings
-        The settings; None for the defaults.
-    keywords
-        New values of fields, by name.
-    argument
-        Name of the argument that held the settings, for messages.
-
-    Raises
-    ------
-    TypeError
-        Settings of another type, or a keyword that is no field.
+    A keyword also replaces fields that exclude it (`Alternatives`). TypeError for settings of another type than the
+    dataclass `kind`, which checks its fields, and for a keyword that is no field. Settings are None for the defaults.
+    `argument` is the name of the argument that held the settings, for messages.
     """
     names = [field.name for field in fields(kind)]  # type: ignore[arg-type]
     if unknown := sorted(keywords.keys() - set(names)):
@@ -38,13 +39,18 @@ def gather(
         raise TypeError(f"{unknown[0]}: expected {expected} ({', '.join(names)})")
     if settings is None:
         return kind(**keywords)
-    return replace(check.instance(argument, settings, kind, kind.__name__), **keywords)  # type: ignore[type-var]
+    check.instance(argument, settings, kind, kind.__name__)
+    adapted = settings._adapted_to(keywords) if isinstance(settings, Alternatives) else {}
+    return replace(settings, **(adapted | dict(keywords)))  # type: ignore[type-var]
 
 
 def split(kind: type[Any], keywords: Mapping[str, Any]) -> tuple[dict[str, Any], dict[str, Any]]:
     """Split the keywords of a function that takes two groups: return those of other settings, and the fields of one."""
-    names = {field.name for field in fields(kind)}
-    return (
-        {name: value for name, value in keywords.items() if name not in names},
-        {name: value for name, value in keywords.items() if name in names},
-    )
+    chosen = {field.name: keywords[field.name] for field in fields(kind) if field.name in keywords}
+    return {name: value for name, value in keywords.items() if name not in chosen}, chosen
+
+
+def set_fields(instance: object, **values: Any) -> None:
+    """Set fields of a frozen dataclass, for its `__post_init__`."""
+    for name, value in values.items():
+        object.__setattr__(instance, name, value)

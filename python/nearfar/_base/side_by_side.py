@@ -23,7 +23,7 @@ def results(jobs: Iterable[Callable[[], Result]]) -> Iterator[Result]:
     waiting: deque[Callable[[], Result]] = deque()
     try:
         for job in jobs:
-            waiting.append(_begun(pool, job))
+            waiting.append(_begin(pool, job))
             if len(waiting) > workers:
                 yield waiting.popleft()()
         while waiting:
@@ -33,7 +33,7 @@ def results(jobs: Iterable[Callable[[], Result]]) -> Iterator[Result]:
         pool.shutdown(wait=False, cancel_futures=True)
 
 
-def _begun(pool: ThreadPoolExecutor, job: Callable[[], Result]) -> Callable[[], Result]:
+def _begin(pool: ThreadPoolExecutor, job: Callable[[], Result]) -> Callable[[], Result]:
     """Submit a job to a thread; return the function that waits for its result."""
     try:
         return pool.submit(job).result

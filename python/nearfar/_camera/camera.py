@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from nearfar import _core
 from nearfar._base import check
 from nearfar._base.pickling import WithTwin
+from nearfar._base.settings import set_fields
 
 
 @dataclass(frozen=True)
@@ -24,8 +25,8 @@ class _Bounded:
     up: float
 
     def __post_init__(self) -> None:
-        for side in ("left", "right", "down", "up"):
-            object.__setattr__(self, side, check.number(f"fov.{side}", getattr(self, side)))
+        sides = ("left", "right", "down", "up")
+        set_fields(self, **{side: check.number(f"fov.{side}", getattr(self, side)) for side in sides})
         if self.left >= self.right:
             raise ValueError(f"fov: expected left < right, got {self.left} and {self.right}")
         if self.down >= self.up:
@@ -77,7 +78,7 @@ class CubeFace:
     face: int
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "face", check.integer("face", self.face, 0, 5))
+        set_fields(self, face=check.integer("face", self.face, 0, 5))
 
 
 Projection = Fov | Orthographic | CubeFace
@@ -110,9 +111,8 @@ class Camera(WithTwin):
     size: tuple[int, int] = field(kw_only=True)
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "position", check.vector("position", self.position))
-        object.__setattr__(self, "orientation", quaternion(self.orientation))
-        object.__setattr__(self, "size", check.size("size", self.size))
+        position, orientation = check.vector("position", self.position), quaternion(self.orientation)
+        set_fields(self, position=position, orientation=orientation, size=check.size("size", self.size))
         if not isinstance(self.fov, Projection):
             raise TypeError(f"fov: expected Fov, Orthographic or CubeFace, got {type(self.fov).__name__}")
         if isinstance(self.fov, CubeFace) and self.size[0] != self.size[1]:

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nearfar._base import check
+from nearfar._base.settings import set_fields
 
 MAX = 8
 """Maximum number of half-spaces, which is that of graphics adapters; a box takes six of them."""
@@ -37,14 +38,14 @@ class Clip:
     box: ArrayLike | None = None
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "planes", tuple(map(tuple, _planes(self.planes).tolist())))
+        set_fields(self, planes=tuple(map(tuple, _planes(self.planes).tolist())))
         if self.box is not None:
             corners = check.array("box", self.box, columns=3, dtype=np.float64, finite=True)
             if corners.shape != (2, 3) or not (corners[0] < corners[1]).all():
                 raise ValueError(
                     f"box: expected its least and its greatest corner, got {check.value_or_type(self.box)}"
                 )
-            object.__setattr__(self, "box", tuple(map(tuple, corners.tolist())))
+            set_fields(self, box=tuple(map(tuple, corners.tolist())))
         count = len(self.half_spaces)
         if count > MAX:
             raise ValueError(f"planes: expected at most {MAX} half-spaces, of which a box takes six, got {count}")

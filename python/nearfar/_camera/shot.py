@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from nearfar import _core
 from nearfar._base import check
+from nearfar._base.settings import set_fields
 from nearfar._camera.camera import Camera
 from nearfar._camera.clip import Clip
 
@@ -32,14 +33,12 @@ class Sampling:
     """Planes and a box; nothing outside them is visible."""
 
     def __post_init__(self) -> None:
-        near, far = check.number("t_min", self.t_min), check.number("t_max", self.t_max, finite=False)
-        if not 0.0 <= near < far:
-            raise ValueError(f"t_max: expected more than t_min and t_min at least 0, got {near:g} to {far:g}")
+        near, far = check.at_least_zero("t_min", self.t_min), check.number("t_max", self.t_max, finite=False)
+        if not near < far:
+            raise ValueError(f"t_max: expected more than t_min, {near:g} m, got {far:g}")
         if self.clip is not None:
             check.instance("clip", self.clip, Clip, "a Clip")
-        samples = check.integer("samples", self.samples, 1, MAX_SAMPLES)
-        for name, value in (("samples", samples), ("t_min", near), ("t_max", far)):
-            object.__setattr__(self, name, value)
+        set_fields(self, samples=check.integer("samples", self.samples, 1, MAX_SAMPLES), t_min=near, t_max=far)
 
     @property
     def sampling(self) -> dict[str, Any]:
@@ -72,17 +71,16 @@ class Shot(Sampling):
         if not cameras:
             raise ValueError("cameras: expected at least one, got none")
         super().__post_init__()
-        checked: dict[str, Any] = {
-            "cameras": tuple(cameras),
-            "mask": self._checked_mask(cameras),
-            "bare": check.flag("bare", self.bare),
-            "occlusion": check.flag("occlusion", self.occlusion),
-            "instances": self._checked_instances(),
-            "channels": tuple(check.texts("channels", self.channels)),
-            "user": None if self.user is None else check.vector("user", self.user),
-        }
-        for name, value in checked.items():
-            object.__setattr__(self, name, value)
+        set_fields(
+            self,
+            cameras=tuple(cameras),
+            mask=self._checked_mask(cameras),
+            bare=check.flag("bare", self.bare),
+            occlusion=check.flag("occlusion", self.occlusion),
+            instances=self._checked_instances(),
+            channels=tuple(check.texts("channels", self.channels)),
+            user=None if self.user is None else check.vector("user", self.user),
+        )
 
     def _checked_mask(self, cameras: list[Camera]) -> NDArray[np.bool_] | None:
         if self.mask is None:

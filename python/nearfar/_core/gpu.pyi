@@ -29,7 +29,7 @@ class GpuDevice:
     def uses_long_atomics(self) -> bool: ...
     def lose(self) -> None: ...
     def truth(
-        self, scene: Scene, cameras: Sequence[Camera], settings: dict[str, Any], *, report: _Report | None = None
+        self, scene: Scene, cameras: Sequence[Camera], settings: dict[str, Any], *, report: _Report = None
     ) -> list[GpuJob]: ...
     def bake(
         self,
@@ -41,7 +41,7 @@ class GpuDevice:
         samples: int,
         range: bool,  # noqa: A002
         object_id: bool,
-        report: _Report | None = None,
+        report: _Report = None,
     ) -> dict[str, NDArray[Any]]: ...
     def reduced(
         self,
@@ -57,26 +57,26 @@ class GpuDevice:
         mapped: bool,
         tolerance_px: float,
         conventional_dynamic: str,
-        report: _Report | None = None,
+        report: _Report = None,
     ) -> GpuJob: ...
 
 @final
 class GpuJob:
-    def finish(self, report: _Report | None = None) -> dict[str, Any]: ...
+    def finish(self, report: _Report = None) -> dict[str, Any]: ...
 
 # gpu_compute --------------------------------------------------------------------------------------------------------
 @final
 class GpuFrame:
     @property
     def label(self) -> str: ...
-    def read(self, report: _Report | None = None) -> dict[str, Any]: ...
+    def read(self, report: _Report = None) -> dict[str, Any]: ...
 
-def gpu_keep(job: GpuJob, report: _Report | None = None) -> GpuFrame: ...
+def gpu_keep(job: GpuJob, report: _Report = None) -> GpuFrame: ...
 def gpu_similarity(
     reference: GpuFrame, test: GpuFrame, *, window: str, size: int, sigma: float, full: bool
 ) -> tuple[float, _F32 | None]: ...
 def gpu_discontinuity(
-    frame: GpuFrame, *, camera: Camera, epsilon: float, min_distance: float, report: _Report | None = None
+    frame: GpuFrame, *, camera: Camera, epsilon: float, min_distance: float, report: _Report = None
 ) -> _F32: ...
 def gpu_morph(
     device: GpuDevice,

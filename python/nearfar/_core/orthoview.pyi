@@ -3,15 +3,10 @@
 from collections.abc import Mapping, Sequence
 from typing import Any, final
 
-import numpy as np
-from numpy.typing import NDArray
-
-from nearfar._core import Camera, GpuDevice, Scene, _Report
+from nearfar._core import _F32, _U8, _U16, _U32, Camera, GpuDevice, Scene, _Bools, _Point, _Report
 
 _Direction = tuple[int, int, int]
 _Format = tuple[int, int, int]
-_U8 = NDArray[np.uint8]
-_U16 = NDArray[np.uint16]
 
 # orthoview ----------------------------------------------------------------------------------------------------------
 @final
@@ -25,7 +20,7 @@ class OrthoViews:
         *,
         way: str | None = None,
         behind: bool = False,
-        report: _Report | None = None,
+        report: _Report = None,
     ) -> OrthoViews: ...
     @staticmethod
     def from_arrays(
@@ -39,11 +34,11 @@ class OrthoViews:
     def colors(self) -> _U8: ...
     def depths(self) -> _U16: ...
     def normals(self) -> _U16: ...
-    def vectors(self) -> NDArray[np.float32]: ...
+    def vectors(self) -> _F32: ...
     @property
     def steps(self) -> int: ...
     def empty(self) -> list[bool]: ...
-    def connected(self, bounds: tuple[float, float, float]) -> _U8: ...
+    def connected(self, bounds: _Point) -> _U8: ...
 
 @final
 class OrthoParent:
@@ -55,7 +50,7 @@ class OrthoParent:
 
 def orthoview_axes(direction: _Direction) -> tuple[list[list[float]], list[float]]: ...
 def orthoview_steps(view_format: _Format) -> int: ...
-def orthoview_surfels(bits: _U8) -> NDArray[np.bool_]: ...
+def orthoview_surfels(bits: _U8) -> _Bools: ...
 
 # splats -------------------------------------------------------------------------------------------------------------
 @final
@@ -81,22 +76,22 @@ def splat_orthoviews(
     camera: Camera,
     settings: Mapping[str, Any],
     *,
-    origin: tuple[float, float, float],
+    origin: _Point,
     grid: int,
     before: dict[str, Any] | None = None,
-    report: _Report | None = None,
+    report: _Report = None,
     device: GpuDevice | None = None,
 ) -> dict[str, Any]: ...
 def gpu_keep_orthoviews(device: GpuDevice, views: Sequence[OrthoSplats]) -> None: ...
 def gpu_orthoview_bytes(device: GpuDevice) -> int: ...
 
 # steady pictures ----------------------------------------------------------------------------------------------------
-_Picture = tuple[Camera, NDArray[np.float32], NDArray[np.float32]]
+_Picture = tuple[Camera, _F32, _F32]
 
 def blend_past(
-    past: _Picture, now: _Picture, *, fade: tuple[float, float], motion: NDArray[np.float32] | None = None
-) -> tuple[NDArray[np.float32], NDArray[np.bool_]]: ...
-def blur_motion(picture: _Picture, poses: Sequence[Camera]) -> NDArray[np.float32]: ...
+    past: _Picture, now: _Picture, *, fade: tuple[float, float], motion: _F32 | None = None
+) -> tuple[_F32, _Bools]: ...
+def blur_motion(picture: _Picture, poses: Sequence[Camera]) -> _F32: ...
 
 # cuts ---------------------------------------------------------------------------------------------------------------
 @final
@@ -114,7 +109,7 @@ class OrthoRule:
 @final
 class OrthoCells:
     def __new__(cls, origin: Sequence[float], side: float, levels: int, subtree: int) -> OrthoCells: ...
-    def add(self, tier: int, place: Sequence[int], levels: Sequence[NDArray[np.uint32]]) -> None: ...
+    def add(self, tier: int, place: Sequence[int], levels: Sequence[_U32]) -> None: ...
     @property
     def subtree_count(self) -> int: ...
     def cut(

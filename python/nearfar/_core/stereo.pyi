@@ -2,14 +2,12 @@
 
 from typing import Any, final
 
-import numpy as np
 from numpy.typing import NDArray
 
-from nearfar._core import _F32, _F64, Camera, Scene, _Point, _Report
+from nearfar._core import _F32, _F64, _I64, _U8, _U32, Camera, Scene, _Bools, _Point, _Quad, _Report
 
 # stereo -------------------------------------------------------------------------------------------------------------
-_Quaternion = tuple[float, float, float, float]
-_View = tuple[tuple[float, float, float, float], _Point, _Quaternion]
+_View = tuple[_Quad, _Point, _Quad]
 
 @final
 class HybridRig:
@@ -32,15 +30,10 @@ class HybridRig:
     def max_error(self, depth: float, axis: str) -> float: ...
     def error_field(self, eye: str, depth: float) -> _F64: ...
     def contents(
-        self, scene: Scene, position: _Point, orientation: _Quaternion, depths: tuple[float, float], traced: bool
-    ) -> tuple[NDArray[np.uint8], bool, bool]: ...
+        self, scene: Scene, position: _Point, orientation: _Quad, depths: tuple[float, float], traced: bool
+    ) -> tuple[_U8, bool, bool]: ...
     def triangles(
-        self,
-        scene: Scene,
-        position: _Point,
-        orientation: _Quaternion,
-        depths: tuple[float, float],
-        report: _Report | None = None,
+        self, scene: Scene, position: _Point, orientation: _Quad, depths: tuple[float, float], report: _Report = None
     ) -> tuple[list[int], int, list[int]]: ...
     def render_zone(
         self,
@@ -49,11 +42,11 @@ class HybridRig:
         camera: Camera,
         settings: dict[str, Any],
         position: _Point,
-        orientation: _Quaternion,
+        orientation: _Quad,
         depths: tuple[float, float],
-        report: _Report | None = None,
+        report: _Report = None,
     ) -> dict[str, NDArray[Any]]: ...
-    def needed(self, left: _F32, right: _F32, samples: int) -> NDArray[np.bool_]: ...
+    def needed(self, left: _F32, right: _F32, samples: int) -> _Bools: ...
     def assemble(self, eye: str, coverage: _F32, center: _F32, color: _F32) -> None: ...
     def resolve(
         self,
@@ -62,7 +55,7 @@ class HybridRig:
         scene: Scene,
         camera: Camera,
         settings: dict[str, Any],
-        center: tuple[_F32, NDArray[np.int64]],
+        center: tuple[_F32, _I64],
         color: _F32,
     ) -> None: ...
-    def nearest(self, eye: str, coverage: _F32) -> NDArray[np.uint32]: ...
+    def nearest(self, eye: str, coverage: _F32) -> _U32: ...

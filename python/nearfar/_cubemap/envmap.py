@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from nearfar import _core
 from nearfar._base import background, card, check, exr, files, formats
+from nearfar._base.settings import set_fields
 from nearfar._cubemap.layouts import convert_envmap
 from nearfar._cubemap.lookup import FILTERS, Filter, cube_lookup
 
@@ -57,7 +58,7 @@ class EnvMap:
     """Names of the objects by number; empty if unknown."""
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "center", check.vector("center", self.center))
+        set_fields(self, center=check.vector("center", self.center))
         shape = check.plain("color", self.color).shape
         size = shape[1] if len(shape) == 4 else 0
         for name in CHANNELS:
@@ -70,8 +71,8 @@ class EnvMap:
                 raise ValueError(f"{name}: expected shape (6, S, S{', 3' * (name == 'color')}), got {array.shape}")
             _check_values(name, array)
             array.flags.writeable = False
-            object.__setattr__(self, name, array)
-        object.__setattr__(self, "object_names", tuple(check.texts("object_names", self.object_names)))
+            set_fields(self, **{name: array})
+        set_fields(self, object_names=tuple(check.texts("object_names", self.object_names)))
 
     @property
     def face_size(self) -> int:
@@ -125,13 +126,13 @@ class EnvMap:
         if values is None:
             raise ValueError(f"channel: expected one of {', '.join(self.channels)}, which were baked, got {channel!r}")
         default: Filter = "linear" if channel == "color" else "nearest"
-        chosen = default if filter is None else check.choice("filter", filter, FILTERS)
-        if channel == "range" and chosen in ("linear", "cubic"):
-            raise ValueError(f"filter: expected 'nearest', 'min' or 'max' for range, got {chosen!r}")
-        if channel == "object_id" and chosen != "nearest":
-            raise ValueError(f"filter: expected 'nearest' for object_id, got {chosen!r}")
+        filter_name = default if filter is None else check.choice("filter", filter, FILTERS)
+        if channel == "range" and filter_name in ("linear", "cubic"):
+            raise ValueError(f"filter: expected 'nearest', 'min' or 'max' for range, got {filter_name!r}")
+        if channel == "object_id" and filter_name != "nearest":
+            raise ValueError(f"filter: expected 'nearest' for object_id, got {filter_name!r}")
         faces = values.astype(np.float32) if values.dtype == np.float16 else values
-        return cube_lookup(faces, directions, filter=chosen, radius=radius)
+        return cube_lookup(faces, directions, filter=filter_name, radius=radius)
 
     def save(self, path: str | os.PathLike[str], *, half: bool = True) -> None:
         """Write the map to an OpenEXR file, atomically.
@@ -156,9 +157,7 @@ class EnvMap:
         OSError
             If the file cannot be written.
         """
-        target = check.path("path", path)
-        if target.suffix.lower() != ".exr":
-            raise ValueError(f"path: expected a name ending in .exr, got {os.fspath(path)!r}")
+        target = check.path("path", path, ".exr")
         brightest = max(float(np.abs(face).max()) for face in self.color)
         if check.flag("half", half) and brightest > HALF_LIMIT:
             raise ValueError(f"half: expected False for colours up to {brightest:g}, beyond {HALF_LIMIT:g}, got True")
@@ -202,18 +201,12 @@ class EnvMap:
         OSError
             If the file cannot be written.
         """
-        target = check.path("path", path)
-        suffix = target.suffix.lower()
-        if suffix not in (".exr", ".png"):
-            raise ValueError(f"path: expected a name ending in .exr or .png, got {os.fspath(path)!r}")
+        target = check.path("path", path, ".exr", ".png")
         rows = 2 * self.face_size if height is None else check.integer("height", height, 1, 2**15)
         color = convert_envmap(self.color, source="cube", target="equirectangular", size=rows)
-        if suffix == ".png":
-            from PIL import Image
-
+        if target.suffix.lower() == ".png":
             codes = _core.encode_srgb(np.ascontiguousarray(color, np.float32)).reshape(color.shape)
-            with files.atomic_file(target) as temporary:
-                Image.fromarray(codes).save(temporary, format="PNG")
+            files.write_png(target, codes)
             return
         if (brightest := float(np.abs(color).max())) > HALF_LIMIT:
             raise ValueError(f"path: expected .png for colours up to {brightest:g}, beyond {HALF_LIMIT:g}, got .exr")
@@ -234,9 +227,9 @@ class EnvMap:
         """Return the map as a small equirectangular picture, and the factor that its colours were multiplied by."""
         # One look-up for each pixel aliases on fine maps; 16 take a few milliseconds whatever the map's size.
         spread = min(4, max(1, round(4 * self.face_size / PREVIEW[1])))
-        flat = convert_envmap(self.color, source="cube", target="equirectangular", size=PREVIEW, samples=spread)
-        exposure = 1.0 / max(1.0, float(np.percentile(flat, 99.0)))
-        return exposure, _core.encode_srgb(np.ascontiguousarray(flat * np.float32(exposure))).reshape(flat.shape)
+        picture = convert_envmap(self.color, source="cube", target="equirectangular", size=PREVIEW, samples=spread)
+        exposure = 1.0 / max(1.0, float(np.percentile(picture, 99.0)))
+        return exposure, _core.encode_srgb(np.ascontiguousarray(picture * np.float32(exposure))).reshape(picture.shape)
 
     @card.repr_png
     def _repr_png_(self) -> NDArray[np.uint8]:

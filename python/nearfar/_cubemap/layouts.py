@@ -35,24 +35,11 @@ def convert_envmap(
         float16 and longdouble become float64. Integers and booleans can only be converted with "nearest" and keep their
         type, in native byte order.
 
-        - "cube": (6, S, S), faces +x −x +y −y +z −z as in the table.
+        - "cube": (6, S, S), faces +x −x +y −y +z −z as in the table of `cube_lookup`.
         - "equirectangular": (H, W), W even. Row 0 is next to +y. Columns follow longitude: the middle of the picture
           shows −z, and +x is to the right of it (seen from inside).
         - "octahedral": (S, S). The octahedron |x| + |y| + |z| = 1 seen from +y, x to the right and z down, the lower
           half folded outwards: −y lies at all four corners.
-
-        ==== ========= ========
-        face right (u) down (v)
-        ==== ========= ========
-        +x   −z        −y
-        −x   +z        −y
-        +y   +x        +z
-        −y   +x        −z
-        +z   +x        −y
-        −z   −x        −y
-        ==== ========= ========
-
-        In a right-handed frame, such as glTF's, each face of this layout is mirrored when seen from inside.
     source, target
         Names of the layouts.
     size
@@ -90,7 +77,7 @@ def convert_envmap(
     check.choice("filter", filter, FILTERS)
     samples = check.integer("samples", samples, 1, 256)
     texels = numbers_of("values", values)
-    before, after = _source_shape(texels, source), _shape("target", target, size)
+    from_shape, to_shape = _source_shape(texels, source), _shape("target", target, size)
     count = 3 if source == "cube" else 2
     if filter == "nearest" and samples > 1:
         raise ValueError(f"samples: expected 1 with filter 'nearest', got {samples}")
@@ -98,14 +85,16 @@ def convert_envmap(
         raise ValueError(f"filter: expected 'nearest' for values of type {texels.dtype}, got {filter!r}")
     channels = math.prod(texels.shape[count:])
     rows = np.require(texels.reshape(math.prod(texels.shape[:count]), channels), None, ["C", "A"])
-    out: NDArray[Any] = np.empty((*_array_shape(after), *texels.shape[count:]), texels.dtype)
-    out_rows = out.reshape(math.prod(_array_shape(after)), channels)
+    out: NDArray[Any] = np.empty((*_array_shape(to_shape), *texels.shape[count:]), texels.dtype)
+    out_rows = out.reshape(math.prod(_array_shape(to_shape)), channels)
     with progress.bar("converting") as report:
         if filter == "nearest":
             bits = BITS[texels.itemsize]
-            _core.convert_envmap_nearest((rows.view(bits), out_rows.view(bits)), (before, after), report=report)
+            _core.convert_envmap_nearest((rows.view(bits), out_rows.view(bits)), (from_shape, to_shape), report=report)
         else:
-            _core.convert_envmap((rows, out_rows), (before, after), filter=filter, samples=samples, report=report)
+            _core.convert_envmap(
+                (rows, out_rows), (from_shape, to_shape), filter=filter, samples=samples, report=report
+            )
     return out
 
 
@@ -170,10 +159,10 @@ def _source_shape(values: NDArray[Any], layout: str) -> tuple[str, int, int]:
         if len(shape) < 3 or shape[0] != 6 or shape[1] != shape[2] or not 1 <= shape[1] <= LIMIT:
             raise ValueError(f"values: expected shape (6, S, S, ...), S up to {LIMIT}, for a cube, got {shape}")
         return layout, shape[1], shape[2]
-    square = layout == "octahedral"
+    is_square = layout == "octahedral"
     fits = len(shape) >= 2 and all(1 <= n <= 2 * LIMIT for n in shape[:2])
-    if not fits or (square and shape[0] != shape[1]) or (not square and shape[1] % 2):
-        expected = "(S, S, ...)" if square else "(H, W, ...) with an even W"
+    if not fits or (is_square and shape[0] != shape[1]) or (not is_square and shape[1] % 2):
+        expected = "(S, S, ...)" if is_square else "(H, W, ...) with an even W"
         raise ValueError(f"values: expected shape {expected}, up to {2 * LIMIT}, for {layout}, got {shape}")
     return layout, shape[0], shape[1]
 

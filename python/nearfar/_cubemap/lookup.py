@@ -86,20 +86,20 @@ def cube_lookup(
     Keys (1981), "Cubic convolution interpolation for digital image processing", Eq. 4.
     """
     check.choice("filter", filter, FILTERS)
-    angle = None if radius is None else _radius(radius, filter)
-    maps = _faces(faces)
+    angle = None if radius is None else _angle(radius, filter)
+    maps = numbers_of("faces", faces)
+    texels = channel_rows(maps)
     rows, shape = directions_of(directions)
     if maps.dtype.kind in "iub" and filter != "nearest":
         raise ValueError(f"filter: expected 'nearest' for faces of type {maps.dtype}, got {filter!r}")
-    deep = _deep(maps)
-    values: NDArray[Any] = np.empty((len(rows), deep.shape[3]), maps.dtype)
+    values: NDArray[Any] = np.empty((len(rows), texels.shape[3]), maps.dtype)
     if filter == "nearest":
         bits = BITS[maps.itemsize]
-        _core.cube_nearest((deep.view(bits), values.view(bits)), rows)
+        _core.cube_nearest((texels.view(bits), values.view(bits)), rows)
     elif angle is not None:
-        _core.cube_footprint((deep, values), rows, filter, angle)
+        _core.cube_footprint((texels, values), rows, filter, angle)
     else:
-        _core.cube_lookup((deep, values), rows, filter)
+        _core.cube_lookup((texels, values), rows, filter)
     return values.reshape(shape + maps.shape[3:])
 
 
@@ -131,12 +131,12 @@ def cube_mips(faces: ArrayLike, *, filter: MipFilter = "mean") -> list[NDArray[A
     check.choice("filter", filter, get_args(MipFilter))
     texels = check.plain("faces", faces)
     texels = texels.astype(np.float64) if texels.dtype.kind == "b" else texels
-    levels = [_faces(check.array("faces", texels, columns=None))]
-    while levels[-1].shape[1] > 1:
-        above = levels[-1]
-        size = above.shape[1] // 2
-        levels.append(np.empty((6, size, size, *above.shape[3:]), above.dtype))
-        _core.cube_next_level((_deep(above), _deep(levels[-1])), filter)
+    levels = [check.array("faces", texels, columns=None)]
+    channel_rows(levels[0])
+    while (size := levels[-1].shape[1] // 2) > 0:
+        finer, coarser = levels[-1], np.empty((6, size, size, *levels[-1].shape[3:]), levels[-1].dtype)
+        _core.cube_next_level((channel_rows(finer), channel_rows(coarser)), filter)
+        levels.append(coarser)
     return levels
 
 
@@ -170,10 +170,10 @@ def cube_solid_angles(size: int) -> NDArray[np.float64]:
 
 def directions_of(directions: ArrayLike) -> tuple[NDArray[Any], tuple[int, ...]]:
     """Check directions (..., 3); returns them as rows (N, 3), and the shape (...)."""
-    along = check.array("directions", directions, columns=None)
-    if along.ndim == 0 or along.shape[-1] != 3:
-        raise ValueError(f"directions: expected shape (..., 3), got {along.shape}")
-    return along.reshape(-1, 3), along.shape[:-1]
+    vectors = check.array("directions", directions, columns=None)
+    if vectors.ndim == 0 or vectors.shape[-1] != 3:
+        raise ValueError(f"directions: expected shape (..., 3), got {vectors.shape}")
+    return vectors.reshape(-1, 3), vectors.shape[:-1]
 
 
 def numbers_of(name: str, values: ArrayLike) -> NDArray[Any]:
@@ -184,22 +184,17 @@ def numbers_of(name: str, values: ArrayLike) -> NDArray[Any]:
     return array.astype(array.dtype.newbyteorder("="), copy=False)
 
 
-def _radius(radius: float, chosen: str) -> float:
-    if chosen not in ("min", "max"):
-        raise ValueError(f"radius: expected None with filter {chosen!r}, got {check.value_or_type(radius)}")
+def channel_rows(faces: NDArray[Any]) -> NDArray[Any]:
+    """Return faces as (6, S, S, C) for kernels, C = 1 if they have no axis of channels; ValueError for other shapes."""
+    if faces.ndim not in (3, 4) or faces.shape[0] != 6 or faces.shape[1] != faces.shape[2] or faces.shape[1] == 0:
+        raise ValueError(f"faces: expected shape (6, S, S) or (6, S, S, C), got {faces.shape}")
+    return np.require(faces if faces.ndim == 4 else faces[..., None], None, ["C", "A"])
+
+
+def _angle(radius: float, filter_name: str) -> float:
+    if filter_name not in ("min", "max"):
+        raise ValueError(f"radius: expected None with filter {filter_name!r}, got {check.value_or_type(radius)}")
     angle = check.number("radius", radius)
     if not 0.0 <= angle < math.pi / 2:
         raise ValueError(f"radius: expected radians of at least 0 and below π/2, got {angle}")
     return angle
-
-
-def _deep(maps: NDArray[Any]) -> NDArray[Any]:
-    """Add an axis for channels if there is none."""
-    return np.require(maps if maps.ndim == 4 else maps[..., None], None, ["C", "A"])
-
-
-def _faces(faces: ArrayLike) -> NDArray[Any]:
-    array = numbers_of("faces", faces)
-    if array.ndim not in (3, 4) or array.shape[0] != 6 or array.shape[1] != array.shape[2] or array.shape[1] == 0:
-        raise ValueError(f"faces: expected shape (6, S, S) or (6, S, S, C), got {array.shape}")
-    return array

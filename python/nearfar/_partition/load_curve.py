@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 SAMPLES = 512
 """Number of radii at which a plotted curve is evaluated."""
 
-SHOWN = (30, 50, 100, 200)
+LISTED_RADII = (30, 50, 100, 200)
 """Radii in metres whose counts notebooks show beside the curve."""
 
 
@@ -147,7 +147,7 @@ class LoadCurve:
         facts = [("triangles", f"{self.triangle_count:,}"), ("of them moving", f"{self.moving_count:,}")]
         if self.triangle_count == self.moving_count:
             return card.page("LoadCurve", facts)
-        facts += [(f"r₂ = {radius} m", f"{self.count(float(radius)):,} triangles") for radius in SHOWN]
+        facts += [(f"r₂ = {radius} m", f"{self.count(float(radius)):,} triangles") for radius in LISTED_RADII]
         radii = self._radii()
         line = card.Line(radii, np.asarray(self.count(radii), np.float64))
         return card.page("LoadCurve", facts, card.plot([line], "r₂, m", "triangles left", log_y=True))

@@ -194,17 +194,17 @@ def partition(scene: Scene, *, center: ArrayLike, r1: float, r2: float, unit: Un
     CloVR (2024).
     """
     core_of(scene)
-    near, far = check.radii(r1, r2)
+    inner, outer = check.radii(r1, r2)
     middle = check.vector("center", center)
     check.choice("unit", unit, UNITS)
-    source, core = scene, _divided(scene, middle, near, far)
+    source, core = scene, _divided(scene, middle, inner, outer)
     if unit == "object":
         names = scene.object_names
         objects = [names[number] for number in core.near_objects()]
         if objects:
             scene = scene.with_dynamic(objects)
-            core = _divided(scene, middle, near, far)
-    return Partition(core, scene, middle, near, far, source, unit)
+            core = _divided(scene, middle, inner, outer)
+    return Partition(core, scene, middle, inner, outer, source, unit)
 
 
 def _divided(scene: Scene, center: tuple[float, float, float], r1: float, r2: float) -> _core.Partition:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Literal
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,9 +10,6 @@ from numpy.typing import NDArray
 from nearfar import _core
 from nearfar._base import card
 from nearfar._scene.preview import sample_mask
-
-if TYPE_CHECKING:
-    from PIL import Image
 
 Zone = Literal["near", "intermediate", "far"]
 ZONES: dict[Zone, str] = {"near": card.COLORS[1], "intermediate": card.COLORS[0], "far": card.COLORS[7]}
@@ -43,15 +40,15 @@ def picture(
     """Draw the surroundings of the centre seen from above, −z up, (H, W, 4) with a transparent ground."""
     from PIL import Image, ImageDraw
 
-    half = REACH * max(r2, 1e-9)
+    half_width = REACH * max(r2, 1e-9)
     canvas = Image.new("RGBA", (2 * SIZE, 2 * SIZE), (128, 128, 128, 0))
-    draw, scale = ImageDraw.Draw(canvas), SIZE / half
+    draw, scale = ImageDraw.Draw(canvas), SIZE / half_width
     shift = np.array(scene.origin) - np.array(center)
-    found = [_largest_triangles(core, scene, zone, (r1, r2), shift, scale) for zone in ZONES]
-    triangles = np.concatenate([flat for _, flat in found])
-    colors = np.repeat(list(ZONES.values()), [len(flat) for _, flat in found])
+    largest = [_largest_triangles(core, scene, zone, (r1, r2), shift, scale) for zone in ZONES]
+    triangles = np.concatenate([flat for _, flat in largest])
+    colors = np.repeat(list(ZONES.values()), [len(flat) for _, flat in largest])
     # Large ones first, so that they hide no others.
-    for number in np.argsort(-np.concatenate([area for area, _ in found]), kind="stable").tolist():
+    for number in np.argsort(-np.concatenate([area for area, _ in largest]), kind="stable").tolist():
         draw.polygon([tuple(corner) for corner in triangles[number].tolist()], fill=str(colors[number]))
     for radius in (r1, r2):
         reach = radius * scale
@@ -60,13 +57,7 @@ def picture(
         draw.ellipse(box, outline=(0, 0, 0, 255), width=3)
     for x, y in ((9, 0), (0, 9)):
         draw.line((SIZE - x, SIZE - y, SIZE + x, SIZE + y), fill=(0, 0, 0, 255), width=3)
-    return np.asarray(_half(canvas))
-
-
-def _half(canvas: Image.Image) -> Image.Image:
-    from PIL import Image
-
-    return canvas.resize((SIZE, SIZE), Image.Resampling.BOX)
+    return np.asarray(canvas.resize((SIZE, SIZE), Image.Resampling.BOX))
 
 
 def _largest_triangles(
@@ -80,18 +71,18 @@ def _largest_triangles(
     """Areas (N,) and corners (N, 3, 2) in pixels of the largest triangles of a zone that the picture shows."""
     count = core.counts()[zone]
     if count <= MAX_LISTED:
-        chosen = np.zeros(scene.triangle_count, bool)
-        chosen[core.triangles(zone)[sample_mask(count, MAX_MEASURED)]] = True
-        corners = scene.subset_of_triangles(chosen).triangles() + shift
+        mask = np.zeros(scene.triangle_count, bool)
+        mask[core.triangles(zone)[sample_mask(count, MAX_MEASURED)]] = True
+        corners = scene.subset_of_triangles(mask).triangles() + shift
     else:
         sample = scene.subset_of_triangles(sample_mask(scene.triangle_count, MAX_MEASURED)).triangles() + shift
-        least = _core.triangle_radii(sample.reshape(-1, 3), None, (0.0, 0.0, 0.0))[:, 0]
-        corners = sample[np.searchsorted(radii, least) == list(ZONES).index(zone)]
-    flat = corners[:, :, [0, 2]] * scale + SIZE
-    flat = flat[(flat.max(axis=1) >= 0.0).all(axis=1) & (flat.min(axis=1) <= 2 * SIZE).all(axis=1)]
-    one, other = flat[:, 1] - flat[:, 0], flat[:, 2] - flat[:, 0]
-    area = np.abs(one[:, 0] * other[:, 1] - one[:, 1] * other[:, 0])
+        distances = _core.triangle_radii(sample.reshape(-1, 3), None, (0.0, 0.0, 0.0))[:, 0]
+        corners = sample[np.searchsorted(radii, distances) == list(ZONES).index(zone)]
+    pixels = corners[:, :, [0, 2]] * scale + SIZE
+    pixels = pixels[(pixels.max(axis=1) >= 0.0).all(axis=1) & (pixels.min(axis=1) <= 2 * SIZE).all(axis=1)]
+    edge_1, edge_2 = pixels[:, 1] - pixels[:, 0], pixels[:, 2] - pixels[:, 0]
+    area = np.abs(edge_1[:, 0] * edge_2[:, 1] - edge_1[:, 1] * edge_2[:, 0])
     order = np.argsort(-area, kind="stable")
-    others = order[LARGEST:]
-    order = np.concatenate([order[:LARGEST], others[sample_mask(len(others), MAX_DRAWN - LARGEST)]])
-    return area[order], np.clip(flat[order], -1e5, 1e5)
+    smaller = order[LARGEST:]
+    order = np.concatenate([order[:LARGEST], smaller[sample_mask(len(smaller), MAX_DRAWN - LARGEST)]])
+    return area[order], np.clip(pixels[order], -1e5, 1e5)

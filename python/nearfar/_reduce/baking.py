@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import DTypeLike
 
 from nearfar._base import check
+from nearfar._base.settings import set_fields
 from nearfar._camera.shot import MAX_SAMPLES
 from nearfar._cubemap import envmap
 from nearfar._render import backend as backends
@@ -56,14 +57,13 @@ class MapSettings:
         if unknown := [name for name in names if name not in envmap.CHANNELS]:
             raise ValueError(f"channels: expected names of {', '.join(envmap.CHANNELS)}, got {', '.join(unknown)}")
         backends.check(self.backend)
-        checked: dict[str, Any] = {
-            "face_size": check.integer("face_size", self.face_size, 1, 16384),
-            "samples": check.integer("samples", self.samples, 1, MAX_SAMPLES),
-            "channels": names,
-            "range_dtype": np.dtype(np.float16 if is_half("range_dtype", self.range_dtype) else np.float32),
-        }
-        for name, value in checked.items():
-            object.__setattr__(self, name, value)
+        set_fields(
+            self,
+            face_size=check.integer("face_size", self.face_size, 1, 16384),
+            samples=check.integer("samples", self.samples, 1, MAX_SAMPLES),
+            channels=names,
+            range_dtype=np.dtype(np.float16 if is_half("range_dtype", self.range_dtype) else np.float32),
+        )
 
     @property
     def half(self) -> bool:

@@ -5,24 +5,26 @@ from __future__ import annotations
 import functools
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TypedDict, Unpack
+from typing import ClassVar, TypedDict, Unpack
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from nearfar._base import check
-from nearfar._base.settings import gather
+from nearfar._base.settings import Alternatives, gather, set_fields
 from nearfar._bend import fold_margin
 from nearfar._partition.load_curve import load_curve
 from nearfar._scene.scene import Scene
+
+Point = tuple[float, float, float]
 
 STEPS = 24
 """Bisection steps for a radius: they leave less than a millionth of an interval; margins are exact to 1e-4 only."""
 
 
 @dataclass(frozen=True, kw_only=True)
-class RadiusSettings:
-    """Requirements on the radii of a reduction for a walking user; either `r2` or `budget` must be set.
+class RadiusSettings(Alternatives):
+    """Requirements on the radii of a reduction for a walking user; functions that take them need `r2` or `budget`.
 
     Parameters
     ----------
@@ -40,8 +42,10 @@ class RadiusSettings:
     Raises
     ------
     ValueError, TypeError
-        Neither or both of `r2` and `budget`, and settings out of range.
+        Both `r2` and `budget`, and settings out of range.
     """
+
+    _alternatives: ClassVar = (("r2",), ("budget",))
 
     r2: float | None = None
     budget: int | None = None
@@ -50,15 +54,12 @@ class RadiusSettings:
     shear: float = 1.0
 
     def __post_init__(self) -> None:
-        if (self.r2 is None) == (self.budget is None):
-            got = "neither" if self.r2 is None else "both"
-            raise ValueError(f"r2: expected either r2 or budget, got {got}")
+        if self.r2 is not None and self.budget is not None:
+            raise ValueError("r2: expected either r2 or budget, got both")
         if self.budget is not None:
-            object.__setattr__(self, "budget", check.integer("budget", self.budget, 0, 2**63 - 1))
-        for name in ("r2", "reach", "eye_height", "shear"):
-            value = getattr(self, name)
-            if name != "r2" or value is not None:
-                object.__setattr__(self, name, check.positive(name, value))
+            set_fields(self, budget=check.integer("budget", self.budget, 0, 2**63 - 1))
+        names = ("r2", "reach", "eye_height", "shear")[self.r2 is None :]
+        set_fields(self, **{name: check.positive(name, getattr(self, name)) for name in names})
 
 
 class RadiusKeywords(TypedDict, total=False):
@@ -92,11 +93,7 @@ class Radii:
 
 
 def choose_radii(
-    scene: Scene,
-    center: ArrayLike,
-    *,
-    settings: RadiusSettings | None = None,
-    **keywords: Unpack[RadiusKeywords],
+    scene: Scene, center: ArrayLike, *, settings: RadiusSettings | None = None, **keywords: Unpack[RadiusKeywords]
 ) -> Radii:
     """Choose r1 so that the ground is sheared little for a walking user, for a given r2 or a budget of triangles.
 
@@ -134,42 +131,41 @@ def choose_radii(
     r1 = max(R, s h r2 / (R + s h)) for the blend of Popescu, Lee, Choi, Fahmy (2022), Eq. 1–3.
     """
     check.instance("scene", scene, Scene)
-    chosen = gather(RadiusSettings, settings, keywords)
-    outer = _outer(scene, check.vector("center", center), chosen)
-    walked, height, wanted = chosen.reach, chosen.eye_height, chosen.shear
-    inner = by_ground(outer, walked, height, wanted)
-    margin = _margin(inner, outer)
-    if margin < walked:
-        name, given = ("r2", "got") if chosen.r2 is not None else ("budget", "which gives")
+    settings = complete_settings(gather(RadiusSettings, settings, keywords))
+    r2 = _outer_radius(scene, check.vector("center", center), settings)
+    reach, height, max_shear = settings.reach, settings.eye_height, settings.shear
+    r1 = inner_radius(r2, reach, height, max_shear)
+    margin = _margin(r1, r2)
+    if margin < reach:
+        name, verb = ("r2", "got") if settings.r2 is not None else ("budget", "which gives")
         raise ValueError(
-            f"{name}: expected an r2 of at least {least_outer(walked):.4g} m for a reach of {walked:g} m, because the "
-            f"picture would fold within it, {given} {outer:.4g}"
+            f"{name}: expected an r2 of at least {min_outer_radius(reach):.4g} m for a reach of {reach:g} m, because "
+            f"the picture would fold within it, {verb} {r2:.4g}"
         )
-    left = shear_of(inner, outer, walked, height)
+    shear = shear_of(r1, r2, reach, height)
     remarks: tuple[str, ...] = ()
-    if left > 1.005 * wanted:
-        least = walked * (walked + wanted * height) / (wanted * height)
+    if shear > 1.005 * max_shear:
+        min_r2 = reach * (reach + max_shear * height) / (max_shear * height)
         remarks = (
-            f"the ground between the radii is sheared by up to {left:.2g} instead of {wanted:g}: that needs r2 of at "
-            f"least {least:.3g} m",
+            f"the ground between the radii is sheared by up to {shear:.2g} instead of {max_shear:g}: that needs r2 of "
+            f"at least {min_r2:.3g} m",
         )
-    return Radii(
-        r1=inner,
-        r2=outer,
-        reach=walked,
-        eye_height=height,
-        shear=left,
-        fold_margin=margin,
-        remarks=remarks,
-    )
+    return Radii(r1=r1, r2=r2, reach=reach, eye_height=height, shear=shear, fold_margin=margin, remarks=remarks)
 
 
-def by_ground(r2: float, reach: float, height: float, shear: float) -> float:
+def complete_settings(settings: RadiusSettings) -> RadiusSettings:
+    """Return settings that have an r2 or a budget; ValueError otherwise."""
+    if settings.r2 is None and settings.budget is None:
+        raise ValueError("r2: expected either r2 or budget, got neither")
+    return settings
+
+
+def inner_radius(r2: float, reach: float, height: float, shear: float) -> float:
     """Return r1 in metres for a reach, an eye's height and a shear; see `choose_radii`."""
     r1 = max(reach, shear * height * r2 / (reach + shear * height))
     if _margin(r1, r2) >= reach:
         return r1
-    return _bisected(reach, r1, lambda inner: _margin(inner, r2) >= reach)[0]
+    return _bisect(reach, r1, lambda inner: _margin(inner, r2) >= reach)[0]
 
 
 def shear_of(r1: float, r2: float, reach: float, height: float) -> float:
@@ -177,17 +173,21 @@ def shear_of(r1: float, r2: float, reach: float, height: float) -> float:
     return reach * r1 / ((r2 - r1) * height)
 
 
-def _outer(scene: Scene, center: tuple[float, float, float], settings: RadiusSettings) -> float:
-    """Given r2, or the greatest within a budget; if the whole scene fits, the distance of its farthest corner."""
+def _outer_radius(scene: Scene, center: Point, settings: RadiusSettings) -> float:
+    """The r2 of the settings, or the greatest within their budget; if the whole scene fits, its farthest corner's."""
     if settings.budget is None:
         assert settings.r2 is not None
         return settings.r2
     radius = float(load_curve(scene, center=center).radius(settings.budget))
-    if np.isfinite(radius):
-        return radius
+    return radius if np.isfinite(radius) else distances_to_bounds(scene, center)[1]
+
+
+def distances_to_bounds(scene: Scene, point: Point) -> tuple[float, float]:
+    """Horizontal distances in metres from a point to the nearest and to the farthest point of a scene's bounds."""
     low, high = scene.bounds[:, [0, 2]]
-    here = np.array(center)[[0, 2]]
-    return float(np.hypot(*np.maximum(np.abs(low - here), np.abs(high - here))))
+    x_z = np.array(point)[[0, 2]]
+    nearest = np.hypot(*np.maximum(np.maximum(low - x_z, x_z - high), 0.0))
+    return float(nearest), float(np.hypot(*np.maximum(np.abs(low - x_z), np.abs(high - x_z))))
 
 
 def _margin(r1: float, r2: float) -> float:
@@ -195,17 +195,13 @@ def _margin(r1: float, r2: float) -> float:
     return fold_margin((0, 0, 0), center=(0, 0, 0), r1=r1, r2=r2) if r1 < r2 else -np.inf
 
 
-def least_outer(reach: float) -> float:
-    """Least r2 in metres at which r1 = `reach` leaves a margin of `reach`; all lengths scale alike."""
-    return reach * _least_share()
-
-
 @functools.cache
-def _least_share() -> float:
-    return _bisected(1.0, 4.0, lambda outer: _margin(1.0, outer) < 1.0)[1]
+def min_outer_radius(reach: float) -> float:
+    """Least r2 in metres at which r1 = `reach` leaves a margin of `reach`; all lengths scale alike."""
+    return reach * _bisect(1.0, 4.0, lambda outer: _margin(1.0, outer) < 1.0)[1]
 
 
-def _bisected(low: float, high: float, holds: Callable[[float], bool]) -> tuple[float, float]:
+def _bisect(low: float, high: float, holds: Callable[[float], bool]) -> tuple[float, float]:
     """Bisect for the end of a condition that holds at `low`; return the last bracket."""
     for _ in range(STEPS):
         middle = 0.5 * (low + high)

@@ -3,21 +3,22 @@
 from __future__ import annotations
 
 import logging
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from nearfar._base import check
-from nearfar._reduce.choose_radii import by_ground, least_outer, shear_of
+from nearfar._reduce.choose_radii import distances_to_bounds, inner_radius, min_outer_radius, shear_of
 from nearfar._scene.scene import Scene
 from nearfar._trace import viewpoint
 from nearfar._trace.viewpoint import Point, Viewpoint
 
-CITY = 75.0
+MIN_CITY_EXTENT = 75.0
 """Least distance in metres from the centre to a city's farthest bounds."""
 
-CITY_OUTER = 50.0
+CITY_R2 = 50.0
 """Radius r2 in metres for cities."""
 
 REACH = 8.0
@@ -26,55 +27,67 @@ REACH = 8.0
 SHEAR = 1.0
 """Greatest shear of the ground between the radii, pixels for each pixel."""
 
-SPREAD = 5.0 / 3.0
+MIN_RATIO = 5.0 / 3.0
 """Least ratio of r2 to a given r1."""
 
-WALLS = 75.0
+WALL_PERCENTILE = 75.0
 """Percentile of the distances around an eye taken as the distance of a room's walls; windows let rays pass."""
 
 PUBLISHED = 0.6
 """Ratio of r1 to r2 in Popescu et al. (2022), 30 m and 50 m."""
 
-ASIDE = (0.3, 0.9)
+USER_SHARES = (0.3, 0.9)
 """Shares of r2 − r1 and of r1 whose lesser is a user's distance from O; the picture does not fold there."""
 
 
 @dataclass(frozen=True)
 class Choice:
-    """Radii in metres, and the reason for them in words; empty if the caller set both."""
+    """Radii in metres, and the reasons for them."""
 
     r1: float
     r2: float
-    reason: str = ""
-    is_by_ground: bool = False
-    """Whether r1 was chosen by the ground."""
+    reasons: Mapping[str, str] = field(default_factory=dict)
+    """Reasons in words by what was chosen: "r2", "r1" (by the ground), or "radii" for both at once."""
+
+    @property
+    def reason(self) -> str:
+        """The reasons as one text; empty if the caller set both radii."""
+        return join(self.reasons)
+
+    @property
+    def is_by_ground(self) -> bool:
+        """Whether r1 was chosen by the ground."""
+        return "r1" in self.reasons
 
 
-def choose(scene: Scene, place: Viewpoint, r1: float | None = None, r2: float | None = None) -> Choice:
+def join(reasons: Mapping[str, str]) -> str:
+    """Join reasons to one text."""
+    return "; ".join(reasons.values())
+
+
+def choose(scene: Scene, stand: Viewpoint, r1: float | None = None, r2: float | None = None) -> Choice:
     """Choose the radii that are None.
 
-    r2 is `CITY_OUTER` for scenes that extend `CITY` metres or more, else two thirds of the way from the nearest to the
-    farthest of the scene's bounds; under a roof the visible walls count as the farthest. r1 follows from the ground
-    (`choose_radii`). For an object seen from outside, r1 is a third of that way, since there is no ground.
+    r2 is `CITY_R2` for scenes that extend `MIN_CITY_EXTENT` metres or more, else two thirds of the way from the nearest
+    to the farthest of the scene's bounds; under a roof the visible walls count as the farthest. r1 follows from the
+    ground (`choose_radii`). For an object seen from outside, r1 is a third of that way, since there is no ground.
     """
-    if r1 is not None or r2 is not None:
-        inner, outer = completed(r1, r2)
-        if r1 is not None:
-            why = f"r2 is the greater of {CITY_OUTER:g} m and {SPREAD:.3g} r1"
-            return Choice(inner, outer, why if r2 is None else "")
-        return Choice(inner, outer, _by_ground(inner, outer), is_by_ground=True)
-    nearest, farthest = _extent(scene, place)
-    if (not place.is_outside and farthest >= CITY) or not nearest < farthest < np.inf:
-        inner = completed(None, CITY_OUTER)[0]
-        why = f"r2 = {CITY_OUTER:g} m is the default where a scene reaches {CITY:g} m away"
-        return Choice(inner, CITY_OUTER, f"{why}; {_by_ground(inner, CITY_OUTER)}", is_by_ground=True)
-    thirds = [float(f"{nearest + share * (farthest - nearest):.2g}") for share in (1.0 / 3.0, 2.0 / 3.0)]
-    inner, outer = thirds if thirds[0] < thirds[1] else (nearest, farthest)
-    if place.is_outside:
-        return Choice(inner, outer, "the radii divide the way from the object's nearest to its farthest part in thirds")
-    inner = completed(None, outer)[0]
-    why = f"r2 is two thirds of the way to the walls; {_by_ground(inner, outer)}"
-    return Choice(inner, outer, why, is_by_ground=True)
+    if r1 is not None:
+        reasons = {} if r2 is not None else {"r2": f"r2 is the greater of {CITY_R2:g} m and {MIN_RATIO:.3g} r1"}
+        return Choice(*complete_radii(r1, r2), reasons)
+    if r2 is not None:
+        return _by_ground(r2, {})
+    nearest, farthest = _distances(scene, stand)
+    if (not stand.is_outside and farthest >= MIN_CITY_EXTENT) or not nearest < farthest < np.inf:
+        reason = f"r2 = {CITY_R2:g} m is the default where a scene reaches {MIN_CITY_EXTENT:g} m away"
+        return _by_ground(CITY_R2, {"r2": reason})
+    near, far = (float(f"{nearest + share * (farthest - nearest):.2g}") for share in (1.0 / 3.0, 2.0 / 3.0))
+    if near >= far:
+        near, far = nearest, farthest
+    if stand.is_outside:
+        reason = "the radii divide the way from the object's nearest to its farthest part in thirds"
+        return Choice(near, far, {"radii": reason})
+    return _by_ground(far, {"r2": "r2 is two thirds of the way to the walls"})
 
 
 def find_place(scene: Scene, center: ArrayLike | None = None) -> Viewpoint:
@@ -84,57 +97,54 @@ def find_place(scene: Scene, center: ArrayLike | None = None) -> Viewpoint:
 
 def complete(
     scene: Scene, center: ArrayLike | None, r1: float | None, r2: float | None
-) -> tuple[Point, float, float, str]:
-    """Choose a centre and radii that are None; return all three, and the reasons in words. The log has them, too."""
-    inner = None if r1 is None else check.at_least_zero("r1", r1)
-    outer = None if r2 is None else check.positive("r2", r2)
-    place = find_place(scene, center)
-    radii = choose(scene, place, inner, outer)
-    where = "in front of the scene, where all of it is in view" if place.is_outside else "an open place near the middle"
-    x, y, z = place.eye
-    reasons = [f"the centre ({x:.4g}, {y:.4g}, {z:.4g}) is {where}"] if center is None else []
-    reason = "; ".join([*reasons, *([radii.reason] if radii.reason else [])])
-    logging.getLogger("nearfar").info("reduce: %s", reason)
-    return place.eye, radii.r1, radii.r2, reason
+) -> tuple[Point, float, float, Mapping[str, str]]:
+    """Choose a centre and radii that are None; return all three, and the reasons by what was chosen. Log these, too."""
+    r1 = None if r1 is None else check.at_least_zero("r1", r1)
+    r2 = None if r2 is None else check.positive("r2", r2)
+    stand = find_place(scene, center)
+    radii = choose(scene, stand, r1, r2)
+    where = "in front of the scene, where all of it is in view" if stand.is_outside else "an open place near the middle"
+    x, y, z = stand.eye
+    chosen_center = {"center": f"the centre ({x:.4g}, {y:.4g}, {z:.4g}) is {where}"} if center is None else {}
+    reasons = chosen_center | dict(radii.reasons)
+    logging.getLogger("nearfar").info("reduce: %s", join(reasons))
+    return stand.eye, radii.r1, radii.r2, reasons
 
 
-def completed(r1: float | None, r2: float | None) -> tuple[float, float]:
-    """Return both radii; r1 follows from r2 by the ground, r2 is `CITY_OUTER` or `SPREAD` times r1."""
+def complete_radii(r1: float | None, r2: float | None) -> tuple[float, float]:
+    """Return both radii; r1 follows from r2 by the ground, r2 is `CITY_R2` or `MIN_RATIO` times r1."""
     if r2 is None:
-        r2 = CITY_OUTER if r1 is None else max(CITY_OUTER, r1 * SPREAD)
-    return _inner(r2) if r1 is None else r1, r2
+        r2 = CITY_R2 if r1 is None else max(CITY_R2, r1 * MIN_RATIO)
+    if r1 is None:
+        r1 = float(f"{inner_radius(r2, _reach(r2), viewpoint.EYE_HEIGHT, SHEAR):.3g}")
+    return r1, r2
 
 
-def aside(r1: float, r2: float) -> float:
+def user_distance(r1: float, r2: float) -> float:
     """Distance in metres of a user from O at which the methods differ visibly, without folds."""
-    between, within = ASIDE
-    return min(between * (r2 - r1), within * r1) if r1 > 0.0 else between * (r2 - r1)
+    share_between, share_within = USER_SHARES
+    return min(share_between * (r2 - r1), share_within * r1) if r1 > 0.0 else share_between * (r2 - r1)
 
 
 def _reach(r2: float) -> float:
-    return min(REACH, REACH * r2 / least_outer(REACH))
+    return min(REACH, REACH * r2 / min_outer_radius(REACH))
 
 
-def _inner(r2: float) -> float:
-    return float(f"{by_ground(r2, _reach(r2), viewpoint.EYE_HEIGHT, SHEAR):.3g}")
-
-
-def _by_ground(r1: float, r2: float) -> str:
-    reach = _reach(r2)
+def _by_ground(r2: float, reasons: Mapping[str, str]) -> Choice:
+    """Choose r1 by the ground, and add the reason."""
+    r1, reach = complete_radii(None, r2)[0], _reach(r2)
     shear = shear_of(r1, r2, reach, viewpoint.EYE_HEIGHT)
-    return (
+    reason = (
         f"with r1 = {r1:g} m the ground between the radii is sheared by at most {shear:.2g} pixels a pixel for a user "
         f"{reach:.2g} m beside the centre"
     )
+    return Choice(r1, r2, {**reasons, "r1": reason})
 
 
-def _extent(scene: Scene, place: Viewpoint) -> tuple[float, float]:
+def _distances(scene: Scene, stand: Viewpoint) -> tuple[float, float]:
     """Horizontal distances in metres from the eye to the nearest and the farthest of a scene's bounds, or to walls."""
-    low, high = scene.bounds[:, [0, 2]]
-    eye = np.array(place.eye)[[0, 2]]
-    nearest = float(np.hypot(*np.maximum(np.maximum(low - eye, eye - high), 0.0)))
-    farthest = float(np.hypot(*np.maximum(np.abs(low - eye), np.abs(high - eye))))
-    if not place.is_outside and viewpoint.is_roofed(scene, place.eye):
-        around = viewpoint.horizontal_distances(scene, place.eye)
-        farthest = min(farthest, float(np.percentile(np.minimum(around, farthest), WALLS)))
+    nearest, farthest = distances_to_bounds(scene, stand.eye)
+    if not stand.is_outside and viewpoint.is_roofed(scene, stand.eye):
+        distances = viewpoint.horizontal_distances(scene, stand.eye)
+        farthest = min(farthest, float(np.percentile(np.minimum(distances, farthest), WALL_PERCENTILE)))
     return nearest, farthest

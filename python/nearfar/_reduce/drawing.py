@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from nearfar._base import check
+from nearfar._base.settings import set_fields
 from nearfar._morph import morph
 from nearfar._render.settings import RenderKeywords
 from nearfar._scene.levels import Leveled
@@ -83,17 +84,16 @@ class MorphSettings:
     def __post_init__(self) -> None:
         check.choice("method", self.method, get_args(Method))
         check.choice("conventional_dynamic", self.conventional_dynamic, get_args(ConventionalDynamic))
-        checked: dict[str, Any] = {"env": check.flag("env", self.env)}
+        set_fields(self, env=check.flag("env", self.env))
         if self.tolerance_px is not None:
-            checked["tolerance_px"] = check.number("tolerance_px", self.tolerance_px, finite=False)
-            if not checked["tolerance_px"] > 0.0:
+            tolerance = check.number("tolerance_px", self.tolerance_px, finite=False)
+            if not tolerance > 0.0:
                 raise ValueError(f"tolerance_px: expected a number above 0, got {self.tolerance_px}")
+            set_fields(self, tolerance_px=tolerance)
         if self.radius is not None:
-            checked["radius"] = check.at_least_zero("radius", self.radius)
+            set_fields(self, radius=check.at_least_zero("radius", self.radius))
         if self.strength is not None:
-            checked["strength"] = check.in_range("strength", self.strength, 0.0, 1.0)
-        for name, value in checked.items():
-            object.__setattr__(self, name, value)
+            set_fields(self, strength=check.in_range("strength", self.strength, 0.0, 1.0))
 
     @property
     def growth(self) -> tuple[float | None, float]:
@@ -116,18 +116,19 @@ class MorphOptions(RenderKeywords, MorphKeywords, total=False):
     """Keywords of `ReducedScene.render`."""
 
 
-def fill_growth(settings: MorphSettings, own: MorphSettings) -> MorphSettings:
-    """Take radius and strength, where they are None, from a reduced scene's own settings."""
-    radius = own.radius if settings.radius is None else settings.radius
-    return replace(settings, radius=radius, strength=own.strength if settings.strength is None else settings.strength)
+def fill_growth(settings: MorphSettings, defaults: MorphSettings) -> MorphSettings:
+    """Take radius and strength, where they are None, from other settings."""
+    radius = defaults.radius if settings.radius is None else settings.radius
+    strength = defaults.strength if settings.strength is None else settings.strength
+    return replace(settings, radius=radius, strength=strength)
 
 
 def grow_radii(settings: MorphSettings, r1: float, r2: float) -> dict[str, Any]:
     """Effective radii in metres and strength, as arguments of `morph`, for the radii of the reduction."""
     radius, strength = settings.growth
-    reach = r2 if radius is None else min(float(radius), r2)
-    near, far = (r1, r2) if reach == r2 else (r1 * (reach / r2), reach)
-    return {"r1": near, "r2": far, "strength": strength}
+    if radius is None or radius >= r2:
+        return {"r1": r1, "r2": r2, "strength": strength}
+    return {"r1": r1 * (radius / r2), "r2": radius, "strength": strength}
 
 
 def kernel_settings(settings: MorphSettings, method: str) -> dict[str, Any]:
@@ -150,8 +151,8 @@ def check_morph(morph: MorphKind, boundary: Boundary) -> None:
         raise ValueError(f"boundary: expected 'r2' with morph={morph!r}, got 'r1', which only morph='none' knows")
 
 
-def morphed(
-    leveled: Leveled, user: ArrayLike, *, center: tuple[float, float, float], kind: str, grown: dict[str, Any]
+def morph_spheres(
+    leveled: Leveled, user: ArrayLike, *, center: tuple[float, float, float], kind: str, growth: dict[str, Any]
 ) -> Leveled:
     """Move the bounding spheres of objects with levels to where a near–far morph shows them.
 
@@ -160,17 +161,17 @@ def morphed(
     2 |U−O|. Without a near zone the user sees the ball as the centre does, with the cylinder up to |U−O| nearer or
     farther. Below full strength points near the user move, too, each by at most 2 |U−O|.
     """
-    r2, strength = grown["r2"], grown["strength"]
-    place = check.vector("user", user)
-    away = math.dist(place, center)
+    r1, r2, strength = growth["r1"], growth["r2"], growth["strength"]
+    eye = check.vector("user", user)
+    distance = math.dist(eye, center)
     if r2 == 0.0 or strength == 0.0:
-        moved = leveled.centers + np.subtract(place, center)
-        return replace(leveled, centers=moved, radii=leveled.radii + (away if kind == "cylinder" else 0.0))
-    shown = morph(leveled.centers, user=user, center=center, kind=kind, **grown)
+        centers = leveled.centers + np.subtract(eye, center)
+        return replace(leveled, centers=centers, radii=leveled.radii + (distance if kind == "cylinder" else 0.0))
+    centers = morph(leveled.centers, user=user, center=center, kind=kind, **growth)
     if strength < 1.0 or r2 < 1e-100:  # the inverse of a smaller radius overflows
-        return replace(leveled, centers=shown, radii=leveled.radii + 4.0 * away)
-    stretch = 1.0 + away * (2.0 / (r2 - grown["r1"]) + 1.0 / max(grown["r1"], away, 1e-300))
-    return replace(leveled, centers=shown, radii=leveled.radii * stretch)
+        return replace(leveled, centers=centers, radii=leveled.radii + 4.0 * distance)
+    stretch = 1.0 + distance * (2.0 / (r2 - r1) + 1.0 / max(r1, distance, 1e-300))
+    return replace(leveled, centers=centers, radii=leveled.radii * stretch)
 
 
 def rows_of(channel: Any) -> Any:

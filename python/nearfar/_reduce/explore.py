@@ -5,20 +5,19 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from contextlib import contextmanager
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 
 from nearfar._base import card, check
 from nearfar._base.errors import Error
 from nearfar._camera.camera import Camera, Fov
-from nearfar._cubemap.envmap import EnvMap
 from nearfar._partition.load_curve import load_curve
 from nearfar._reduce.baking import MapSettings
-from nearfar._reduce.drawing import MORPHS, Boundary, MorphKind
+from nearfar._reduce.data import ReducedData
+from nearfar._reduce.drawing import MORPHS
 from nearfar._render.frame import Frame
 from nearfar._render.truth import render
-from nearfar._scene.scene import Scene
 from nearfar.metrics._comparison import Comparison, compare
 from nearfar.metrics._discontinuity import discontinuity
 
@@ -32,36 +31,6 @@ LARGEST_R1 = 0.95
 """Greatest r1, as a share of r2."""
 
 
-class Reduced(Protocol):
-    """Interface of `ReducedScene` for notebooks; the class itself belongs to a later stage."""
-
-    _boundary: Boundary
-    _is_whole: bool
-
-    @property
-    def scene(self) -> Scene: ...
-    @property
-    def env(self) -> EnvMap | None: ...
-    @property
-    def center(self) -> tuple[float, float, float]: ...
-    @property
-    def r1(self) -> float: ...
-    @property
-    def r2(self) -> float: ...
-    @property
-    def morph(self) -> MorphKind: ...
-    @property
-    def reason(self) -> str: ...
-    @property
-    def stats(self) -> dict[str, Any]: ...
-    @property
-    def default_channels(self) -> tuple[str, ...]: ...
-    @property
-    def render(self) -> Any: ...
-    def with_morph(self, morph: MorphKind) -> Reduced: ...
-    def _again(self, baking: MapSettings, **changed: Any) -> Reduced: ...
-
-
 class Explorer:
     """Picture and truth of a reduced scene with sliders; created by `ReducedScene.explore`.
 
@@ -70,12 +39,15 @@ class Explorer:
     hold PNG files, `figures` HTML, and `widget` contains all of them.
     """
 
-    def __init__(self, reduced: Reduced, *, size: tuple[int, int], face_size: int) -> None:
+    def __init__(self, reduced: ReducedData, *, size: tuple[int, int], face_size: int) -> None:
         self._size = check.size("size", size)
         self._baking = MapSettings(face_size=face_size, samples=1, channels=("color", "range"), backend="cpu")
-        widgets = _ipywidgets()
+        try:
+            import ipywidgets as widgets
+        except ImportError:
+            raise ImportError("explore needs ipywidgets: pip install ipywidgets") from None
         self._is_quiet = False
-        self._seen: tuple[Camera, Frame] | None = None
+        self._last_truth: tuple[Camera, Frame] | None = None
         can_bake = reduced._is_whole
         has_range = reduced.env is None or reduced.env.range is not None
         self.reduced: Any = reduced if has_range or not can_bake else reduced._again(self._baking)
@@ -84,11 +56,13 @@ class Explorer:
         reach = max(r2, _reach(reduced)) if can_bake else r2
         step = _step(reach)
 
-        wide = widgets.Layout(width="98%", max_width="28em")
+        layout = widgets.Layout(width="98%", max_width="28em")
 
         def slider(name: str, value: float, low: float, high: float, step: float, **more: Any) -> Any:
             more = {"continuous_update": True, "readout_format": ".4g", **more}
-            return widgets.FloatSlider(value=value, min=low, max=high, step=step, description=name, layout=wide, **more)
+            return widgets.FloatSlider(
+                value=value, min=low, max=high, step=step, description=name, layout=layout, **more
+            )
 
         metre = max(r1, 1e-6)
         self.x = slider("x, m", 0.0, -r1, r1, _step(metre), disabled=r1 == 0.0)
@@ -99,7 +73,7 @@ class Explorer:
         self.r1 = slider("r₁, m", r1, 0.0, reach, step, **released)
         self.r2 = slider("r₂, m", r2, 0.0, reach, step, **released)
         kinds = MORPHS if reduced._boundary == "r2" else ("none",)
-        self.morph = widgets.Dropdown(options=kinds, value=reduced.morph, description="morph", layout=wide)
+        self.morph = widgets.Dropdown(options=kinds, value=reduced.morph, description="morph", layout=layout)
         self.truth, self.picture = (widgets.Image(format="png", layout={"max_width": "100%"}) for _ in range(2))
         self.figures = widgets.HTML()
         wrap = widgets.Layout(flex_flow="row wrap", width="100%")
@@ -134,9 +108,9 @@ class Explorer:
         """The camera at the user's place, which looks along `heading`."""
         turn = math.radians(self.heading.value)
         eye = np.add(self.reduced.center, (self.x.value, self.height.value, self.z.value))
-        ahead = (math.sin(turn), 0.0, -math.cos(turn))
+        forward = (math.sin(turn), 0.0, -math.cos(turn))
         fov = Fov.symmetric(FOV_DEG, self._size[0] / self._size[1])
-        return Camera.look_at(eye, eye + ahead, fov=fov, size=self._size)
+        return Camera.look_at(eye, eye + forward, fov=fov, size=self._size)
 
     def _repr_mimebundle_(self, **settings: Any) -> Any:
         # Pages without widgets show the text instead.
@@ -156,12 +130,12 @@ class Explorer:
 
     def _keep_inside(self) -> None:
         """Move the user into the near zone."""
-        away, limit = math.hypot(self.x.value, self.z.value), self.reduced.r1
+        distance, limit = math.hypot(self.x.value, self.z.value), self.reduced.r1
         with self._quiet():
-            if away > limit:
+            if distance > limit:
                 # Slightly smaller, so that rounding does not leave the user outside.
-                share = limit / away * (1.0 - 1e-12)
-                self.x.value, self.z.value = self.x.value * share, self.z.value * share
+                factor = limit / distance * (1.0 - 1e-12)
+                self.x.value, self.z.value = self.x.value * factor, self.z.value * factor
             for control in (self.x, self.z):
                 control.min, control.max, control.disabled = -limit, limit, limit == 0.0
 
@@ -207,26 +181,18 @@ class Explorer:
         stats = reduced.stats
         rows = [("triangles", f"{stats['drawn']:,} of {stats['triangles']:,}, {stats['reduction']:,.4g} times fewer")]
         if not reduced._is_whole:
-            whole = "not saved: truth and other radii need the scene that was reduced"
+            reason = "not saved: truth and other radii need the scene that was reduced"
             torn = discontinuity(frame) if "position" in channels else np.empty(0)
-            return [*rows, *_torn(torn), ("far geometry", whole)]
-        found = compare(self._truth(camera), frame, center=reduced.center, radius=_radius(reduced))
-        return [("SSIM", f"{found.ssim:.4f}"), ("PSNR", f"{found.psnr:.2f} dB"), *_tears(found), *rows]
+            return [*rows, *_torn(torn), ("far geometry", reason)]
+        comparison = compare(self._truth(camera), frame, center=reduced.center, radius=reduced._boundary_radius)
+        return [("SSIM", f"{comparison.ssim:.4f}"), ("PSNR", f"{comparison.psnr:.2f} dB"), *_tears(comparison), *rows]
 
     def _truth(self, camera: Camera) -> Frame:
         """Ground truth, which depends on the camera only."""
-        if self._seen is None or self._seen[0] != camera:
-            self._seen = camera, render(self.reduced.scene, camera, channels=("color",), backend="cpu")
-            self.truth.value = card.png(self._seen[1].to_image())
-        return self._seen[1]
-
-
-def _ipywidgets() -> Any:
-    try:
-        import ipywidgets
-    except ImportError:
-        raise ImportError("explore needs ipywidgets: pip install ipywidgets") from None
-    return ipywidgets
+        if self._last_truth is None or self._last_truth[0] != camera:
+            self._last_truth = camera, render(self.reduced.scene, camera, channels=("color",), backend="cpu")
+            self.truth.value = card.png(self._last_truth[1].to_image())
+        return self._last_truth[1]
 
 
 def _step(length: float) -> float:
@@ -234,22 +200,17 @@ def _step(length: float) -> float:
     return float(10.0 ** (math.floor(math.log10(length)) - 2))
 
 
-def _reach(reduced: Reduced) -> float:
+def _reach(reduced: ReducedData) -> float:
     """Upper end of the r2 slider, metres: four times the present r2, unless too many triangles would be drawn."""
     budget = max(MAX_TRIANGLES, reduced.stats["nsf"])
     return min(4.0 * reduced.r2, float(load_curve(reduced.scene, center=reduced.center).radius(budget)))
 
 
-def _radius(reduced: Reduced) -> float:
-    """Radius at which the near part ends, metres."""
-    return reduced.r1 if reduced._boundary == "r1" else reduced.r2
-
-
-def _tears(found: Comparison) -> list[tuple[str, str]]:
-    edge = "–" if found.boundary_discontinuity is None else f"{found.boundary_discontinuity:.3f}"
-    return [*_torn(found.torn), ("discontinuity along the boundary", edge)]
+def _tears(comparison: Comparison) -> list[tuple[str, str]]:
+    edge = "–" if comparison.boundary_discontinuity is None else f"{comparison.boundary_discontinuity:.3f}"
+    return [*_torn(comparison.torn), ("discontinuity along the boundary", edge)]
 
 
 def _torn(torn: Any) -> list[tuple[str, str]]:
-    known = torn[~np.isnan(torn)]
-    return [("discontinuity, mean", f"{known.mean():.3f}" if known.size else "–")]
+    values = torn[~np.isnan(torn)]
+    return [("discontinuity, mean", f"{values.mean():.3f}" if values.size else "–")]

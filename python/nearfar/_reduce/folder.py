@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from typing import Any
 
 from nearfar._base import check, files, formats
@@ -21,6 +21,9 @@ NEAR, FAR, DOCUMENT = "near.glb", "far.exr", "reduced.json"
 COUNTS = ("triangles", "near", "intermediate", "nsf", "nsf_at_r1", "sf", "rays")
 """Names of the counts of the whole scene, which cannot be computed from the saved part."""
 
+REASONS = ("center", "r2", "r1", "radii")
+"""Names of what `reduce` may have chosen, in the order of the reasons; "radii" are both radii at once."""
+
 
 @dataclass(frozen=True)
 class Contents:
@@ -35,14 +38,15 @@ class Contents:
     boundary: str
     counts: dict[str, int]
     """`COUNTS` of the scene that was reduced."""
+    reasons: Mapping[str, str] = field(default_factory=dict)
+    """Reasons for the centre and radii that `reduce` chose, by their names in `REASONS`."""
 
 
 def save(path: str | os.PathLike[str], contents: Contents, *, half: bool) -> None:
     """Write a folder atomically; `ReducedScene.save` describes its files."""
     from nearfar._scene import glb
 
-    near, target = contents.near, check.path("path", path)
-    env = contents.env
+    near, env, target = contents.near, contents.env, check.path("path", path)
     document = formats.header(
         NAME,
         VERSION,
@@ -53,11 +57,12 @@ def save(path: str | os.PathLike[str], contents: Contents, *, half: bool) -> Non
         r2=contents.r2,
         morph=contents.morph,
         boundary=contents.boundary,
-        files={"near": NEAR, "far": None if contents.env is None else FAR},
+        files={"near": NEAR, "far": None if env is None else FAR},
         counts=contents.counts,
         moving=moving_rows(near),
         notes=list(near.report.notes),
         **_object_names(near, env),
+        **({"reasons": dict(contents.reasons)} if contents.reasons else {}),
     )
     with files.atomic_folder(target, marker=DOCUMENT) as folder:
         files.write(folder / NEAR, glb.encode(near._core, near.object_names, near._undrawn))
@@ -103,19 +108,21 @@ def load(path: str | os.PathLike[str]) -> Contents:
         near_radius, far_radius = check.radii(document["r1"], document["r2"])
         counts = {name: check.integer(name, document["counts"][name], 0, 2**62) for name in COUNTS}
         has_map = document["files"]["far"] is not None
+        texts = check.mapping("reasons", document.get("reasons", {}), "texts by name")
+        reasons = {name: check.text(name, texts[name]) for name in REASONS if name in texts}
         notes = tuple(check.instance("notes", note, str, "texts") for note in document.get("notes", []))
     data = (folder / NEAR).read_bytes()
     env = EnvMap.load(folder / FAR) if has_map else None
     if object_names is None and env is not None and env.object_id is not None:
         object_names = env.object_names
     with formats.guarded(folder / DOCUMENT):
-        listed = None if object_names is None else Names(_names(object_names))
+        known_names = None if object_names is None else Names(_names(object_names))
     with formats.guarded(folder / NEAR):
-        decoder = glb.Decoder(data, listed)
+        decoder = glb.Decoder(data, known_names)
         core, names, undrawn = decoder.decode(), decoder.names, decoder.undrawn
     with formats.guarded(folder / DOCUMENT):
-        frames, rest = frames_of(document["moving"], names, core.moving_placements(), NEAR)
-        near = Scene(core, names, frames=frames, rest=rest, notes=notes, undrawn=undrawn)
+        frames, rest_poses = frames_of(document["moving"], names, core.moving_placements(), NEAR)
+        near = Scene(core, names, frames=frames, rest=rest_poses, notes=notes, undrawn=undrawn)
         return Contents(
             near,
             env,
@@ -125,4 +132,5 @@ def load(path: str | os.PathLike[str]) -> Contents:
             check.choice("morph", document["morph"], ("blend", "cylinder", "none")),
             check.choice("boundary", document["boundary"], ("r1", "r2")),
             counts,
+            reasons,
         )

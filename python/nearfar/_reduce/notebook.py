@@ -4,15 +4,16 @@ from __future__ import annotations
 
 from nearfar._base import card, check
 from nearfar._camera.camera import Camera
-from nearfar._reduce.explore import Explorer, Reduced
+from nearfar._reduce.data import ReducedData
+from nearfar._reduce.explore import Explorer
 from nearfar._render.showing import View, show as make_view
 
 
-class InNotebooks:
+class InNotebooks(ReducedData):
     """Display of a reduced scene; the base of `ReducedScene`."""
 
     @card.repr_html
-    def _repr_html_(self: Reduced) -> str:
+    def _repr_html_(self) -> str:
         """Counts, radii and the map for notebooks."""
         stats = self.stats
         moving = stats["nsf"] - stats["near"] - stats["intermediate"]
@@ -34,7 +35,7 @@ class InNotebooks:
         caption = "the map: what the centre sees beyond the near part, −z in the middle"
         return card.page("ReducedScene", facts, card.picture(pixels, "environment map", caption))
 
-    def explore(self: Reduced, *, size: tuple[int, int] = (400, 250), face_size: int = 256) -> Explorer:
+    def explore(self, *, size: tuple[int, int] = (400, 250), face_size: int = 256) -> Explorer:
         """Show the picture beside the truth in a notebook, with sliders for the user and the radii.
 
         Parameters
@@ -63,7 +64,7 @@ class InNotebooks:
         return Explorer(self, size=size, face_size=check.integer("face_size", face_size, 1, 1024))
 
     def show(
-        self: Reduced, *, size: tuple[int, int] = (640, 400), camera: Camera | None = None, strategy: str = "clovr"
+        self, *, size: tuple[int, int] = (640, 400), camera: Camera | None = None, strategy: str = "clovr"
     ) -> View:
         """Show the reduced scene in a notebook: the page's viewer, in which the user walks and looks around.
 

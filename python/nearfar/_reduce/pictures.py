@@ -2,54 +2,31 @@
 
 from __future__ import annotations
 
-import copy
 import math
 import warnings
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any, Self, Unpack, cast
+from typing import Any, Unpack, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from nearfar import _core
 from nearfar._base import check
 from nearfar._base.settings import gather, split
 from nearfar._camera.camera import Camera
 from nearfar._camera.shot import Shot, check_begin, check_request
-from nearfar._cubemap.envmap import EnvMap
 from nearfar._morph import morph
-from nearfar._partition.partition import Partition
-from nearfar._reduce.drawing import (
-    Boundary,
-    MorphKind,
-    MorphOptions,
-    MorphSettings,
-    fill_growth,
-    grow_radii,
-    kernel_settings,
-)
+from nearfar._reduce.data import ReducedData
+from nearfar._reduce.drawing import MorphOptions, MorphSettings, fill_growth, grow_radii, kernel_settings
+from nearfar._reduce.findings import of_fold
 from nearfar._render.frame import Frame
 from nearfar._render.renderable import Images, Renderable, Report
 from nearfar._render.renderer import Renderer
 from nearfar._render.settings import RenderSettings
-from nearfar._scene.scene import Scene
-
-if TYPE_CHECKING:
-    from nearfar._core import GpuDevice, GpuJob, Reduced
 
 
-class InPictures:
+class InPictures(ReducedData):
     """Mixin that renders a reduced scene."""
-
-    _scene: Scene
-    _partition: Partition
-    _boundary: Boundary
-    _env: EnvMap | None
-    _morph: MorphKind
-    _core: Reduced
-    _drawing: MorphSettings
-    _is_whole: bool
-    _has_warned: list[bool]
-    """Whether a folded picture was reported: one entry, shared by copies."""
 
     def render(
         self,
@@ -111,12 +88,13 @@ class InPictures:
         DeviceError
             As in `render`.
         """
-        rest, own = split(MorphSettings, keywords)
-        chosen = gather(RenderSettings, settings, rest)
-        drawn = self._drawn_by(fill_growth(gather(MorphSettings, morphing, own, argument="morphing"), self._drawing))
-        if chosen.backend == "gpu" and "gpu" not in drawn.backends:
+        render_keywords, morph_keywords = split(MorphSettings, keywords)
+        settings = gather(RenderSettings, settings, render_keywords)
+        morphing = fill_growth(gather(MorphSettings, morphing, morph_keywords, argument="morphing"), self._drawing)
+        reduced = self._drawn_by(morphing)
+        if settings.backend == "gpu" and "gpu" not in reduced.backends:
             raise ValueError("method: expected 'vertex' with backend='gpu', got 'exact': rays are bent on the CPU")
-        renderer = Renderer(cast(Renderable, drawn), chosen)
+        renderer = Renderer(cast(Renderable, reduced), settings)
         (frame,) = renderer.frames(renderer.shot([camera], user), at, renderer.device(self))
         return frame
 
@@ -138,53 +116,46 @@ class InPictures:
 
     def displayed(self, points: ArrayLike, user: ArrayLike) -> NDArray[np.float64]:
         """Return where a picture shows world positions (N, 3) to a user at a world position (3,), metres."""
-        places = check.array("points", points, columns=3, dtype=np.float64)
+        positions = check.array("points", points, columns=3, dtype=np.float64)
         center, eye = self._partition.center, check.vector("user", user)
         if self._morph != "none":
             grown = grow_radii(self._drawing, self._partition.r1, self._partition.r2)
-            return np.asarray(morph(places, user=eye, center=center, kind=self._morph, **grown))
-        away = places - np.array(center)
-        boundary = self._partition.r1 if self._boundary == "r1" else self._partition.r2
-        far = np.hypot(away[:, 0], away[:, 2]) > boundary
-        return np.where(far[:, None], np.array(eye) + away, places)
+            return np.asarray(morph(positions, user=eye, center=center, kind=self._morph, **grown))
+        from_center = positions - np.array(center)
+        is_far = np.hypot(from_center[:, 0], from_center[:, 2]) > self._boundary_radius
+        return np.where(is_far[:, None], np.array(eye) + from_center, positions)
 
     def trace(self, shot: Shot, report: Report = None) -> list[Images]:
         """Trace the pictures of a shot, one for each camera."""
         check_request(shot, report)
         pictures = []
         for camera in shot.cameras:
-            method = self._drawing.method
+            method: str = self._drawing.method
             if method == "auto":
-                method = "exact" if self._margin(shot, camera) < 0.0 and self._bends(shot, camera) else "vertex"
-            how = self._how(shot, camera, method)
-            pictures.append(self._core.render(self._scene._core, camera._core, shot.settings, **how, report=report))
+                method = "exact" if self._margin(shot, camera) < 0.0 and self._can_bend(shot, camera) else "vertex"
+            morphing = self._kernel_settings(shot, camera, method)
+            scene = self._scene._core
+            pictures.append(self._core.render(scene, camera._core, shot.settings, **morphing, report=report))
         return pictures
 
-    def begin(self, device: GpuDevice, shot: Shot, report: Report = None) -> list[GpuJob]:
+    def begin(self, device: _core.GpuDevice, shot: Shot, report: Report = None) -> list[_core.GpuJob]:
         """Start the pictures of a shot on a graphics device, one for each camera."""
         check_begin(device, shot, report)
         method = "exact" if self._drawing.method == "exact" else "vertex"
         jobs = []
         for camera in shot.cameras:
-            how, scene = self._how(shot, camera, method), self._scene._core
-            jobs.append(device.reduced(self._core, scene, camera._core, shot.settings, **how, report=report))
+            morphing, scene = self._kernel_settings(shot, camera, method), self._scene._core
+            jobs.append(device.reduced(self._core, scene, camera._core, shot.settings, **morphing, report=report))
         return jobs
 
-    def _drawn_by(self, drawing: MorphSettings) -> Self:
-        drawn = copy.copy(self)
-        drawn._drawing = drawing
-        return drawn
-
-    def _how(self, shot: Shot, camera: Camera, method: str) -> dict[str, Any]:
+    def _kernel_settings(self, shot: Shot, camera: Camera, method: str) -> dict[str, Any]:
         """Settings of this scene's pictures for kernels, in addition to those of the shot."""
         if not (self._drawing.env or self._is_whole or self._env is None):
             raise ValueError("env: expected True for a loaded scene, whose far geometry was not saved, got False")
         margin = self._margin(shot, camera)
         if margin < 0.0 and not self._has_warned[0]:
             self._has_warned[0] = True
-            beyond = f"{-margin:.3g} m beyond" if margin > -math.inf else "at a height outside of"
-            message = f"the picture folds: the user is {beyond} the fold margin; go closer to the centre"
-            warnings.warn(message, UserWarning, stacklevel=2)
+            warnings.warn(f"the picture folds: {of_fold(margin)}", UserWarning, stacklevel=2)
         return {"user": shot.user, **kernel_settings(self._drawing, method)}
 
     def _margin(self, shot: Shot, camera: Camera) -> float:
@@ -192,10 +163,9 @@ class InPictures:
         user = camera.position if shot.user is None else shot.user
         return self._core.fold_margin(user, *self._drawing.growth)
 
-    def _bends(self, shot: Shot, camera: Camera) -> bool:
+    def _can_bend(self, shot: Shot, camera: Camera) -> bool:
         """Whether rays can be bent for a picture."""
         is_eye = shot.user is None or shot.user == camera.position
-        tolerance = self._drawing.tolerance_px
-        is_whole = shot.t_min == 0.0 and shot.t_max == math.inf and shot.clip is None
-        is_finite = tolerance is None or math.isfinite(tolerance)
-        return is_eye and is_whole and is_finite and not camera._core.is_parallel
+        is_unlimited = shot.t_min == 0.0 and shot.t_max == math.inf and shot.clip is None
+        is_finite = self._drawing.tolerance_px is None or math.isfinite(self._drawing.tolerance_px)
+        return is_eye and is_unlimited and is_finite and not camera._core.is_parallel

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any, Unpack
 
 from numpy.typing import ArrayLike
@@ -77,10 +78,9 @@ def reduce(
     ----------
     Popescu, Lee, Choi, Fahmy (2022): Eq. 1–3 and figure 1. "cylinder" is Alg. 1 of CloVR (2024).
     """
-    is_whole = not isinstance(scene, Divided)
     check.choice("unit", unit, UNITS)
     check_morph(morph, check.choice("boundary", boundary, BOUNDARIES))
-    reason = ""
+    reasons: Mapping[str, str] = {}
     if isinstance(scene, Divided):
         kind = type(scene).__name__
         if unit != "triangle":
@@ -92,7 +92,8 @@ def reduce(
         core_of(scene)
     baking = gather(MapSettings, settings, keywords)
     if isinstance(scene, Scene) and (center is None or r1 is None or r2 is None):
-        center, r1, r2, reason = default_radii.complete(scene, center, r1, r2)
-    place: dict[str, Any] = {"center": center, "r1": r1, "r2": r2, "boundary": boundary, "baking": baking}
-    parts = stages.divided(scene, **place) if isinstance(scene, Divided) else stages.parts(scene, unit=unit, **place)
-    return ReducedScene(**parts, morph=morph, boundary=boundary, baking=baking, is_whole=is_whole)._with_reason(reason)
+        center, r1, r2, reasons = default_radii.complete(scene, center, r1, r2)
+    arguments: dict[str, Any] = {"center": center, "r1": r1, "r2": r2, "boundary": boundary, "baking": baking}
+    parts, is_whole = stages.parts(scene, unit=unit, **arguments), isinstance(scene, Scene)
+    reduced = ReducedScene(**parts, morph=morph, boundary=boundary, baking=baking, is_whole=is_whole)
+    return reduced._with_reasons(reasons)

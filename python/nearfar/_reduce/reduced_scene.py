@@ -2,32 +2,18 @@
 
 from __future__ import annotations
 
-import copy
 import os
 from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any, Self
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from nearfar import _core
-from nearfar._base import check, formats, progress
-from nearfar._cubemap import envmap
-from nearfar._cubemap.envmap import EnvMap
-from nearfar._partition.partition import Partition, partition
-from nearfar._reduce import folder, stages
-from nearfar._reduce.baking import MapSettings
-from nearfar._reduce.drawing import (
-    BOUNDARIES,
-    Boundary,
-    MorphKind,
-    MorphSettings,
-    check_morph,
-    grow_radii,
-    morphed,
-    rows_of,
-)
+from nearfar._base import check, formats
+from nearfar._partition.partition import partition
+from nearfar._reduce import folder
+from nearfar._reduce.drawing import MorphKind, check_morph, grow_radii, morph_spheres
 from nearfar._reduce.notebook import InNotebooks
 from nearfar._reduce.pictures import InPictures
 from nearfar._reduce.walk.recentering import Recenters
@@ -42,129 +28,7 @@ class ReducedScene(InPictures, InNotebooks, Recenters):
     `stats`).
     """
 
-    def __init__(
-        self,
-        scene: Scene,
-        zones: Partition,
-        env: EnvMap | None,
-        *,
-        morph: MorphKind,
-        boundary: Boundary,
-        counts: dict[str, int],
-        is_whole: bool = True,
-        baking: MapSettings | None = None,
-    ) -> None:
-        self._scene = check.instance("scene", scene, Scene)
-        self._partition, self._env = check.instance("zones", zones, Partition), env
-        if env is not None:
-            check.instance("env", env, EnvMap, "an EnvMap")
-        check_morph(morph, check.choice("boundary", boundary, BOUNDARIES))
-        check.instance("counts", counts, dict)
-        is_whole = check.flag("is_whole", is_whole)
-        self._morph, self._boundary, self._counts, self._is_whole = morph, boundary, counts, is_whole
-        self._unposed, self._poses = scene, dict[str, ArrayLike]()
-        self._drawing = MorphSettings()
-        self._reason = ""
-        self._has_warned = [False]
-        self._baking = MapSettings() if baking is None else check.instance("baking", baking, MapSettings)
-        self._at_levels: tuple[NDArray[np.int64], ReducedScene] | None = None
-        radius = zones.r1 if boundary == "r1" else zones.r2
-        channels = {} if env is None else {name: rows_of(getattr(env, name)) for name in env.channels}
-        size = 0 if env is None else env.face_size
-        with progress.bar("gathering near geometry") as report:
-            self._core = _core.Reduced(zones._core, morph=morph, boundary=radius, size=size, **channels, report=report)
-
-    @property
-    def scene(self) -> Scene:
-        """The scene that was reduced; after `load` only its saved near part."""
-        return self._scene
-
-    @property
-    def partition(self) -> Partition:
-        """Zones of the scene's triangles."""
-        return self._partition
-
-    @property
-    def env(self) -> EnvMap | None:
-        """Environment map of the far part; None if nothing lies beyond the near part."""
-        return self._env
-
-    @property
-    def center(self) -> tuple[float, float, float]:
-        """World position of the centre O, metres."""
-        return self._partition.center
-
-    @property
-    def r1(self) -> float:
-        """Radius in metres inside which nothing is morphed."""
-        return self._partition.r1
-
-    @property
-    def r2(self) -> float:
-        """Radius in metres beyond which only the map is visible."""
-        return self._partition.r2
-
-    @property
-    def morph(self) -> MorphKind:
-        """Name of the morph that joins near and far part: "blend", "cylinder" or "none"."""
-        return self._morph
-
-    @property
-    def reason(self) -> str:
-        """Centre and radii that `reduce` chose, and why, in words; empty if the caller set them."""
-        return self._reason
-
-    def _with_reason(self, reason: str) -> Self:
-        self._reason = reason
-        return self
-
-    @property
-    def stats(self) -> dict[str, Any]:
-        """Counts of triangles, bytes and rays of the reduction; `Frame.stats` has those of a frame.
-
-        Returns
-        -------
-        dict
-            Of the scene: `triangles`, and `near`, `intermediate`, `nsf` and `sf` as in `Partition.summary`; `drawn`,
-            the number of triangles that a client draws, and `reduction` = triangles / drawn. Of the memory:
-            `map_bytes`, and `near_bytes` for copies of near geometry. Of baking: `rays` (0 on a graphics adapter) and
-            `ranges_computed`.
-        """
-        counts = self._counts
-        return {
-            **{name: counts[name] for name in ("triangles", "near", "intermediate", "nsf", "sf")},
-            "drawn": self.triangle_count,
-            "reduction": counts["triangles"] / max(self.triangle_count, 1),
-            "map_bytes": 0 if self._env is None else self._env.nbytes,
-            "near_bytes": self._core.near_bytes,
-            "rays": counts["rays"],
-            "ranges_computed": 0 if self._env is None or self._env.range is None else self._env.range.size,
-        }
-
-    @property
-    def origin(self) -> NDArray[np.float64]:
-        """World position (3,) in metres that `Frame.position` is relative to, the scene's origin."""
-        return self._scene.origin
-
-    @property
-    def default_channels(self) -> tuple[str, ...]:
-        """Images computed by default: those available for far pixels."""
-        if self._env is None or not self._drawing.env:
-            return envmap.CHANNELS
-        return self._env.channels
-
-    @property
-    def triangle_count(self) -> int:
-        """Number of triangles that a client draws."""
-        return self._counts["nsf" if self._boundary == "r2" else "nsf_at_r1"]
-
-    def at(self, poses: Mapping[str, ArrayLike]) -> ReducedScene:
-        """Return the same reduced scene with dynamic objects in other poses, as `Scene.at` does."""
-        posed = copy.copy(self)
-        posed._scene, posed._poses = self._scene.at(poses), {**self._poses, **poses}
-        return posed
-
-    def at_levels(self, levels: ArrayLike | Mapping[str, int]) -> ReducedScene:
+    def at_levels(self, levels: ArrayLike | Mapping[str, int]) -> Self:
         """Return the same reduced scene with near objects at these levels of detail, before the same map.
 
         Parameters
@@ -180,12 +44,12 @@ class ReducedScene(InPictures, InNotebooks, Recenters):
         leveled = self._scene.leveled
         if leveled is None:
             raise ValueError("lod: expected a scene whose objects have levels, got one without; see Scene.with_levels")
-        chosen = levels_of("levels", levels, leveled)
-        if self._at_levels is None or not np.array_equal(self._at_levels[0], chosen):
-            scene = self._unposed.at_levels(chosen)
+        chosen_levels = levels_of("levels", levels, leveled)
+        if self._at_levels is None or not np.array_equal(self._at_levels[0], chosen_levels):
+            scene = self._unposed.at_levels(chosen_levels)
             zones = partition(scene, center=self.center, r1=self.r1, r2=self.r2)
-            self._at_levels = chosen, self._copy_with(scene, zones, self._counts | zones.summary())
-        left_out = {name for name, level in zip(leveled.names, chosen.tolist(), strict=True) if level < 0}
+            self._at_levels = chosen_levels, self._copy_with(scene, zones, self._counts | zones.summary())
+        left_out = {name for name, level in zip(leveled.names, chosen_levels.tolist(), strict=True) if level < 0}
         poses = {name: pose for name, pose in self._poses.items() if name not in left_out}
         reduced = self._at_levels[1]._drawn_by(self._drawing)  # it may have been made for another drawing
         return reduced.at(poses) if poses else reduced
@@ -196,25 +60,9 @@ class ReducedScene(InPictures, InNotebooks, Recenters):
         if leveled is None or self._morph == "none":
             return leveled
         grown = grow_radii(self._drawing, self.r1, self.r2)
-        return morphed(leveled, user, center=self.center, kind=self._morph, grown=grown)
+        return morph_spheres(leveled, user, center=self.center, kind=self._morph, growth=grown)
 
-    def _copy_with(
-        self, scene: Scene, zones: Partition, counts: dict[str, int], *, morph: MorphKind | None = None
-    ) -> ReducedScene:
-        """Copy with the same map and other near geometry or another morph."""
-        reduced = ReducedScene(
-            scene,
-            zones,
-            self._env,
-            morph=self._morph if morph is None else morph,
-            boundary=self._boundary,
-            counts=counts,
-            is_whole=self._is_whole,
-            baking=self._baking,
-        )
-        return reduced._drawn_by(self._drawing)._with_reason(self._reason)
-
-    def with_morph(self, morph: MorphKind) -> ReducedScene:
+    def with_morph(self, morph: MorphKind) -> Self:
         """Return the same near part and the same map with another morph, without baking again.
 
         Parameters
@@ -230,7 +78,7 @@ class ReducedScene(InPictures, InNotebooks, Recenters):
         check_morph(morph, self._boundary)
         return self._copy_with(self._scene, self._partition, self._counts, morph=morph)
 
-    def with_r1(self, r1: float) -> ReducedScene:
+    def with_r1(self, r1: float) -> Self:
         """Return the same near part and the same map with another r1, without baking again.
 
         Parameters
@@ -249,10 +97,11 @@ class ReducedScene(InPictures, InNotebooks, Recenters):
         counts = zones.summary()
         # Triangles beyond r2 are those of the bake, even if only the near part was loaded.
         inner = {name: counts[name] for name in ("near", "intermediate", "nsf_at_r1")}
-        changed = self._copy_with(zones.scene, zones, self._counts | inner)._with_reason("")
+        reasons = {name: reason for name, reason in self._reasons.items() if name not in ("r1", "radii")}
+        changed = self._copy_with(zones.scene, zones, self._counts | inner)._with_reasons(reasons)
         return changed.at(self._poses) if self._poses else changed
 
-    def with_growth(self, radius: float | None = None, strength: float = 1.0) -> ReducedScene:
+    def with_growth(self, radius: float | None = None, strength: float = 1.0) -> Self:
         """Return the same reduced scene drawn with another radius and strength of the morph, by `nearfar.render` too.
 
         These settings affect drawing only, so `save` does not keep them.
@@ -291,10 +140,14 @@ class ReducedScene(InPictures, InNotebooks, Recenters):
         """
         near = self._near_part
         settings = (self.center, self.r1, self.r2, self._morph, self._boundary)
-        folder.save(path, folder.Contents(near, self._env, *settings, self._counts), half=check.flag("half", half))
+        folder.save(
+            path,
+            folder.Contents(near, self._env, *settings, self._counts, self._reasons),
+            half=check.flag("half", half),
+        )
 
     @classmethod
-    def load(cls, path: str | os.PathLike[str]) -> ReducedScene:
+    def load(cls, path: str | os.PathLike[str]) -> Self:
         """Read a folder that `save` wrote.
 
         The result renders the same colours (with `half`, to a quarter of an 8-bit step), ranges and objects as the
@@ -312,8 +165,8 @@ class ReducedScene(InPictures, InNotebooks, Recenters):
         # Values of the files may be valid separately, but not together.
         with formats.guarded(path):
             zones = partition(saved.near, center=saved.center, r1=saved.r1, r2=saved.r2)
-            kept: dict[str, Any] = {"morph": saved.morph, "boundary": saved.boundary, "counts": saved.counts}
-            return cls(saved.near, zones, saved.env, **kept, is_whole=False)
+            fields: dict[str, Any] = {"morph": saved.morph, "boundary": saved.boundary, "counts": saved.counts}
+            return cls(saved.near, zones, saved.env, **fields, is_whole=False)._with_reasons(saved.reasons)
 
     @property
     def _near_part(self) -> Scene:
@@ -324,23 +177,9 @@ class ReducedScene(InPictures, InNotebooks, Recenters):
         moving = np.arange(near._core.standing_triangle_count, near.triangle_count)
         return near.subset(triangles=zones.nsf if self._boundary == "r2" else np.union1d(zones.near, moving))
 
-    @property
-    def _undivided(self) -> Scene:
-        """The scene before near objects became dynamic."""
-        return self._partition.source if self._partition.unit == "object" else self._unposed
-
-    def _again(self, baking: MapSettings, **changed: Any) -> ReducedScene:
-        """Reduce the scene again in the same pose, about another `center` or with another `r1` and `r2`."""
-        place: dict[str, Any] = {"center": self.center, "r1": self.r1, "r2": self.r2, **changed}
-        source = self._undivided
-        parts = stages.parts(source, **place, unit=self._partition.unit, boundary=self._boundary, baking=baking)
-        again = ReducedScene(**parts, morph=self._morph, boundary=self._boundary, baking=baking)
-        again = again._drawn_by(self._drawing)
-        return again.at(self._poses) if self._poses else again
-
     def __repr__(self) -> str:
         stats = self.stats
-        chosen = ", chosen by reduce" if self._reason else ""
+        chosen = ", chosen by reduce" if self._reasons.keys() - {"center"} else ""
         return (
             f"ReducedScene({self._morph!r}, r1={self.r1:g}, r2={self.r2:g}{chosen}: {stats['drawn']:,} of "
             f"{stats['triangles']:,} triangles, map of {stats['map_bytes']:,} bytes)"

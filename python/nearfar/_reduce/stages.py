@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from dataclasses import replace
-from typing import TypedDict, Unpack
+from typing import Any, Unpack
 
 from numpy.typing import ArrayLike
 
 from nearfar._cubemap.envmap import EnvMap
-from nearfar._partition.partition import Partition, Unit, partition
+from nearfar._partition.partition import Unit, partition
 from nearfar._reduce import folder
 from nearfar._reduce.baking import MapKeywords, MapSettings, bake_arguments, require_cpu
 from nearfar._reduce.drawing import Boundary
@@ -26,67 +26,40 @@ class Divided(ABC):
 
     @abstractmethod
     def far_map(
-        self,
-        center: ArrayLike,
-        radius: float,
-        *,
-        settings: MapSettings | None = None,
-        **keywords: Unpack[MapKeywords],
+        self, center: ArrayLike, radius: float, *, settings: MapSettings | None = None, **keywords: Unpack[MapKeywords]
     ) -> EnvMap:
         """Draw the map of the geometry beyond the radius."""
 
 
-class Parts(TypedDict):
-    """Parts of a reduced scene."""
-
-    scene: Scene
-    zones: Partition
-    env: EnvMap | None
-    counts: dict[str, int]
-
-
 def parts(
-    scene: Scene,
+    source: Scene | Divided,
     *,
     center: ArrayLike,
     r1: float,
     r2: float,
-    unit: Unit,
     boundary: Boundary,
     baking: MapSettings,
-) -> Parts:
-    """Partition a scene and bake the part beyond; arguments as in `reduce`, already checked."""
+    unit: Unit = "triangle",
+) -> dict[str, Any]:
+    """Partition a scene or world and make the map of its far part; return arguments of `ReducedScene`.
+
+    The arguments are those of `reduce`, already checked.
+    """
+    if isinstance(source, Divided):
+        require_cpu(baking, type(source).__name__)
+        scene = source.near_scene(center, r2)
+        if scene is None:
+            raise ValueError(f"center: expected geometry within r2 = {r2:g} m, found none")
+        if scene._core.triangle_count > scene._core.standing_triangle_count:
+            baking = replace(baking, channels=(*baking.channels, "range"))
+    else:
+        scene = source
     zones = partition(scene, center=center, r1=r1, r2=r2, unit=unit)
-    env: EnvMap | None = None
-    rays = 0
-    if zones.summary()["sf"] > 0 or boundary == "r1":
-        radius = zones.r1 if boundary == "r1" else zones.r2
-        env, rays = bake(zones.scene, zones.center, radius, **bake_arguments(baking, scene))
-    return _parts(zones, env, rays)
-
-
-def divided(
-    world: Divided,
-    *,
-    center: ArrayLike,
-    r1: float,
-    r2: float,
-    boundary: Boundary,
-    baking: MapSettings,
-) -> Parts:
-    """Like `parts`, for a world that provides its parts itself."""
-    require_cpu(baking, type(world).__name__)
-    scene = world.near_scene(center, r2)
-    if scene is None:
-        raise ValueError(f"center: expected geometry within r2 = {r2:g} m, found none")
-    zones = partition(scene, center=center, r1=r1, r2=r2, unit="triangle")
-    moves = scene._core.triangle_count > scene._core.standing_triangle_count
-    if moves:
-        baking = replace(baking, channels=(*baking.channels, "range"))
     radius = zones.r1 if boundary == "r1" else zones.r2
-    return _parts(zones, world.far_map(zones.center, radius, settings=baking), 0)
-
-
-def _parts(zones: Partition, env: EnvMap | None, rays: int) -> Parts:
+    env, rays = None, 0
+    if isinstance(source, Divided):
+        env = source.far_map(zones.center, radius, settings=baking)
+    elif zones.summary()["sf"] > 0 or boundary == "r1":
+        env, rays = bake(zones.scene, zones.center, radius, **bake_arguments(baking, scene))
     counts = {name: count for name, count in (zones.summary() | {"rays": rays}).items() if name in folder.COUNTS}
     return {"scene": zones.scene, "zones": zones, "env": env, "counts": counts}

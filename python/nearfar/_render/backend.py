@@ -43,66 +43,44 @@ def check(backend: str | None) -> Backend:
 
 
 def device_for(backend: str | None, source: object, work: Work | None = None) -> _core.GpuDevice | None:
-    """Choose the CPU or a graphics adapter for work on a source.
+    """Choose the CPU, None, or a graphics adapter, which is opened, for a kind of work on a source.
 
-    Parameters
-    ----------
-    backend
-        "cpu"; "gpu" for the selected adapter, else the best one; "auto" for that adapter if it is hardware or was
-        measured to be faster at such work on this source, else the CPU. None is "auto" without a message that the CPU
-        is used, unless an adapter was selected.
-    source
-        The scene. Measurements belong to this object.
-    work
-        The kind of work; None ignores measurements.
-
-    Returns
-    -------
-    GpuDevice or None
-        The opened device; None for the CPU.
-
-    Raises
-    ------
-    TypeError, ValueError
-        Unknown names.
-    DeviceError
-        "gpu" if no adapter can be used.
+    "gpu" is the selected adapter, else the best one; DeviceError if there is none. "auto" is that adapter if it is
+    hardware or was measured to be faster at such work on this source object, else the CPU; without `work` measurements
+    are ignored. None is "auto" without a message that the CPU is used, unless an adapter was selected.
     """
     if check(backend) == "cpu":
         return None
     if backend == "gpu":
         return open_device()
     # Selecting an adapter counts as asking for one.
-    here, wanted = (os.getpid(), selected()), backend is not None or selected() is not None
-    if here in _failed:
+    key, logs = (os.getpid(), selected()), backend is not None or selected() is not None
+    if key in _failed:
         return None
     try:
-        return _choose_device(source, work, wanted)
+        return _choose_device(source, work, logs)
     except DeviceError as error:
-        _failed.add(here)
-        if wanted:
+        _failed.add(key)
+        if logs:
             _log_once(str(error))
         return None
 
 
-def _choose_device(source: object, work: Work | None, wanted: bool) -> _core.GpuDevice | None:
+def _choose_device(source: object, work: Work | None, logs: bool) -> _core.GpuDevice | None:
     """Device for "auto", None for the CPU; DeviceError if an adapter fails or there is none.
 
-    Use of the CPU is logged if a device was `wanted`.
+    If `logs`, the use of the CPU for lack of hardware is logged.
     """
     measured = {} if work is None else _faster.get(source, {})
-    if not measured and not is_hardware(selected()):
-        if wanted:
-            _log_software()
-        return None
-    device = open_device()
-    if work is not None and (device.label, work) in measured:
-        return device if measured[device.label, work] else None
-    if device.kind == "software":
-        if wanted:
-            _log_software()
-        return None
-    return device
+    if measured or is_hardware(selected()):
+        device = open_device()
+        if work is not None and (device.label, work) in measured:
+            return device if measured[device.label, work] else None
+        if device.kind != "software":
+            return device
+    if logs:
+        _log_software()
+    return None
 
 
 def open_device(adapter: str | None = None) -> _core.GpuDevice:

@@ -11,30 +11,14 @@ from nearfar._render.frame import Frame
 
 
 def blend(old: Frame, new: Frame, share: float) -> Frame:
-    """Cross-fade two frames of one camera: mix their colours, which are linear.
+    """Cross-fade two frames of one camera: the newer one with the linear mixture of both colours.
 
-    Parameters
-    ----------
-    old, new
-        Frames of one size, both with colour.
-    share
-        Share of the newer frame, 0 to 1.
-
-    Returns
-    -------
-    Frame
-        The newer frame with the mixed colour; its other images are unchanged.
-
-    Raises
-    ------
-    ValueError
-        Shares out of range, frames without colour, or frames of different sizes.
-    TypeError
-        Values that are not frames or a number.
+    `share` is that of the newer frame, 0 to 1. ValueError for frames without colour or of different sizes.
     """
-    before = check.instance("old", old, Frame).require("color")
-    after = check.instance("new", new, Frame).require("color")
-    part = np.float32(check.in_range("share", share, 0.0, 1.0))
-    if before.shape != after.shape:
-        raise ValueError(f"new: expected a frame of the old one's shape {before.shape[:2]}, got {after.shape[:2]}")
-    return replace(new, color=before + part * (after - before))
+    old_color = check.instance("old", old, Frame).require("color")
+    new_color = check.instance("new", new, Frame).require("color")
+    weight = np.float32(check.in_range("share", share, 0.0, 1.0))
+    if old_color.shape != new_color.shape:
+        sizes = f"the old one's shape {old_color.shape[:2]}, got {new_color.shape[:2]}"
+        raise ValueError(f"new: expected a frame of {sizes}")
+    return replace(new, color=old_color + weight * (new_color - old_color))

@@ -6,17 +6,7 @@ from collections.abc import Iterable
 
 from nearfar._base import check
 
-DRAWN = (
-    "color",
-    "range",
-    "object_id",
-    "face_id",
-    "position",
-    "normal",
-    "albedo",
-    "shading_normal",
-    "coverage",
-)
+DRAWN = ("color", "range", "object_id", "face_id", "position", "normal", "albedo", "shading_normal", "coverage")
 """Names of the channels that sources draw."""
 
 CHANNELS = (*DRAWN, "motion")
@@ -32,10 +22,10 @@ BYTES = {name: 12 if name in VECTORS else 8 if name in ("face_id", "motion") els
 def channel_names(channels: Iterable[str]) -> tuple[str, ...]:
     """Return channel names, each once and in the order of `CHANNELS`; ValueError for unknown ones or none."""
     if isinstance(channels, str):
-        known = check.choice("channels", channels, CHANNELS)
-        raise TypeError(f"channels: expected a sequence of names such as ({known!r},), got the string {known!r}")
-    listed = check.items("channels", channels, str, "a sequence of names")
-    names = {check.choice("channels", name, CHANNELS) for name in listed}
+        channel = check.choice("channels", channels, CHANNELS)
+        raise TypeError(f"channels: expected a sequence of names such as ({channel!r},), got the string {channel!r}")
+    requested = check.items("channels", channels, str, "a sequence of names")
+    names = {check.choice("channels", name, CHANNELS) for name in requested}
     if not names:
         raise ValueError(f"channels: expected at least one of {', '.join(CHANNELS)}, got none")
     return tuple(name for name in CHANNELS if name in names)

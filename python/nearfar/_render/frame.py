@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from nearfar import _core
 from nearfar._base import background, card, check, exr, files, formats
+from nearfar._base.settings import set_fields
 from nearfar._camera.camera import Camera, CubeFace, Fov, Orthographic
 from nearfar._render import preview
 from nearfar._render.channels import CHANNELS, VECTORS, missing
@@ -73,13 +74,13 @@ class Frame:
 
     def __post_init__(self) -> None:
         check.instance("camera", self.camera, Camera)
-        object.__setattr__(self, "origin", check.vector("origin", self.origin))
-        object.__setattr__(self, "stats", MappingProxyType(dict(check.mapping("stats", self.stats, "counts by name"))))
+        stats = MappingProxyType(dict(check.mapping("stats", self.stats, "counts by name")))
+        set_fields(self, origin=check.vector("origin", self.origin), stats=stats)
         width, height = self.camera.size
         for name in self.channels:
             image = check.instance(name, getattr(self, name), np.ndarray, "an array")
-            deep = (3,) if name in VECTORS else (2,) if name == "motion" else ()
-            expected = (height, width, *deep)
+            components = (3,) if name in VECTORS else (2,) if name == "motion" else ()
+            expected = (height, width, *components)
             if image.shape != expected:
                 raise ValueError(f"{name}: expected shape {expected} for the camera's size, got {image.shape}")
 
@@ -125,18 +126,11 @@ class Frame:
         OSError
             If the file cannot be written.
         """
-        target = check.path("path", path)
-        suffix = target.suffix.lower()
-        if suffix == ".png":
-            from PIL import Image
-
-            image = Image.fromarray(self.to_image())
-            with files.atomic_file(target) as temporary:
-                image.save(temporary, format="PNG")
-        elif suffix == ".exr":
-            exr.write(target, {"frame": background.run(lambda: _exr_channels(self))}, _document(self))
+        target = check.path("path", path, ".png", ".exr")
+        if target.suffix.lower() == ".png":
+            files.write_png(target, self.to_image())
         else:
-            raise ValueError(f"path: expected a name ending in .png or .exr, got {os.fspath(path)!r}")
+            exr.write(target, {"frame": background.run(lambda: _exr_channels(self))}, _document(self))
 
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> Frame:
@@ -151,8 +145,8 @@ class Frame:
 
     def _preview(self) -> tuple[str, NDArray[np.uint8]]:
         """Return name and picture of the most informative image; StopIteration if there is no image."""
-        name = next(name for name in preview.ORDER if name in self.channels)
-        return name, preview.pixels(name, card.thinned(self.require(name)))
+        name = next(name for name in preview.CAPTIONS if name in self.channels)
+        return name, preview.pixels(name, card.subsample(self.require(name)))
 
     @card.repr_png
     def _repr_png_(self) -> NDArray[np.uint8]:
@@ -193,26 +187,21 @@ def _exr_channels(frame: Frame) -> dict[str, NDArray[Any]]:
 
 
 def _images(channels: exr.Channels) -> dict[str, NDArray[Any]]:
-    return {name: image for name in CHANNELS if (image := _image(name, channels)) is not None}
+    return {name: _image(name, channels) for name in CHANNELS if _AXES.get(name, (name,))[0] in channels}
 
 
-def _image(name: str, channels: exr.Channels) -> NDArray[Any] | None:
-    """Join channels to an image; None if they do not contain it."""
+def _image(name: str, channels: exr.Channels) -> NDArray[Any]:
+    """Join channels to an image."""
     if name in _AXES:
-        axes = _AXES[name]
-        if axes[0] not in channels:
-            return None
-        return np.stack([exr.of_kind("f", channels[axis]) for axis in axes], axis=-1)
-    if name not in channels:
-        return None
+        return np.stack([exr.of_kind("f", channels[axis]) for axis in _AXES[name]], axis=-1)
     if name in ("range", "coverage"):
         return exr.of_kind("f", channels[name])
     numbers = exr.of_kind("u", channels[name])
     if name == "object_id":
         return numbers.view(np.int32)
     high = exr.of_kind("u", channels["face_id_high"]).astype(np.uint64)
-    both: NDArray[Any] = high << np.uint64(32) | numbers
-    return both.view(np.int64)
+    numbers_64: NDArray[Any] = high << np.uint64(32) | numbers
+    return numbers_64.view(np.int64)
 
 
 def _document(frame: Frame) -> dict[str, Any]:

@@ -28,10 +28,10 @@ class LevelChoice:
     def __call__(self, source: Renderable, shot: Shot) -> tuple[Renderable, Shown]:
         """Choose levels for a shot; return the source, which may be in any pose, at these levels."""
         leveled = _leveled(source, shot.eye)
-        chosen, selection = choose_levels(self._lod, leveled, shot.cameras, self._last)
-        drawn = source.at_levels(chosen)
-        self._last = Shown(chosen, drawn.triangle_count, source.triangle_count, selection)
-        return drawn, self._last
+        levels, selection = choose_levels(self._lod, leveled, shot.cameras, self._last)
+        source_at_levels = source.at_levels(levels)
+        self._last = Shown(levels, source_at_levels.triangle_count, source.triangle_count, selection)
+        return source_at_levels, self._last
 
 
 def rule_of(lod: Lod, leveled: Leveled) -> Any:

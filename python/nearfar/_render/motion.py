@@ -24,59 +24,59 @@ class Sight:
     """World position of the user, metres."""
 
 
-_AWAY = 1e7
+_FAR_DISTANCE = 1e7
 """Distance for directions without a known point, metres: under a thousandth of a pixel from infinity."""
 _ROWS = 64
 """Rows of pixels processed at once."""
 
 
-def motion(frame: Frame, now: Sight, before: Sight, wanted: NDArray[np.bool_] | None = None) -> NDArray[np.float32]:
+def motion(frame: Frame, now: Sight, before: Sight, mask: NDArray[np.bool_] | None = None) -> NDArray[np.float32]:
     """Compute the motion (H, W, 2) of a frame with positions, and with object numbers if objects can move.
 
     Pixels without a known point count as infinitely far: they move only with the camera's rotation. NaN where a point
-    was behind the earlier camera, for pixels without a point along parallel rays, and for pixels not in `wanted`.
+    was behind the earlier camera, for pixels without a point along parallel rays, and for pixels not in `mask`.
     """
     width, height = frame.camera.size
-    starts, ways = frame.camera.rays()
+    starts, directions = frame.camera.rays()
     steps = _steps(now.source, before.source)
-    moved = np.full((height, width, 2), np.nan, np.float32)
-    for first in range(0, height, _ROWS):
-        rows = slice(first, min(first + _ROWS, height))
-        which = np.ones((rows.stop - rows.start, width), np.bool_) if wanted is None else wanted[rows]
-        start, way = starts[rows][which], ways[rows][which]
-        points = frame.require("position")[rows][which].astype(np.float64) + np.array(frame.origin)
-        known = np.isfinite(points).all(axis=1)
-        points[known] = _on_rays(points[known], start[known], way[known], now)
+    motions = np.full((height, width, 2), np.nan, np.float32)
+    for top in range(0, height, _ROWS):
+        rows = slice(top, min(top + _ROWS, height))
+        selected = np.ones((rows.stop - rows.start, width), np.bool_) if mask is None else mask[rows]
+        start, direction = starts[rows][selected], directions[rows][selected]
+        points = frame.require("position")[rows][selected].astype(np.float64) + np.array(frame.origin)
+        is_known = np.isfinite(points).all(axis=1)
+        points[is_known] = _on_rays(points[is_known], start[is_known], direction[is_known], now)
         for number, matrix in steps.items():
-            mine = frame.require("object_id")[rows][which] == number
-            points[mine] = points[mine] @ matrix[:3, :3].T + matrix[:3, 3]
-        shown = np.array(before.camera.position) + _AWAY * way
+            is_of_object = frame.require("object_id")[rows][selected] == number
+            points[is_of_object] = points[is_of_object] @ matrix[:3, :3].T + matrix[:3, 3]
+        displayed = np.array(before.camera.position) + _FAR_DISTANCE * direction
         if frame.camera._core.is_parallel or before.camera._core.is_parallel:
-            shown[:] = np.nan
-        shown[known] = before.source.displayed(points[known], before.user)
-        placed = np.full((len(points), 2), np.nan)
-        finite = np.isfinite(shown).all(axis=1)
-        placed[finite] = before.camera.project(shown[finite])[:, :2]
-        y, x = np.nonzero(which)
-        moved[rows][which] = np.stack([x, y + rows.start], axis=-1) + 0.5 - placed
-    return moved
+            displayed[:] = np.nan
+        displayed[is_known] = before.source.displayed(points[is_known], before.user)
+        pixels = np.full((len(points), 2), np.nan)
+        finite = np.isfinite(displayed).all(axis=1)
+        pixels[finite] = before.camera.project(displayed[finite])[:, :2]
+        y, x = np.nonzero(selected)
+        motions[rows][selected] = np.stack([x, y + rows.start], axis=-1) + 0.5 - pixels
+    return motions
 
 
 def _on_rays(
-    points: NDArray[np.float64], starts: NDArray[np.float64], ways: NDArray[np.float64], now: Sight
+    points: NDArray[np.float64], starts: NDArray[np.float64], directions: NDArray[np.float64], now: Sight
 ) -> NDArray[np.float64]:
     """Move points (N, 3), which float32 has rounded, so that they are shown on their pixels' rays."""
-    shown = now.source.displayed(points, now.user)
-    along = ((shown - starts) * ways).sum(axis=1, keepdims=True)
-    return np.asarray(points + (starts + along * ways - shown))
+    displayed = now.source.displayed(points, now.user)
+    distances = ((displayed - starts) * directions).sum(axis=1, keepdims=True)
+    return np.asarray(points + (starts + distances * directions - displayed))
 
 
 def _steps(source: Renderable, earlier: Renderable) -> dict[int, NDArray[np.float64]]:
     """Matrices (4, 4) from the present to the earlier place of objects that moved, by number."""
-    now, then = (check.mapping("poses", one.poses, "matrices by name") for one in (source, earlier))
+    poses, earlier_poses = (check.mapping("poses", one.poses, "matrices by name") for one in (source, earlier))
     names = check.texts("object_names", source.object_names)
     return {
-        names.index(name): then[name] @ np.linalg.inv(pose)
-        for name, pose in now.items()
-        if name in then and not np.array_equal(pose, then[name])
+        names.index(name): earlier_poses[name] @ np.linalg.inv(pose)
+        for name, pose in poses.items()
+        if name in earlier_poses and not np.array_equal(pose, earlier_poses[name])
     }

@@ -9,20 +9,6 @@ from numpy.typing import NDArray
 
 from nearfar import _core
 
-ORDER = (
-    "color",
-    "albedo",
-    "shading_normal",
-    "normal",
-    "range",
-    "object_id",
-    "face_id",
-    "coverage",
-    "motion",
-    "position",
-)
-"""Images of a frame, most informative first."""
-
 CAPTIONS = {
     "color": "colour",
     "albedo": "colour of the materials",
@@ -35,7 +21,7 @@ CAPTIONS = {
     "motion": "motion: to the right is red, down is green",
     "position": "height above the lowest point, high is bright",
 }
-"""Captions of the pictures of each image."""
+"""Captions of the pictures of a frame's images, most informative first."""
 
 
 def pixels(name: str, image: NDArray[Any]) -> NDArray[np.uint8]:
@@ -45,36 +31,36 @@ def pixels(name: str, image: NDArray[Any]) -> NDArray[np.uint8]:
         codes = _core.encode_srgb(color).reshape(color.shape)
         return codes if name == "color" else np.where(np.isfinite(image), codes, np.uint8(48))
     if name == "coverage":
-        found, shade = image > 0.0, np.repeat(image[..., None], 3, axis=-1)
+        is_hit, shade = image > 0.0, np.repeat(image[..., None], 3, axis=-1)
     elif name == "motion":
-        found, shade = np.isfinite(image).all(axis=-1), _motion_colors(image)
+        is_hit, shade = np.isfinite(image).all(axis=-1), _motion_colors(image)
     elif name in ("normal", "shading_normal"):
-        found, shade = np.isfinite(image).all(axis=-1), 0.5 + 0.5 * np.nan_to_num(image)
+        is_hit, shade = np.isfinite(image).all(axis=-1), 0.5 + 0.5 * np.nan_to_num(image)
     elif name in ("object_id", "face_id"):
         # Multiples of three irrational steps: neighbouring numbers get colours that are far apart.
         steps = np.array([0.6180339887, 0.7548776662, 0.5698402909])
-        found, shade = image >= 0, 0.25 + 0.7 * np.mod((image[..., None] + 1.0) * steps, 1.0)
+        is_hit, shade = image >= 0, 0.25 + 0.7 * np.mod((image[..., None] + 1.0) * steps, 1.0)
     else:
-        found, shade = _shades(image[..., 1] if name == "position" else np.log(np.maximum(image, 1e-6)))
+        is_hit, shade = _shades(image[..., 1] if name == "position" else np.log(np.maximum(image, 1e-6)))
         shade = np.repeat((shade if name == "position" else 1.1 - shade)[..., None], 3, axis=-1)
-    picture = np.full((*found.shape, 3), 48, np.uint8)
-    picture[found] = np.clip(255.0 * shade[found], 0.0, 255.0).astype(np.uint8)
+    picture = np.full((*is_hit.shape, 3), 48, np.uint8)
+    picture[is_hit] = np.clip(255.0 * shade[is_hit], 0.0, 255.0).astype(np.uint8)
     return picture
 
 
 def _motion_colors(image: NDArray[Any]) -> NDArray[Any]:
     """Make colours of motion: its parts as red and green, grey for none, full at the greatest 1 %."""
-    known = np.nan_to_num(image)
-    scale = max(float(np.percentile(np.abs(known), 99.0)), 1e-6)
-    shade = 0.5 + 0.5 * np.clip(known / scale, -1.0, 1.0)
+    values = np.nan_to_num(image)
+    scale = max(float(np.percentile(np.abs(values), 99.0)), 1e-6)
+    shade = 0.5 + 0.5 * np.clip(values / scale, -1.0, 1.0)
     return np.concatenate([shade, np.full((*shade.shape[:2], 1), 0.5)], axis=-1)
 
 
 def _shades(values: NDArray[Any]) -> tuple[NDArray[np.bool_], NDArray[Any]]:
     """Return which values are finite, and all of them scaled to 0.1 … 1 between the finest and the coarsest 1 %."""
-    found = np.isfinite(values)
-    if not found.any():
-        return found, np.zeros(values.shape)
-    low, high = np.percentile(values[found], [1.0, 99.0])
-    scaled = np.where(found, values, low) - low
-    return found, 0.1 + 0.9 * np.clip(scaled / max(float(high - low), 1e-12), 0.0, 1.0)
+    is_finite = np.isfinite(values)
+    if not is_finite.any():
+        return is_finite, np.zeros(values.shape)
+    low, high = np.percentile(values[is_finite], [1.0, 99.0])
+    scaled = np.where(is_finite, values, low) - low
+    return is_finite, 0.1 + 0.9 * np.clip(scaled / max(float(high - low), 1e-12), 0.0, 1.0)

@@ -31,7 +31,7 @@ class View:
     shot: Shot
     drawn: Renderable
     shown: Shown | None = None
-    wanted: tuple[str, ...] = ()
+    channels: tuple[str, ...] = ()
     """Channels of the frames; the shot may have more of them, for computing motion."""
     before: View | None = None
     """The view that motion is relative to; by default the same."""
@@ -53,7 +53,7 @@ class View:
         frames = [
             Frame(camera, origin, **images, lod=self.shown) for camera, images in zip(cameras, pictures, strict=True)
         ]
-        if "motion" not in self.wanted:
+        if "motion" not in self.channels:
             return frames
         return [self._with_motion(number, frame) for number, frame in enumerate(frames)]
 
@@ -64,9 +64,9 @@ class View:
 
     def _with_motion(self, number: int, frame: Frame) -> Frame:
         now, before = (view.sight(number) for view in (self, self if self.before is None else self.before))
-        moved = motion(frame, now, before)
-        position, object_id = (getattr(frame, name) if name in self.wanted else None for name in NEEDED_BY_MOTION)
-        return replace(frame, motion=moved, position=position, object_id=object_id)
+        motions = motion(frame, now, before)
+        position, object_id = (getattr(frame, name) if name in self.channels else None for name in NEEDED_BY_MOTION)
+        return replace(frame, motion=motions, position=position, object_id=object_id)
 
 
 def posed_at(source: Renderable, at: Mapping[str, ArrayLike], argument: str = "at") -> Renderable:
@@ -83,13 +83,7 @@ def posed_at(source: Renderable, at: Mapping[str, ArrayLike], argument: str = "a
 class Renderer:
     """Renders frames of one source; it remembers the levels of detail of the last shot."""
 
-    def __init__(
-        self,
-        source: Renderable,
-        settings: RenderSettings,
-        *,
-        argument: str = "source",
-    ) -> None:
+    def __init__(self, source: Renderable, settings: RenderSettings, *, argument: str = "source") -> None:
         check_renderable(argument, source)
         self.source, self.settings, self._argument = source, settings, argument
         self.channels = channel_names(source.default_channels if settings.channels is None else settings.channels)
@@ -114,27 +108,27 @@ class Renderer:
             check.instance("camera", camera, Camera)
         pixels = sum(camera.size[0] * camera.size[1] for camera in cameras)
         sizes = " and ".join(dict.fromkeys(f"{camera.size[0]} × {camera.size[1]}" for camera in cameras))
-        what = f"a picture of {sizes} pixels" if len(cameras) == 1 else f"{len(cameras)} pictures of {sizes} pixels"
-        memory.check_room("camera", what, pixels * sum(BYTES[name] for name in self.channels))
-        place = None if user is None else check.vector("user", user)
-        return Shot(cameras=tuple(cameras), channels=self.drawn_channels, user=place, **self.settings.sampling)
+        request = f"a picture of {sizes} pixels" if len(cameras) == 1 else f"{len(cameras)} pictures of {sizes} pixels"
+        memory.check_room("camera", request, pixels * sum(BYTES[name] for name in self.channels))
+        user_position = None if user is None else check.vector("user", user)
+        return Shot(cameras=tuple(cameras), channels=self.drawn_channels, user=user_position, **self.settings.sampling)
 
-    def device(self, measured: object | None = None) -> _core.GpuDevice | None:
+    def device(self, measured_source: object | None = None) -> _core.GpuDevice | None:
         """Choose a device as `backend.device_for` does; "auto" chooses the CPU if no adapter can draw the source.
 
         `measured` is the object that measurements belong to; by default the source.
         """
-        known, backend = check.texts(f"{self._argument}.backends", self.source.backends), self.settings.backend
-        if "gpu" not in known and backends.check(backend) == "auto":
+        supported, backend = check.texts(f"{self._argument}.backends", self.source.backends), self.settings.backend
+        if "gpu" not in supported and backends.check(backend) == "auto":
             return None
-        return backends.device_for(backend, self.source if measured is None else measured, self.work)
+        return backends.device_for(backend, self.source if measured_source is None else measured_source, self.work)
 
     def view(self, shot: Shot, poses: Mapping[str, ArrayLike] | None, before: View | None = None) -> View:
         """Pose the source and choose its levels for a shot; motion is relative to the view `before`."""
         posed = self.source if poses is None else posed_at(self.source, poses)
-        drawn, shown = (posed, None) if self._choice is None else self._choice(posed, shot)
+        source, levels = (posed, None) if self._choice is None else self._choice(posed, shot)
         # Only one earlier view is kept.
-        return View(shot, drawn, shown, self.channels, None if before is None else replace(before, before=None))
+        return View(shot, source, levels, self.channels, None if before is None else replace(before, before=None))
 
     def frames(
         self,

@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, fields
 from typing import TypedDict
 
+from nearfar._base.settings import set_fields
 from nearfar._camera.clip import Clip
 from nearfar._camera.shot import Sampling
 from nearfar._render import backend as backends
@@ -63,7 +64,7 @@ class RenderSettings(Sampling):
     def __post_init__(self) -> None:
         super().__post_init__()
         if self.channels is not None:
-            object.__setattr__(self, "channels", channel_names(self.channels))
+            set_fields(self, channels=channel_names(self.channels))
         backends.check(self.backend)
 
 
@@ -81,7 +82,7 @@ class RenderKeywords(TypedDict, total=False):
 
 def require_defaults(settings: RenderSettings, user: str, *names: str) -> None:
     """Raise ValueError for a field that a function cannot use and that differs from its default."""
-    for one in fields(settings):
-        value = getattr(settings, one.name)
-        if one.name in names and value != one.default:
-            raise ValueError(f"{one.name}: expected {one.default} for {user}, which cannot use it, got {value}")
+    for field in fields(settings):
+        value = getattr(settings, field.name)
+        if field.name in names and value != field.default:
+            raise ValueError(f"{field.name}: expected {field.default} for {user}, which cannot use it, got {value}")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib.util
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Protocol
 
 if TYPE_CHECKING:
@@ -48,33 +49,19 @@ class View(Protocol):
         """Last error message of the browser, a sentence; empty if there was none."""
 
 
-class Maker(Protocol):
-    """Makes the view of a bundle or a reduced scene."""
-
-    def __call__(
-        self,
-        shown: object,
-        *,
-        center: tuple[float, float, float],
-        size: tuple[int, int],
-        camera: Camera | None,
-        strategy: str,
-    ) -> View: ...
+_make_view: Callable[..., View]
 
 
-_maker: Maker
-
-
-def set_maker(maker: Maker) -> None:
+def set_maker(make_view: Callable[..., View]) -> None:
     """Set the function that makes views. The package calls this, since views are made by a later stage."""
-    global _maker
-    _maker = maker
+    global _make_view
+    _make_view = make_view
 
 
 def show(
-    shown: object, *, center: tuple[float, float, float], size: tuple[int, int], camera: Camera | None, strategy: str
+    source: object, *, center: tuple[float, float, float], size: tuple[int, int], camera: Camera | None, strategy: str
 ) -> View:
     """Make the view of a bundle or a reduced scene; ImportError without anywidget."""
     if importlib.util.find_spec("anywidget") is None:
         raise ImportError("show needs anywidget: pip install anywidget")
-    return _maker(shown, center=center, size=size, camera=camera, strategy=strategy)
+    return _make_view(source, center=center, size=size, camera=camera, strategy=strategy)

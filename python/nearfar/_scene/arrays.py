@@ -25,6 +25,11 @@ def origin_for(bounds: NDArray[np.float64]) -> NDArray[np.float64]:
     return np.rint(bounds.mean(axis=0)) if is_far else np.zeros(3)
 
 
+def touching(boxes: NDArray[np.float64], box: NDArray[np.float64]) -> NDArray[np.bool_]:
+    """Whether each of the boxes (N, 2, 3) touches a box (2, 3), borders included (N,)."""
+    return np.asarray(((boxes[:, 0] <= box[1]) & (boxes[:, 1] >= box[0])).all(axis=1))
+
+
 def positions_of(name: str, value: ArrayLike, *, copy: bool = False) -> tuple[NDArray[np.float32], NDArray[np.float64]]:
     """Convert vertices to C-contiguous float32 relative to a base in whole metres; return both.
 
@@ -64,17 +69,6 @@ def numbers_of(name: str, value: ArrayLike, count: int, limit: int, *, copy: boo
     return _copied(array, value, copy)
 
 
-def object_count_of(name: str, value: ArrayLike) -> int:
-    """Number of objects that the faces' object numbers imply: the greatest number plus one."""
-    array = check.array(name, value, columns=None, dtype=np.int32)
-    return max(0, int(array.max()) + 1) if array.size else 0
-
-
-def uvs_of(name: str, value: ArrayLike) -> NDArray[np.float32]:
-    """Convert texture coordinates (V, 2) to C-contiguous float32."""
-    return check.array(name, value, columns=2, dtype=np.float32)
-
-
 def normals_of(name: str, value: ArrayLike, vertex_count: int, *, copy: bool = False) -> NDArray[np.float32]:
     """Convert vertex normals to C-contiguous float32 of unit length; rows of zeros stand for no normal.
 
@@ -96,8 +90,7 @@ def _unit(rows: NDArray[np.float64]) -> NDArray[np.float64]:
     size = np.abs(rows).max(axis=1, keepdims=True)
     scaled = np.divide(rows, size, out=np.zeros_like(rows), where=size != 0)
     length = np.linalg.norm(scaled, axis=1, keepdims=True)
-    unit: NDArray[np.float64] = np.divide(scaled, length, out=scaled, where=length != 0)
-    return unit
+    return np.asarray(np.divide(scaled, length, out=scaled, where=length != 0))
 
 
 def colors_of(name: str, value: ArrayLike, vertex_count: int) -> NDArray[np.uint8]:

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nearfar import _core
-from nearfar._base import check
+from nearfar._base import background, check
 from nearfar._scene.arrays import (
     MAX_CUTOFF,
     colors_of,
@@ -19,15 +19,13 @@ from nearfar._scene.arrays import (
     positions_of,
     texture_of,
     transforms_of,
-    uvs_of,
 )
 from nearfar._scene.budget import Budget
 from nearfar._scene.emission import DARK, MAX_EMISSION
 from nearfar._scene.material_list import MaterialList
 from nearfar._scene.materials import BaseColor
-from nearfar._scene.mesh_list import MeshList
-from nearfar._scene.names import MAX_OBJECTS, names_of
-from nearfar._scene.placing import OWN_OBJECTS, Placements, core_scene
+from nearfar._scene.names import MAX_OBJECTS, Names, names_of
+from nearfar._scene.placing import OWN_OBJECTS, MeshList, Placements, core_scene
 from nearfar._scene.undrawn import GltfMaterial
 
 
@@ -36,7 +34,7 @@ class Assembled:
     """The parts of a `nearfar.Scene`."""
 
     core: _core.Scene
-    names: Sequence[str] | int
+    names: Names
     frames: NDArray[np.float64] | None
     """Load transforms of the objects (N, 4, 4), object→world; None where all are identities."""
     dropped: int = 0
@@ -102,12 +100,8 @@ class Assembly:
         for name, image in (("texture", texture), ("emission_texture", emission_texture)):
             if image is not None:
                 texture_of(name, image)
-        glow = (light[0].item(), light[1].item(), light[2].item())
-        return self._material(BaseColor((red, green, blue, alpha), texture, cutoff, glow, emission_texture, unlit))
-
-    def _material(self, material: BaseColor) -> int:
-        """Add a material whose values have been checked."""
-        return self._materials.add(material)
+        rgb = (light[0].item(), light[1].item(), light[2].item())
+        return self._materials.add(BaseColor((red, green, blue, alpha), texture, cutoff, rgb, emission_texture, unlit))
 
     def mesh(
         self,
@@ -151,26 +145,21 @@ class Assembly:
         objects: int | NDArray[np.int32] = OWN_OBJECTS
         if face_object is not None:
             objects = numbers_of("face_object", face_object, count, self.object_count, copy=copy)
+        limit = len(self._materials)
+        if isinstance(material, int | np.integer):
+            materials: int | NDArray[np.int32] = check.integer("material", material, 0, limit - 1)
+        else:
+            materials = numbers_of("material", material, count, limit, copy=True)
         core = _core.Mesh(
             local,
             triangles,
-            uvs=None if uvs is None else uvs_of("uvs", uvs),
+            uvs=None if uvs is None else check.array("uvs", uvs, columns=2, dtype=np.float32),
             colors=None if colors is None else colors_of("colors", colors, len(local)),
             normals=None if normals is None else normals_of("normals", normals, len(local), copy=copy),
             objects=objects,
-            materials=self._face_materials(material, count),
+            materials=materials,
         )
         return self._meshes.add(core, base, has_objects=face_object is not None)
-
-    def _store(self, stored: _core.StoredMeshes) -> None:
-        """Add meshes of a file; they must come first, so that their handles are their numbers."""
-        self._meshes.store(stored)
-
-    def _face_materials(self, material: int | ArrayLike, count: int) -> int | NDArray[np.int32]:
-        limit = len(self._materials)
-        if not isinstance(material, int | np.integer):
-            return numbers_of("material", material, count, limit, copy=True)
-        return check.integer("material", material, 0, limit - 1)
 
     @property
     def object_count(self) -> int:
@@ -203,8 +192,7 @@ class Assembly:
             (4, 4) object→world for column vectors; None stands for the identity.
         name
             Object that the mesh belongs to. Meshes with the same name form one object; the transform of the first mesh
-            is
-            the object's load transform. None only for meshes with a `face_object`.
+            is the object's load transform. None only for meshes with a `face_object`.
         """
         matrix = np.eye(4) if transform is None else transforms_of("transform", transform)
         if matrix.ndim != 2:
@@ -244,31 +232,22 @@ class Assembly:
         self._placed.append((meshes, transforms, numbers))
 
     def _assemble(
-        self,
-        dynamic: Iterable[str] = (),
-        budget: Budget | None = None,
-        origin: NDArray[np.float64] | None = None,
+        self, dynamic: Iterable[str] = (), budget: Budget | None = None, origin: NDArray[np.float64] | None = None
     ) -> Assembled:
         """Merge static meshes placed once, keep the others as instances, and choose the origin unless given.
 
         A `budget` counts the copies of meshes that are merged although they are placed several times.
         """
         placed = Placements.from_columns(self._placed, self._meshes.bases())
-        movers = np.zeros(self.object_count + 1, bool)  # the last entry, index -1, is for meshes with `face_object`
-        named = [dynamic] if isinstance(dynamic, str) else check.items("dynamic", dynamic, str, "names of objects")
-        movers[[self._object_number(name) for name in named]] = True
-        merges = placed.merges(movers[placed.object], tuple(self._names))
+        names = Names(tuple(self._names) if self._nameless is None else self._nameless)
+        moves = names.flags("dynamic", dynamic)
+        # The appended entry, index −1, is for meshes with `face_object`.
+        merges = placed.merges(np.append(moves, False)[placed.object], names)
         if budget is not None:
             budget.take(placed.copied_bytes(merges, self._meshes))
-        chosen = placed.origin(self._meshes) if origin is None else origin
-        core = core_scene(placed, merges, chosen, self._meshes, self._materials.arguments())
-        names = tuple(self._names) if self._nameless is None else self._nameless
-        return Assembled(core.with_moving(movers[:-1]), names, self._frames(), undrawn=self._materials.undrawn)
-
-    def _object_number(self, name: str) -> int:
-        if name not in self._names:
-            raise ValueError(f"dynamic: expected names of objects, got {check.shortened(name)}")
-        return self._names[name]
+        origin = placed.origin(self._meshes) if origin is None else origin
+        core = core_scene(placed, merges, origin, self._meshes, self._materials.arguments())
+        return Assembled(core.with_moving(moves), names, self._frames(), undrawn=self._materials.undrawn)
 
     def _frames(self) -> NDArray[np.float64] | None:
         """Load transforms of the objects (N, 4, 4), those of their first instances; None if all are identities."""
@@ -277,3 +256,25 @@ class Assembly:
             if len(objects) and objects[0] != OWN_OBJECTS:
                 frames[objects[::-1]] = matrices[::-1]
         return frames if len(frames) and (frames != np.eye(4)).any() else None
+
+
+def one_mesh(
+    vertices: ArrayLike, faces: ArrayLike, face_object: ArrayLike | None, names: Sequence[str] | None, *, copy: bool
+) -> Assembled:
+    """Assemble a scene of one mesh; its faces belong to one object, or to the objects given by `face_object`."""
+    assembly = Assembly()
+
+    def assemble() -> Assembled:
+        positions = check.array("vertices", vertices)
+        if face_object is None:
+            listed = names or ["object_0"]
+            assembly.objects(listed)
+            assembly.instance(assembly.mesh(positions, faces, copy=copy), name=listed[0])
+        else:
+            numbers = check.array("face_object", face_object, columns=None, dtype=np.int32)
+            assembly.objects(max(0, int(numbers.max(initial=-1)) + 1) if names is None else names)
+            assembly.instance(assembly.mesh(positions, faces, face_object=face_object, copy=copy))
+        return assembly._assemble()
+
+    # NumPy takes seconds for arrays of gigabytes, in functions that signals cannot interrupt.
+    return background.run(assemble)

@@ -1,12 +1,12 @@
-"""Limits what a file may unpack to and which files are read, so that none fills the memory or blocks."""
+"""Limits the bytes that a file may unpack to, and rejects pipes and devices: no file fills the memory or blocks."""
 
 from __future__ import annotations
 
+import gzip
 import io
 import os
 import stat
 import zipfile
-import zlib
 from pathlib import Path
 from typing import Any
 
@@ -21,7 +21,7 @@ RATIO = 100
 MAX = 16 << 30
 """Maximum number of bytes that a file may unpack to, unless the caller allows more."""
 
-_BLOCK = 1 << 22
+_BLOCK_BYTES = 1 << 22
 
 
 class TooLargeError(UnusableError):
@@ -31,60 +31,47 @@ class TooLargeError(UnusableError):
 class Budget:
     """Limit of the bytes that a file may unpack to: packed text, archive members, pixels, copies of its arrays.
 
-    Parameters
-    ----------
-    max_bytes
-        The limit; by default `RATIO` times the bytes read, at least `FREE` and at most `MAX`.
+    By default it is `RATIO` times the bytes read, at least `FREE` and at most `MAX`.
     """
 
     def __init__(self, max_bytes: int | None = None) -> None:
-        self._stated, self._read, self._taken, self._held = max_bytes, 0, 0, 0
+        self._max_bytes, self._read_bytes, self._taken_bytes, self._held_bytes = max_bytes, 0, 0, 0
 
     @property
     def limit(self) -> int:
         """Bytes that the data read so far may unpack to."""
-        return min(max(FREE, RATIO * self._read), MAX) if self._stated is None else self._stated
+        return min(max(FREE, RATIO * self._read_bytes), MAX) if self._max_bytes is None else self._max_bytes
 
     def add_read(self, size: int) -> None:
         """Count bytes that were read from files."""
-        self._read += size
+        self._read_bytes += size
 
     def take(self, size: int) -> None:
         """Count bytes before they are unpacked; TooLargeError above the limit."""
-        self._taken += size
+        self._taken_bytes += size
         self._check()
 
     def hold(self, size: int) -> None:
-        """Count bytes of arrays before they are created; as many bytes as have been read are free."""
-        self._held += size
+        """Count bytes of arrays before they are created; only those beyond the bytes read count towards the limit."""
+        self._held_bytes += size
         self._check()
 
     def _check(self) -> None:
-        if self._taken + max(0, self._held - self._read) > self.limit:
-            raise TooLargeError(
-                f"it unpacks to more than {self.limit:,} bytes from {self._read:,}; max_bytes allows more"
-            )
+        if self._taken_bytes + max(0, self._held_bytes - self._read_bytes) > self.limit:
+            more = f"{self.limit:,} bytes from {self._read_bytes:,}; max_bytes allows more"
+            raise TooLargeError(f"it unpacks to more than {more}")
 
     def unpacked(self, data: bytes) -> bytes:
         """Unpack gzip data within the budget."""
-        parts: list[bytes] = []
-        rest = data
-        while rest:
-            stream = zlib.decompressobj(wbits=zlib.MAX_WBITS | 16)
-            pending = rest
-            while not stream.eof:
-                part = stream.decompress(pending, _BLOCK)
-                pending = stream.unconsumed_tail
-                if not part and not pending and not stream.eof:
-                    raise EOFError("it ends too early")
-                self.take(len(part))
-                parts.append(part)
-            # Further members may follow, and zero padding after the last one.
-            rest = stream.unused_data.lstrip(b"\0")
-        return b"".join(parts)
+        blocks: list[bytes] = []
+        with gzip.GzipFile(fileobj=io.BytesIO(data)) as file:
+            while block := file.read(_BLOCK_BYTES):
+                self.take(len(block))
+                blocks.append(block)
+        return b"".join(blocks)
 
     def take_members(self, data: bytes) -> None:
-        """Count the unpacked size of an archive such as a 3MF, if it is one; its readers stop at the stated sizes."""
+        """Count the sizes that an archive such as a 3MF states for its members; its readers stop at these sizes."""
         if data.startswith(b"PK"):
             try:
                 with zipfile.ZipFile(io.BytesIO(data)) as archive:
@@ -114,7 +101,7 @@ def resolver(path: Path, budget: Budget) -> Any:
     class Regular(trimesh.resolvers.FilePathResolver):  # type: ignore[misc]  # trimesh has no types
         def __init__(self, source: str) -> None:
             super().__init__(source)
-            self._known: dict[str, bytes] = {}
+            self._content: dict[str, bytes] = {}
 
         def absolute(self, name: str) -> Path:
             path: Path = super().absolute(name)
@@ -123,9 +110,9 @@ def resolver(path: Path, budget: Budget) -> Any:
             return path
 
         def get(self, name: str) -> bytes:
-            if name not in self._known:
-                self._known[name] = super().get(name)
-                budget.add_read(len(self._known[name]))
-            return self._known[name]
+            if name not in self._content:
+                self._content[name] = super().get(name)
+                budget.add_read(len(self._content[name]))
+            return self._content[name]
 
     return Regular(os.path.abspath(path))

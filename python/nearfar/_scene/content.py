@@ -7,31 +7,31 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from nearfar._base import check
 from nearfar._base.errors import SceneError
 from nearfar._scene.arrays import transforms_of
 from nearfar._scene.assembly import Assembled, Assembly
 from nearfar._scene.budget import Budget
-from nearfar._scene.looks import Look, inventory, notes as notes_on
-from nearfar._scene.materials import PLAIN, UNCOLORED, BaseColor
+from nearfar._scene.materials import BaseColor
 from nearfar._scene.options import LoadOptions
-from nearfar._scene.report import count
+from nearfar._scene.report import Look, Surface, count, inventory, notes as notes_on
 from nearfar._scene.stored import Stored
+from nearfar._scene.tileset.frames import Z_UP_TO_SCENE
 from nearfar._scene.units import metres_in
 
 _TURNS = {
     "x": np.array([[0.0, -1, 0, 0], [1, 0, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]),
     "y": np.eye(4),
-    "z": np.array([[1.0, 0, 0, 0], [0, 0, 1, 0], [0, -1, 0, 0], [0, 0, 0, 1]]),
+    "z": Z_UP_TO_SCENE,
 }
 """Rotations that turn the named axis to y."""
 
-_HALF = 0.5
+_BLEND_CUTOFF = 0.5
 """Alpha cutoff for blending materials that are drawn as cutout."""
 
-_MAX_NAMED = 3
+_MAX_FLAWS = 3
 """Number of flaws that an error message lists; it counts the rest."""
 
 
@@ -54,11 +54,15 @@ class Shape:
     """Index into the content's `names` for each face (F,) of a shape with many objects; None for one object."""
 
     @property
+    def surface(self) -> Surface:
+        """Materials, and whether there are attributes."""
+        return Surface(self.materials, *(rows is not None for rows in (self.normals, self.uvs, self.colors)))
+
+    @property
     def look(self) -> Look:
-        """Summary of attributes and materials, for reports."""
+        """Summary for reports."""
         see_through = self.colors is not None and self.colors.shape[1] == 4 and bool((self.colors[:, 3] != 255).any())
-        has_normals, has_uvs, has_colors = (rows is not None for rows in (self.normals, self.uvs, self.colors))
-        return Look(1, self.materials, has_normals, has_uvs, has_colors, int(see_through))
+        return Look(self.surface, 1, int(see_through))
 
 
 @dataclass(frozen=True)
@@ -71,6 +75,19 @@ class Nodes:
     objects: list[str]
     transforms: NDArray[np.float64]
     shapes: list[str]
+
+    @classmethod
+    def from_rows(cls, rows: Sequence[tuple[str, NDArray[np.float64], str]]) -> Nodes:
+        """Make nodes of rows, each with an object's name, a transform (4, 4) and a shape's name."""
+        transforms = np.array([transform for _, transform, _ in rows], np.float64).reshape(-1, 4, 4)
+        return cls([name for name, _, _ in rows], transforms, [shape for _, _, shape in rows])
+
+
+def translation(offset: ArrayLike) -> NDArray[np.float64]:
+    """Transform (4, 4) that moves points by an offset (3,)."""
+    matrix = np.eye(4)
+    matrix[:3, 3] = offset
+    return matrix
 
 
 @dataclass
@@ -112,25 +129,26 @@ def assemble(
     shapes = {name: shape for name, shape in content.shapes.items() if name in used}
     dropped = 0
     for name, shape in shapes.items():
-        flaw, lost = _repair(shape)
-        dropped += lost
+        flaw, dropped_faces = _repair(shape)
+        dropped += dropped_faces
         if flaw:
             flaws.append(f"{flaw} in mesh {check.shortened(name)}")
     if flaws and not options.drops:
-        more = f" and {len(flaws) - _MAX_NAMED} more" if len(flaws) > _MAX_NAMED else ""
-        raise SceneError(
-            f"{content.label}: {', '.join(flaws[:_MAX_NAMED])}{more}; on_invalid='drop' leaves the faces out"
-        )
-    placed = np.zeros(0, bool) if content.stored is None else np.array([name in used for name in content.stored.names])
-    has_faces = content.stored is not None and content.stored.core.face_counts()[placed].any()
+        listed = ", ".join(flaws[:_MAX_FLAWS])
+        more = f" and {len(flaws) - _MAX_FLAWS} more" if len(flaws) > _MAX_FLAWS else ""
+        raise SceneError(f"{content.label}: {listed}{more}; on_invalid='drop' leaves the faces out")
+    stored = content.stored
+    placed = np.zeros(0, bool) if stored is None else np.array([name in used for name in stored.names])
+    has_faces = stored is not None and stored.core.face_counts()[placed].any()
     if not has_faces and not any(len(shape.faces) for shape in shapes.values()):
         raise SceneError(f"{content.label}: no triangles" + "".join(f"; {note}" for note in content.notes))
-    stored = content.stored
     if options.blend == "cutout":
         stored = _cut_out(shapes.values(), stored)
     builder = Assembly()
-    many = _many_objects(content, moves)
-    builder.objects(many)
+    # Objects of shapes with many objects; moving ones need names.
+    names = content.names
+    names = [f"object_{number}" for number in range(names)] if moves and isinstance(names, int) else names
+    builder.objects(names)
     handles = {} if stored is None else _store(builder, stored, placed)
     handles |= {name: _add(builder, shape) for name, shape in shapes.items() if len(shape.faces)}
     up = options.up
@@ -139,15 +157,14 @@ def assemble(
     nodes = _select_nodes(nodes, np.array([shape in handles for shape in nodes.shapes], bool))
     transforms = nodes.transforms if up == "y" else turn @ nodes.transforms
     try:
-        transforms = transforms_of("transforms", transforms)
-        of_many = {name for name, shape in shapes.items() if shape.face_object is not None}
-        has_many = np.array([name in of_many for name in nodes.shapes], bool)
+        nodes = replace(nodes, transforms=transforms_of("transforms", transforms))
+        has_many = np.array([name in shapes and shapes[name].face_object is not None for name in nodes.shapes], bool)
         for row in np.flatnonzero(has_many):
-            builder.instance(handles[nodes.shapes[row]], transforms[row])
-        single = _select_nodes(replace(nodes, transforms=transforms), ~has_many)
+            builder.instance(handles[nodes.shapes[row]], nodes.transforms[row])
+        single = _select_nodes(nodes, ~has_many)
         meshes = np.array([handles[shape] for shape in single.shapes], np.int64)
         builder._place(meshes, single.transforms, single.objects)
-        dynamic = [*([] if isinstance(many, int) else many), *single.objects] if moves else ()
+        dynamic = [*([] if isinstance(names, int) else names), *single.objects] if moves else ()
         parts = builder._assemble(dynamic, budget, origin)
     except ValueError as error:
         raise SceneError(f"{content.label}: {error}") from error
@@ -156,14 +173,8 @@ def assemble(
     if stored is not None:
         looks += stored.looks(placed)
         vertices += int(stored.core.vertex_counts()[placed].sum())
-    notes, held = (*content.notes, *notes_on(looks)), (*content.used, *inventory(looks, vertices))
-    return replace(parts, dropped=dropped, notes=notes, used=held)
-
-
-def _many_objects(content: Content, moves: bool) -> Sequence[str] | int:
-    """Objects of shapes with many objects; moving ones need names."""
-    names = content.names
-    return [f"object_{number}" for number in range(names)] if moves and isinstance(names, int) else names
+    notes, features = (*content.notes, *notes_on(looks)), (*content.used, *inventory(looks, vertices))
+    return replace(parts, dropped=dropped, notes=notes, used=features)
 
 
 def _to_metres(content: Content, scale: float | None) -> None:
@@ -183,14 +194,11 @@ def _to_metres(content: Content, scale: float | None) -> None:
 
 
 def _usable_nodes(nodes: Nodes) -> tuple[Nodes, list[str]]:
-    """Split off nodes whose transforms are not finite and affine; return the rest and a description of each flaw."""
+    """Split off nodes whose transforms are not finite and affine; return the others and a description of each flaw."""
     matrices = nodes.transforms
     affine = np.isfinite(matrices).all(axis=(1, 2)) & (matrices[:, 3] == (0, 0, 0, 1)).all(axis=1)
-    flaws = [
-        f"a transform that is not finite and affine at node {check.shortened(nodes.objects[row])}"
-        for row in np.flatnonzero(~affine)
-    ]
-    return _select_nodes(nodes, affine), flaws
+    names = (check.shortened(nodes.objects[row]) for row in np.flatnonzero(~affine))
+    return _select_nodes(nodes, affine), [f"a transform that is not finite and affine at node {n}" for n in names]
 
 
 def _select_nodes(nodes: Nodes, keep: NDArray[np.bool_]) -> Nodes:
@@ -206,19 +214,19 @@ def _repair(shape: Shape) -> tuple[str, int]:
     flaws = []
     # Coordinates beyond float32's range count as infinite. NaN propagates through min and max and fails the comparison.
     limit = np.finfo(np.float32).max
-    bad = np.zeros(0, bool)
+    is_infinite = np.zeros(0, bool)
     if vertices.size and not (vertices.min() >= -limit and vertices.max() <= limit):
-        bad = np.asarray(~(np.abs(vertices) <= limit).all(axis=1))
-        flaws.append(f"{count(int(bad.sum()), 'vertex', 'vertices')} with coordinates that are not finite")
+        is_infinite = np.asarray(~(np.abs(vertices) <= limit).all(axis=1))
+        flaws.append(f"{count(int(is_infinite.sum()), 'vertex', 'vertices')} with coordinates that are not finite")
     if faces.size and (int(faces.min()) < 0 or int(faces.max()) >= len(vertices)):
-        outside = ((faces < 0) | (faces >= len(vertices))).any(axis=1)
-        flaws.append(f"{count(int(outside.sum()), 'face')} with vertices that do not exist")
+        is_damaged = ((faces < 0) | (faces >= len(vertices))).any(axis=1)
+        flaws.append(f"{count(int(is_damaged.sum()), 'face')} with vertices that do not exist")
     if not flaws:
         return "", 0
     keep = np.asarray(((faces >= 0) & (faces < len(vertices))).all(axis=1))
-    if bad.any():
-        keep[keep] = ~bad[faces[keep]].any(axis=1)
-        shape.vertices = np.where(bad[:, None], 0, vertices)
+    if is_infinite.any():
+        keep[keep] = ~is_infinite[faces[keep]].any(axis=1)
+        shape.vertices = np.where(is_infinite[:, None], 0, vertices)
     shape.faces = faces[keep]
     if shape.face_material is not None:
         shape.face_material = shape.face_material[keep]
@@ -228,16 +236,13 @@ def _repair(shape: Shape) -> tuple[str, int]:
 
 
 def _add(builder: Assembly, shape: Shape) -> int:
-    materials = shape.materials or [PLAIN if shape.colors is None else UNCOLORED]
-    textured = shape.uvs is not None and any(material.is_textured for material in materials)
-    chosen = materials if textured else [material.without_textures() for material in materials]
-    numbers = [builder._material(material) for material in chosen]
+    numbers = [builder._materials.add(material) for material in shape.surface.drawn_materials]
     per_face = len(numbers) > 1 and shape.face_material is not None
     return builder.mesh(
         shape.vertices,
         shape.faces,
         material=np.array(numbers, np.int32)[shape.face_material] if per_face else numbers[0],
-        uvs=shape.uvs if textured else None,
+        uvs=shape.uvs if shape.surface.is_textured else None,
         colors=shape.colors,
         normals=None if shape.normals is None else _finite(shape.normals),
         face_object=shape.face_object,
@@ -246,32 +251,33 @@ def _add(builder: Assembly, shape: Shape) -> int:
 
 def _finite(normals: NDArray[Any]) -> NDArray[Any]:
     """Replace normals that are not finite by zeros: files with damaged normals stay usable."""
-    good = np.isfinite(normals).all(axis=1, keepdims=True)
-    return normals if good.all() else np.where(good, normals, 0)
+    is_finite = np.isfinite(normals).all(axis=1, keepdims=True)
+    return normals if is_finite.all() else np.where(is_finite, normals, 0)
 
 
 def _store(builder: Assembly, stored: Stored, placed: NDArray[np.bool_]) -> dict[str, int]:
     """Add stored meshes and the materials of the `placed` ones (M,); return handles by name, of meshes with faces."""
     numbers = np.zeros(len(stored.surfaces), np.int32)
     for number in np.unique(stored.surface[placed[stored.mesh]]).tolist():
-        numbers[number] = builder._material(stored.surfaces[number].drawn_material)
-    builder._store(stored.core.with_materials(numbers))
+        (material,) = stored.surfaces[number].drawn_materials
+        numbers[number] = builder._materials.add(material)
+    builder._meshes.store(stored.core.with_materials(numbers))
     counts = stored.core.face_counts().tolist()
     return {name: number for number, (name, faces) in enumerate(zip(stored.names, counts, strict=True)) if faces}
 
 
 def _cut_out(shapes: Iterable[Shape], stored: Stored | None) -> Stored | None:
     """Make blending materials cutouts, in place for shapes; return the changed stored meshes. Sharing is preserved."""
-    cut: dict[int, BaseColor] = {}
+    cutouts: dict[int, BaseColor] = {}
 
-    def choose_surfaces(materials: Sequence[BaseColor]) -> list[BaseColor]:
+    def cut_out(materials: Sequence[BaseColor]) -> list[BaseColor]:
         for material in materials:
-            if material.blend and id(material) not in cut:
-                cut[id(material)] = replace(material, cutoff=_HALF)
-        return [cut.get(id(material), material) for material in materials]
+            if material.blend and id(material) not in cutouts:
+                cutouts[id(material)] = replace(material, cutoff=_BLEND_CUTOFF)
+        return [cutouts.get(id(material), material) for material in materials]
 
     for shape in shapes:
-        shape.materials = choose_surfaces(shape.materials)
-    return (
-        None if stored is None else stored.with_materials([choose_surfaces(one.materials) for one in stored.surfaces])
-    )
+        shape.materials = cut_out(shape.materials)
+    if stored is None:
+        return None
+    return stored.with_materials([cut_out(surface.materials) for surface in stored.surfaces])

@@ -7,15 +7,18 @@ transforms of a material's other textures are stated relative to it.
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, TypeGuard
 
 import numpy as np
 from numpy.typing import NDArray
 
 TRANSFORM = "KHR_texture_transform"
 
-_GLOSS = "KHR_materials_pbrSpecularGlossiness"
+SPECULAR_GLOSSINESS = "KHR_materials_pbrSpecularGlossiness"
+"""Extension with other base colours, which trimesh converts."""
+
 _SURFACE = "pbrMetallicRoughness"
 
 _EXACT = 1e-12
@@ -52,29 +55,34 @@ def from_texture_info(info: dict[str, Any]) -> Coordinates:
     The rotation is counter-clockwise in an image whose v points down: so do the extension's example (lower left
     quarter turned by 90 degrees), three.js, Babylon.js and Khronos' viewer.
     """
-    transform = _entry(_entry(info, "extensions"), TRANSFORM)
+    transform = object_of(object_of(info, "extensions"), TRANSFORM)
     number = transform.get("texCoord", info.get("texCoord", 0))
     number = number if type(number) is int and number >= 0 else 0
-    (u, v), angle, (wide, high) = (_DEFAULTS | _stated(transform)).values()
+    (u, v), angle, (scale_u, scale_v) = (_DEFAULTS | _valid_parts(transform)).values()
     cosine, sine = math.cos(angle), math.sin(angle)
-    return Coordinates(number, np.array([[cosine * wide, sine * high, u], [-sine * wide, cosine * high, v]]))
+    rows = [[cosine * scale_u, sine * scale_v, u], [-sine * scale_u, cosine * scale_v, v]]
+    return Coordinates(number, np.array(rows))
 
 
 _DEFAULTS: dict[str, Any] = {"offset": [0.0, 0.0], "rotation": 0.0, "scale": [1.0, 1.0]}
 
 
-def _stated(transform: dict[str, Any]) -> dict[str, Any]:
+def _valid_parts(transform: Mapping[str, Any]) -> dict[str, Any]:
     """Valid parts of a transform."""
-
-    def is_usable(key: str, value: object) -> bool:
-        if key == "rotation":
-            return _is_number(value)
-        return isinstance(value, list) and len(value) == 2 and all(map(_is_number, value))
-
-    return {key: value for key, value in transform.items() if key in _DEFAULTS and is_usable(key, value)}
+    return numbers_of(transform, {"offset": 2, "rotation": 1, "scale": 2})
 
 
-def _is_number(value: object) -> bool:
+def numbers_of(source: Mapping[str, Any], sizes: Mapping[str, int]) -> dict[str, Any]:
+    """Entries of the stated sizes: a finite number for size 1, else a list of that many finite numbers."""
+
+    def is_usable(value: object, size: int) -> bool:
+        return is_number(value) if size == 1 else isinstance(value, list) and [*map(is_number, value)] == [True] * size
+
+    return {name: source[name] for name, size in sizes.items() if is_usable(source.get(name), size)}
+
+
+def is_number(value: object) -> TypeGuard[float]:
+    """Whether a value of a document is a finite number."""
     try:
         return isinstance(value, int | float) and not isinstance(value, bool) and math.isfinite(value)
     except OverflowError:  # an integer beyond float64
@@ -86,24 +94,20 @@ def drawn_texture_coordinates(material: dict[str, Any]) -> Coordinates | None:
 
     A material with other textures only uses the first one's set without a transform; without textures, None.
     """
-    shown, others = _infos(material)
-    if shown:
-        return from_texture_info(shown[0])
-    return Coordinates(from_texture_info(others[0]).number, _IDENTITY) if others else None
-
-
-def _infos(material: dict[str, Any]) -> tuple[list[dict[str, Any]], list[dict[str, Any]]]:
-    """References to drawn textures, and to other textures, each in order of importance."""
-    surface = _entry(material, _SURFACE)
-    extensions = _entry(material, "extensions")
-    gloss = _entry(extensions, _GLOSS)
-    shown = [gloss.get("diffuseTexture"), surface.get("baseColorTexture"), material.get("emissiveTexture")]
+    surface = object_of(material, _SURFACE)
+    extensions = object_of(material, "extensions")
+    gloss = object_of(extensions, SPECULAR_GLOSSINESS)
+    for info in (gloss.get("diffuseTexture"), surface.get("baseColorTexture"), material.get("emissiveTexture")):
+        if isinstance(info, dict) and "index" in info:
+            return from_texture_info(info)
     owners = [material, surface, *(item for item in extensions.values() if isinstance(item, dict))]
-    others = [value for owner in owners for key, value in owner.items() if is_texture(key, value)]
-    return [info for info in shown if isinstance(info, dict) and "index" in info], others
+    others = (value for owner in owners for key, value in owner.items() if is_texture(key, value))
+    first = next(others, None)
+    return None if first is None else Coordinates(from_texture_info(first).number, _IDENTITY)
 
 
-def _entry(owner: dict[str, Any], key: str) -> dict[str, Any]:
+def object_of(owner: Mapping[str, Any], key: str) -> dict[str, Any]:
+    """Return an entry that is an object; an empty one for anything else."""
     value = owner.get(key)
     return value if isinstance(value, dict) else {}
 
@@ -118,30 +122,30 @@ def relative(info: dict[str, Any], base: Coordinates) -> dict[str, Any] | None:
 
     The extension scales, rotates, then translates; not every product of one with the inverse of another has that form.
     """
-    own = from_texture_info(info)
-    if own.number != base.number:
+    target = from_texture_info(info)
+    if target.number != base.number:
         return None
     if base.is_plain:
-        return _stated(_entry(_entry(info, "extensions"), TRANSFORM))
-    if np.array_equal(own.matrix, base.matrix):
+        return _valid_parts(object_of(object_of(info, "extensions"), TRANSFORM))
+    if np.array_equal(target.matrix, base.matrix):
         return {}
-    before = np.vstack([base.matrix, [0, 0, 1]])
-    if abs(np.linalg.det(before)) <= _EXACT * np.abs(base.matrix[:, :2]).max() ** 2:
+    square_base = np.vstack([base.matrix, [0, 0, 1]])
+    if abs(np.linalg.det(square_base)) <= _EXACT * np.abs(base.matrix[:, :2]).max() ** 2:
         return None
-    product = own.matrix @ np.linalg.inv(before)
+    product = target.matrix @ np.linalg.inv(square_base)
     size = np.abs(product[:, :2]).max()
     return _parts(np.where(np.abs(product) <= _EXACT * max(size, 1), 0.0, product))
 
 
 def _parts(matrix: NDArray[np.float64]) -> dict[str, Any] | None:
     """Offset, rotation and scale of a transform (2, 3); None if its axes are not perpendicular."""
-    first, second, offset = matrix.T
-    wide, high = float(np.hypot(*first)), float(np.hypot(*second))
-    if not math.isfinite(wide * high) or abs(first @ second) > 1e-9 * wide * high:
+    u_axis, v_axis, offset = matrix.T
+    scale_u, scale_v = float(np.hypot(*u_axis)), float(np.hypot(*v_axis))
+    if not math.isfinite(scale_u * scale_v) or abs(u_axis @ v_axis) > 1e-9 * scale_u * scale_v:
         return None
-    # The first column is wide · (cos, −sin), the second one high · (sin, cos).
-    angle = math.atan2(-first[1], first[0]) if wide else math.atan2(second[0], second[1])
+    # The u axis is scale_u · (cos, −sin), the v axis scale_v · (sin, cos).
+    angle = math.atan2(-u_axis[1], u_axis[0]) if scale_u else math.atan2(v_axis[0], v_axis[1])
     if np.linalg.det(matrix[:, :2]) < 0:
-        high = -high
-    parts: dict[str, Any] = {"offset": offset.tolist(), "rotation": angle, "scale": [wide, high]}
+        scale_v = -scale_v
+    parts: dict[str, Any] = {"offset": offset.tolist(), "rotation": angle, "scale": [scale_u, scale_v]}
     return {key: value for key, value in parts.items() if value != _DEFAULTS[key]}

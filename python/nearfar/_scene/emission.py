@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from nearfar._scene.coordinates import TRANSFORM
+from nearfar._scene.coordinates import TRANSFORM, object_of
 
 UNLIT = "KHR_materials_unlit"
 STRENGTH = "KHR_materials_emissive_strength"
@@ -25,12 +25,12 @@ DARK: Light = (0.0, 0.0, 0.0)
 
 def is_unlit(material: Mapping[str, Any]) -> bool:
     """Whether a glTF material is unlit: its base colour is shown unshaded, and it has no other properties."""
-    return UNLIT in _extensions(material)
+    return UNLIT in object_of(material, "extensions")
 
 
 def is_beside_base(material: Mapping[str, Any]) -> bool:
     """Whether the emission's texture, if any, uses the base colour's texture coordinates."""
-    return MAP not in material or TRANSFORM not in _extensions(material[MAP])
+    return MAP not in material or TRANSFORM not in object_of(material[MAP], "extensions")
 
 
 def emission_of(material: Mapping[str, Any]) -> Light:
@@ -41,7 +41,7 @@ def emission_of(material: Mapping[str, Any]) -> Light:
     factor = material.get(FACTOR)
     if factor is None or is_unlit(material) or not is_beside_base(material):
         return DARK
-    strength = _extensions(material).get(STRENGTH, {}).get("emissiveStrength", 1.0)
+    strength = object_of(material, "extensions").get(STRENGTH, {}).get("emissiveStrength", 1.0)
     strength = strength if isinstance(strength, int | float) and math.isfinite(strength) else 1.0
     with np.errstate(over="ignore"):
         light = np.nan_to_num(np.array(factor, np.float64) * strength, nan=0.0, posinf=MAX_EMISSION)
@@ -51,24 +51,17 @@ def emission_of(material: Mapping[str, Any]) -> Light:
 
 def entries(light: Light, *, unlit: bool) -> dict[str, Any]:
     """Return the glTF entries for an emissive or unlit material. The format limits factors to 1."""
-    found: dict[str, Any] = {}
-    extensions: dict[str, Any] = {UNLIT: {}} if unlit else {}
     strength = max(*light, 1.0)
-    if light != DARK:
-        # The float64 product of factor and strength rounds to the same float32.
-        found[FACTOR] = [part / strength for part in light]
+    # The float64 product of factor and strength rounds to the same float32.
+    factor = {FACTOR: [part / strength for part in light]} if light != DARK else {}
+    extensions: dict[str, Any] = {UNLIT: {}} if unlit else {}
     if strength > 1.0:
         extensions[STRENGTH] = {"emissiveStrength": strength}
-    return found | ({"extensions": extensions} if extensions else {})
+    return factor | ({"extensions": extensions} if extensions else {})
 
 
 def without(material: Mapping[str, Any]) -> dict[str, Any]:
     """Copy a glTF material without its emission."""
-    extensions = {name: content for name, content in _extensions(material).items() if name != STRENGTH}
-    rest = {key: value for key, value in material.items() if key not in (FACTOR, MAP, "extensions")}
-    return rest | ({"extensions": extensions} if extensions else {})
-
-
-def _extensions(material: Mapping[str, Any]) -> Mapping[str, Any]:
-    extensions = material.get("extensions")
-    return extensions if isinstance(extensions, Mapping) else {}
+    extensions = {name: content for name, content in object_of(material, "extensions").items() if name != STRENGTH}
+    others = {key: value for key, value in material.items() if key not in (FACTOR, MAP, "extensions")}
+    return others | ({"extensions": extensions} if extensions else {})

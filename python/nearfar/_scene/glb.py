@@ -31,7 +31,8 @@ _NO_OBJECT = -1
 _UPRIGHT = "upright"
 """Extra of files whose images have row 0 on top and whose texture coordinates point down, as in glTF."""
 _EXACT_V = "_V"
-_TURNED = "turned"
+_MIRRORED = "turned"
+"""Extra of nodes whose mesh has reversed faces."""
 
 
 def encode(core: _core.Scene, names: tuple[str, ...], undrawn: Mapping[int, GltfMaterial]) -> bytes:
@@ -55,12 +56,10 @@ class Encoder:
 
     def encode(self) -> bytes:
         """Encode the whole scene."""
-        children, standing = [], 0
-        for number, mesh in enumerate(self._parts["meshes"]):
-            if mesh.face_count:
-                children.append(self.place(number))
-                standing += number < self._parts["standing_count"]
-        root: dict[str, Any] = {"name": "nearfar", "extras": {"standing": standing}}
+        numbers = [number for number, mesh in enumerate(self._parts["meshes"]) if mesh.face_count]
+        children = [self.place(number) for number in numbers]
+        static_count = sum(number < self._parts["standing_count"] for number in numbers)
+        root: dict[str, Any] = {"name": "nearfar", "extras": {"standing": static_count}}
         if any(self._parts["origin"]):
             root["translation"] = list(self._parts["origin"])
         if children:
@@ -88,21 +87,21 @@ class Encoder:
 
     def place(self, number: int) -> int:
         """Add the nodes of an instance with faces; return the number of the parent node."""
-        mesh = self._parts["meshes"][number]
-        named = int(self._parts["objects"][number])
-        placement = self._parts["placements"][number]
+        mesh, placement = self._parts["meshes"][number], self._parts["placements"][number]
+        object_number = int(self._parts["objects"][number])
+        has_object = object_number != _NO_OBJECT
         # glTF turns a mesh inside out where its placement mirrors it.
-        turned = bool(np.linalg.det(placement[:, :3]) < 0)
-        key = (self._ids[number], named == _NO_OBJECT, turned)
+        is_mirrored = bool(np.linalg.det(placement[:, :3]) < 0)
+        key = (self._ids[number], has_object, is_mirrored)
         if key not in self._written:
-            self._written[key] = self._mesh(mesh.flip_faces() if turned else mesh, whole=named != _NO_OBJECT)
+            self._written[key] = self._mesh(mesh.flip_faces() if is_mirrored else mesh, is_one_object=has_object)
         written = self._written[key]
         extras: dict[str, Any] = {} if written.order is None else {"order": written.order}
-        if turned:
-            extras[_TURNED] = True
+        if is_mirrored:
+            extras[_MIRRORED] = True
         node: dict[str, Any] = {"extras": extras} if extras else {}
-        if named != _NO_OBJECT:
-            node |= {"name": self._names[named], "mesh": written.meshes[0]}
+        if has_object:
+            node |= {"name": self._names[object_number], "mesh": written.meshes[0]}
         else:
             node["children"] = [
                 self._add({"name": self._names[owner]} if owner >= 0 else {}, mesh)
@@ -116,10 +115,10 @@ class Encoder:
         self.nodes.append(node if mesh is None else node | {"mesh": mesh})
         return len(self.nodes) - 1
 
-    def _mesh(self, mesh: _core.Mesh, *, whole: bool) -> _Written:
-        """Write a mesh as one glTF mesh if `whole`, else as one for each object, without shared vertices."""
+    def _mesh(self, mesh: _core.Mesh, *, is_one_object: bool) -> _Written:
+        """Write a mesh as one glTF mesh if it is one object, else as one for each object, without shared vertices."""
         parts = _core.mesh_parts(mesh)
-        owner = np.zeros_like(parts["objects"]) if whole else parts["objects"]
+        owner = np.zeros_like(parts["objects"]) if is_one_object else parts["objects"]
         order = np.lexsort((parts["materials"], owner))
         owner, material, faces = owner[order], parts["materials"][order], parts["faces"][order]
         group = np.cumsum(np.diff(owner, prepend=owner[:1]) != 0)
@@ -194,13 +193,11 @@ class _Streams:
         return accessors
 
 
-def decode(data: bytes, names: Names | None) -> _core.Scene:
-    """Decode a file that `encode` made; other bytes raise any error that their content causes."""
-    return Decoder(data, names).decode()
-
-
 class Decoder:
-    """Reads files written by `Encoder`; objects are numbered as in `names`, or in the order of the nodes."""
+    """Reads files written by `Encoder`, whose objects are numbered as in `names`, or in the order of the nodes.
+
+    Other bytes raise any error that their content causes.
+    """
 
     def __init__(self, data: bytes, names: Names | None) -> None:
         self._reader = glb.Reader(data)
@@ -215,14 +212,13 @@ class Decoder:
         """Decode the whole scene."""
         root = self._root
         children = self._nodes(root)
-        placements = np.array([_placement(node) for node in children]).reshape(-1, 3, 4)
+        placements = np.array([placement_of(node) for node in children]).reshape(-1, 3, 4)
         if not np.isfinite(placements).all():
             raise ValueError("expected finite matrices")
         objects = [self._object(node) if "mesh" in node else _NO_OBJECT for node in children]
-        meshes = [self.mesh(node) for node in children]
         core = _core.Scene(
             origin=check.vector("translation", root.get("translation", (0.0, 0.0, 0.0))),
-            meshes=meshes,
+            meshes=[self.mesh(node) for node in children],
             placements=placements,
             objects=np.array(objects, np.int32),
             standing_count=root["extras"]["standing"],
@@ -263,21 +259,19 @@ class Decoder:
 
     def mesh(self, node: dict[str, Any]) -> _core.Mesh:
         """Return the mesh of an instance; instances of one mesh get the same object."""
-        if "mesh" in node:
-            pieces = [(node["mesh"], _NO_OBJECT)]
-        else:
-            pieces = [(child["mesh"], self._object(child)) for child in self._nodes(node)]
+        children = [(child["mesh"], self._object(child)) for child in self._nodes(node)]
+        pieces = [(node["mesh"], _NO_OBJECT)] if "mesh" in node else children
         extras = node.get("extras", {})
-        order, turned = extras.get("order"), bool(extras.get(_TURNED))
-        key = (order, turned, *pieces)
+        order, is_mirrored = extras.get("order"), bool(extras.get(_MIRRORED))
+        key = (order, is_mirrored, *pieces)
         if key not in self._meshes:
             mesh = self._concatenate_primitives(pieces, order)
-            self._meshes[key] = mesh.flip_faces() if turned else mesh
+            self._meshes[key] = mesh.flip_faces() if is_mirrored else mesh
         return self._meshes[key]
 
     def _concatenate_primitives(self, pieces: list[tuple[int, int]], order: int | None) -> _core.Mesh:
         streams: dict[str, list[NDArray[Any]]] = {}
-        faces, objects, materials, before = [], [], [], 0
+        faces, objects, materials, vertex_count = [], [], [], 0
         for number, owner in pieces:
             primitives = glb.entry(self.document, "meshes", number)["primitives"]
             attributes = {name: self._reader.array(a) for name, a in primitives[0]["attributes"].items()}
@@ -288,10 +282,10 @@ class Decoder:
                 corners = self._reader.array(primitive["indices"]).astype(np.uint32).reshape(-1, 3)
                 if corners.size and int(corners.max()) >= len(streams["POSITION"][-1]):
                     raise ValueError("expected faces of vertices that exist")
-                faces.append(corners + np.uint32(before))
+                faces.append(corners + np.uint32(vertex_count))
                 objects.append(np.full(len(corners), owner, np.int32))
                 materials.append(np.full(len(corners), primitive.get("material", -1), np.int32))
-            before += len(streams["POSITION"][-1])
+            vertex_count += len(streams["POSITION"][-1])
         rank = slice(None) if order is None else _ranks(self._reader.array(order))
         joined = {name: np.concatenate(arrays) for name, arrays in streams.items()}
         colors = joined.get("COLOR_0")
@@ -299,14 +293,15 @@ class Decoder:
             joined["POSITION"],
             np.ascontiguousarray(np.concatenate(faces)[rank]),
             uvs=_upwards(joined) if self._upright else joined.get("TEXCOORD_0"),
-            colors=None if colors is None else colors_of(colors, before, linear=True),
+            colors=None if colors is None else colors_of(colors, vertex_count, linear=True),
             normals=joined["NORMAL"] if joined["NORMAL"].any() else None,
             objects=np.ascontiguousarray(np.concatenate(objects)[rank]),
             materials=np.ascontiguousarray(np.concatenate(materials)[rank]),
         )
 
 
-def _placement(node: dict[str, Any]) -> NDArray[np.float64]:
+def placement_of(node: dict[str, Any]) -> NDArray[np.float64]:
+    """Exact placement (3, 4) of a node."""
     matrix: NDArray[np.float64] = np.array(node.get("matrix", np.eye(4).ravel()), np.float64).reshape(4, 4)
     return matrix.T[:3]
 
@@ -322,8 +317,8 @@ def _downwards(uvs: NDArray[np.float32]) -> dict[str, NDArray[np.float32]]:
     """Attributes for texture coordinates, from which `_upwards` restores the same bits."""
     flipped = np.column_stack([uvs[:, 0], np.float32(1) - uvs[:, 1]])
     attributes = {"TEXCOORD_0": flipped}
-    again = np.float32(1) - flipped[:, 1]
-    if not np.array_equal(again.view(np.uint32), np.ascontiguousarray(uvs[:, 1]).view(np.uint32)):
+    restored_v = np.float32(1) - flipped[:, 1]
+    if not np.array_equal(restored_v.view(np.uint32), np.ascontiguousarray(uvs[:, 1]).view(np.uint32)):
         attributes[_EXACT_V] = np.ascontiguousarray(uvs[:, 1:])
     return attributes
 
@@ -339,6 +334,6 @@ def _upwards(attributes: dict[str, NDArray[Any]]) -> NDArray[np.float32] | None:
 def _linear(colors: NDArray[np.uint8]) -> NDArray[np.uint16]:
     """Convert sRGB to 16-bit linear colours for glTF, losslessly: 8-bit steps are at least 20 16-bit steps apart."""
     table = np.rint(to_linear(np.arange(256) / 255) * 65535).astype(np.uint16)
-    wide = table[colors]
-    wide[:, 3] = colors[:, 3].astype(np.uint16) * 257
-    return wide
+    linear_colors = table[colors]
+    linear_colors[:, 3] = colors[:, 3].astype(np.uint16) * 257
+    return linear_colors

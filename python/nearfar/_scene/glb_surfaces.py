@@ -9,7 +9,6 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from PIL import Image
 
 from nearfar._base import glb
 from nearfar._scene import undrawn as undrawn_parts
@@ -18,7 +17,9 @@ from nearfar._scene.budget import MAX, Budget
 from nearfar._scene.coordinates import TRANSFORM, is_texture
 from nearfar._scene.emission import DARK, MAP, Light, emission_of, entries, is_unlit
 from nearfar._scene.gltf import ktx2
+from nearfar._scene.material_list import NO_TEXTURE, Material, surface_arguments
 from nearfar._scene.materials import MAX_TEXELS, texels_of
+from nearfar._scene.srgb import encode_image
 from nearfar._scene.undrawn import EncodedImage, GltfMaterial, TextureSource
 
 _SURFACE, _BASE = "pbrMetallicRoughness", "baseColorTexture"
@@ -28,7 +29,7 @@ _KIND_EXTENSIONS = {
     "image/avif": "EXT_texture_avif",
     "image/ktx2": "KHR_texture_basisu",
 }
-_NONE = GltfMaterial(undrawn_parts.PLAIN)
+_PLAIN = GltfMaterial(undrawn_parts.PLAIN)
 
 
 class SurfaceWriter:
@@ -37,8 +38,7 @@ class SurfaceWriter:
     def __init__(self, writer: glb.Writer, parts: dict[str, Any], undrawn: Mapping[int, GltfMaterial]) -> None:
         self._writer, self._parts, self._undrawn = writer, parts, undrawn
         self._numbers: dict[int, int] = {}
-        self._base_images: dict[int, int] = {}
-        self._other_images: dict[EncodedImage, int] = {}
+        self._base_images: dict[int, EncodedImage] = {}
         self._samplers: list[dict[str, Any]] = []
         self._images: list[dict[str, Any]] = []
         self._written: dict[bytes, int] = {}
@@ -52,9 +52,8 @@ class SurfaceWriter:
 
     def fields(self) -> dict[str, Any]:
         """Return the document's entries; lists may be empty."""
-        materials = [self._material(number) for number in self._numbers]
         return {
-            "materials": materials,
+            "materials": [self._material(number) for number in self._numbers],
             "textures": self._textures,
             "samplers": self._samplers,
             "images": self._images,
@@ -64,17 +63,17 @@ class SurfaceWriter:
 
     def _material(self, number: int) -> dict[str, Any]:
         parts = self._parts
-        undrawn = self._undrawn.get(int(parts["material_tags"][number]), _NONE)
+        undrawn = self._undrawn.get(int(parts["material_tags"][number]), _PLAIN)
         material = _sorted(dict(undrawn.material))
-        if undrawn is _NONE:
+        if undrawn is _PLAIN:
             red, green, blue = parts["material_emissions"][number].tolist()
             material |= entries((red, green, blue), unlit=bool(parts["material_unlit"][number]))
         surface = material.setdefault(_SURFACE, {})
         color = parts["material_colors"][number]
         # Keep the file's own digits if they round to the same float32; they may exceed its range.
         with np.errstate(over="ignore"):
-            own = np.array(surface.get("baseColorFactor", ()), np.float32)
-        if not np.array_equal(own, color):
+            stated_color = np.array(surface.get("baseColorFactor", ()), np.float32)
+        if not np.array_equal(stated_color, color):
             surface["baseColorFactor"] = color.astype(np.float64).tolist()
         texture, base = int(parts["material_textures"][number]), surface.pop(_BASE, None)
         if texture >= 0:
@@ -93,9 +92,9 @@ class SurfaceWriter:
         self._used |= set(material.get("extensions", {}))
         material = _sorted(material)
         self._link(material, undrawn.textures)
-        glow = int(parts["material_emission_textures"][number])
-        if undrawn is _NONE and glow >= 0:
-            return _sorted(material | {MAP: {"index": self._base_texture(glow, "")}})
+        emission_texture = int(parts["material_emission_textures"][number])
+        if undrawn is _PLAIN and emission_texture >= 0:
+            return _sorted(material | {MAP: {"index": self._base_texture(emission_texture, "")}})
         return material
 
     def _link(self, value: dict[str, Any], textures: tuple[TextureSource, ...]) -> None:
@@ -111,44 +110,37 @@ class SurfaceWriter:
             if key != _BASE:
                 source = textures[item["index"]]
                 assert source.image is not None
-                item["index"] = self._texture(self._other_image(source.image), source.sampler, source.image.media_type)
+                item["index"] = self._texture(source.image, source.sampler)
 
     def _base_texture(self, texture: int, sampler: str) -> int:
         if texture not in self._base_images:
-            self._base_images[texture] = self._image(_png(self._parts["textures"][texture]), "image/png")
-        return self._texture(self._base_images[texture], sampler, "image/png")
+            self._base_images[texture] = EncodedImage(
+                encode_image(self._parts["textures"][texture], "png", compress_level=3), "image/png"
+            )
+        return self._texture(self._base_images[texture], sampler)
 
-    def _other_image(self, image: EncodedImage) -> int:
-        if image not in self._other_images:
-            self._other_images[image] = self._image(image.data, image.media_type)
-        return self._other_images[image]
-
-    def _image(self, data: bytes, kind: str) -> int:
+    def _texture(self, image: EncodedImage, sampler: str) -> int:
         # Base colour and emission may share an image.
-        if data not in self._written:
-            self._written[data] = len(self._images)
-            self._images.append({"bufferView": self._writer.view(data), "mimeType": kind})
-        return self._written[data]
-
-    def _texture(self, image: int, sampler: str, kind: str) -> int:
-        texture: dict[str, Any] = {"source": image}
-        if kind not in _PLAIN_KINDS:
-            name = _KIND_EXTENSIONS[kind]
+        if image.data not in self._written:
+            self._written[image.data] = len(self._images)
+            self._images.append({"bufferView": self._writer.view(image.data), "mimeType": image.media_type})
+        texture: dict[str, Any] = {"source": self._written[image.data]}
+        if image.media_type not in _PLAIN_KINDS:
+            name = _KIND_EXTENSIONS[image.media_type]
             texture = {"extensions": {name: texture}}
             self._used.add(name)
             self._required.add(name)
         if sampler:
-            texture["sampler"] = _place(self._samplers, json.loads(sampler))
-        return _place(self._textures, texture)
+            texture["sampler"] = _index_of(self._samplers, json.loads(sampler))
+        return _index_of(self._textures, texture)
 
 
 def _sorted(material: dict[str, Any]) -> dict[str, Any]:
     """Copy with sorted keys, so that equal content gives equal bytes."""
-    copied: dict[str, Any] = json.loads(json.dumps(material, sort_keys=True))
-    return copied
+    return json.loads(json.dumps(material, sort_keys=True))  # type: ignore[no-any-return]
 
 
-def _place(entries: list[dict[str, Any]], entry: dict[str, Any]) -> int:
+def _index_of(entries: list[dict[str, Any]], entry: dict[str, Any]) -> int:
     """Return the index of an entry in a list; append it if it is missing."""
     if entry not in entries:
         entries.append(entry)
@@ -158,77 +150,56 @@ def _place(entries: list[dict[str, Any]], entry: dict[str, Any]) -> int:
 def read(reader: glb.Reader, *, upright: bool) -> tuple[dict[str, Any], dict[int, GltfMaterial]]:
     """Read the materials and textures that `SurfaceWriter` wrote.
 
-    Parameters
-    ----------
-    reader
-        The file.
-    upright
-        Whether images are stored with row 0 on top, as in all files except those of early versions.
-
-    Returns
-    -------
-    surfaces, undrawn
-        Materials and textures as arguments of `_core.Scene`; the materials' undrawn properties, by tag.
+    Images are `upright`, with row 0 on top, in all files except those of early versions. Return the materials and
+    textures as arguments of `_core.Scene`, and the materials' undrawn properties by tag.
     """
     document = reader.document
     materials = document.get("materials", [])
     surfaces = [material[_SURFACE] for material in materials]
     sources = [_source(document, surface[_BASE]["index"]) if _BASE in surface else None for surface in surfaces]
     images = list(dict.fromkeys(source for source in sources if source is not None))
-    kept = [undrawn_parts.of_gltf(material, lambda number: _texture(reader, number))[0] for material in materials]
+    undrawn = [undrawn_parts.of_gltf(material, lambda number: _texture(reader, number))[0] for material in materials]
     files = [_image(reader, number) for number in images]
     # Images of early versions have row 0 at the bottom.
-    lit = _Emissions(kept, files if upright else [], len(images))
-    is_cut = [material.get("alphaMode") == "MASK" for material in materials]
-    cutoffs = [
-        material.get("alphaCutoff", 0.5) if cut else np.nan for material, cut in zip(materials, is_cut, strict=True)
-    ]
-    colors = [surface.get("baseColorFactor", (1, 1, 1, 1)) for surface in surfaces]
-    rgba = np.array(colors, np.float64).reshape(-1, 4)
-    if not ((rgba >= 0) & (rgba <= 1)).all():
-        raise ValueError("expected base colours within 0..1")
-    if not np.abs(np.array(cutoffs)[is_cut]).max(initial=0) <= MAX_CUTOFF:
-        raise ValueError(f"expected alpha cutoffs up to {MAX_CUTOFF:g}")
-    arguments = {
-        "material_colors": rgba.astype(np.float32),
-        "material_textures": np.array([-1 if s is None else images.index(s) for s in sources], np.int32),
-        "material_cutoffs": np.array(cutoffs, np.float32),
-        "material_emissions": np.array(lit.lights, np.float32).reshape(-1, 3),
-        "material_emission_textures": np.array(lit.links, np.int32),
-        "material_unlit": np.array([undrawn is not None and is_unlit(undrawn.material) for undrawn in kept], bool),
-        "material_tags": np.array([0 if undrawn is None else undrawn.tag for undrawn in kept], np.uint64),
-        "textures": [_texels(file.data, upright=upright) for file in files] + lit.textures,
-    }
-    return arguments, {undrawn.tag: undrawn for undrawn in kept if undrawn is not None}
+    emissions = _Emissions(files if upright else [], len(images))
+    rows = []
+    for surface, source, material, gltf in zip(surfaces, sources, materials, undrawn, strict=True):
+        color = surface.get("baseColorFactor", (1.0, 1.0, 1.0, 1.0))
+        cutoff = material.get("alphaCutoff", 0.5) if material.get("alphaMode") == "MASK" else None
+        if not (np.array(color).shape == (4,) and all(0 <= part <= 1 for part in color)):
+            raise ValueError("expected base colours within 0..1")
+        if cutoff is not None and not abs(cutoff) <= MAX_CUTOFF:
+            raise ValueError(f"expected alpha cutoffs up to {MAX_CUTOFF:g}")
+        texture = NO_TEXTURE if source is None else images.index(source)
+        light, emission_texture = emissions.light_and_texture(gltf)
+        unlit, tag = (False, 0) if gltf is None else (is_unlit(gltf.material), gltf.tag)
+        rows.append(Material(color, texture, cutoff, light, emission_texture, unlit, tag))
+    textures = [_texels(file.data, upright=upright) for file in files] + emissions.textures
+    return surface_arguments(rows, textures), {gltf.tag: gltf for gltf in undrawn if gltf is not None}
 
 
 class _Emissions:
-    """Emission of materials and its textures: known images keep their index, others are numbered from `first` on."""
+    """Textures of materials' emission: known images keep their index, others are numbered from `first` on."""
 
-    def __init__(self, materials: Sequence[GltfMaterial | None], known: Sequence[EncodedImage], first: int) -> None:
-        self.lights: list[Light] = []
-        self.links: list[int] = []
+    def __init__(self, images: Sequence[EncodedImage], first: int) -> None:
         self.textures: list[NDArray[np.uint8]] = []
         self._first = first
-        self._numbers: dict[EncodedImage, int | None] = {image: number for number, image in enumerate(known)}
-        for material in materials:
-            light, link = (DARK, None) if material is None else self._emission_and_image(material)
-            self.lights.append(light)
-            self.links.append(-1 if link is None else link)
+        self._numbers = {image: number for number, image in enumerate(images)}
 
-    def _emission_and_image(self, undrawn: GltfMaterial) -> tuple[Light, int | None]:
-        light = emission_of(undrawn.material)
-        if light == DARK or MAP not in undrawn.material:
-            return light, None
+    def light_and_texture(self, undrawn: GltfMaterial | None) -> tuple[Light, int]:
+        """Emission of a material, and the index of its texture; −1 for none."""
+        light = DARK if undrawn is None else emission_of(undrawn.material)
+        if undrawn is None or light == DARK or MAP not in undrawn.material:
+            return light, NO_TEXTURE
         image = undrawn.textures[undrawn.material[MAP]["index"]].image
-        number = None if image is None else self._number(image)
+        number = NO_TEXTURE if image is None else self._number(image)
         # No emission if the image cannot be decoded.
-        return (DARK, None) if number is None else (light, number)
+        return (DARK if number == NO_TEXTURE else light), number
 
-    def _number(self, image: EncodedImage) -> int | None:
+    def _number(self, image: EncodedImage) -> int:
         if image not in self._numbers:
             texels = ktx2.decode(image.data, Budget(MAX)) if image.media_type == ktx2.KIND else texels_of(image.data)
-            self._numbers[image] = None if texels is None else self._first + len(self.textures)
+            self._numbers[image] = NO_TEXTURE if texels is None else self._first + len(self.textures)
             if texels is not None:
                 self.textures.append(texels)
         return self._numbers[image]
@@ -236,35 +207,28 @@ class _Emissions:
 
 def _source(document: dict[str, Any], texture: int) -> int:
     """Index of a texture's image."""
-    described = glb.entry(document, "textures", texture)
-    entry = described if "source" in described else next(iter(described["extensions"].values()))
-    number: int = entry["source"]
-    return number
+    texture_entry = glb.entry(document, "textures", texture)
+    entry = texture_entry if "source" in texture_entry else next(iter(texture_entry["extensions"].values()))
+    return entry["source"]  # type: ignore[no-any-return]
 
 
 def _image(reader: glb.Reader, number: int) -> EncodedImage:
-    described = glb.entry(reader.document, "images", number)
-    return EncodedImage(bytes(reader.bytes(described["bufferView"])), str(described["mimeType"]))
+    image_entry = glb.entry(reader.document, "images", number)
+    return EncodedImage(bytes(reader.bytes(image_entry["bufferView"])), str(image_entry["mimeType"]))
 
 
 def _texture(reader: glb.Reader, number: int) -> TextureSource:
-    described = glb.entry(reader.document, "textures", number)
-    sampler = glb.entry(reader.document, "samplers", described["sampler"]) if "sampler" in described else None
+    texture_entry = glb.entry(reader.document, "textures", number)
+    sampler = glb.entry(reader.document, "samplers", texture_entry["sampler"]) if "sampler" in texture_entry else None
     image = _image(reader, _source(reader.document, number))
     if image.media_type not in (*_PLAIN_KINDS, *_KIND_EXTENSIONS):
         raise ValueError(f"expected images of known kinds, got {image.media_type!r}")
     return TextureSource(image, "" if sampler is None else json.dumps(sampler))
 
 
-def _png(texels: NDArray[np.uint8]) -> bytes:
-    """Encode a texture as PNG."""
-    opaque = bool((texels[..., 3] == 255).all())
-    file = io.BytesIO()
-    Image.fromarray(texels[:, :, : 3 if opaque else 4]).save(file, "png", compress_level=3)
-    return file.getvalue()
-
-
 def _texels(data: bytes, *, upright: bool) -> NDArray[np.uint8]:
+    from PIL import Image
+
     try:
         with Image.open(io.BytesIO(data), formats=["png"]) as image:
             if image.size[0] * image.size[1] > MAX_TEXELS:

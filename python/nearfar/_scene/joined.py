@@ -18,22 +18,17 @@ def join_scenes(scenes: Sequence[Scene]) -> Scene:
 
     Scenes with levels contribute the levels that they show.
     """
-    first = scenes[0]
     names, numbers = _union([scene._names for scene in scenes])
-    core = _core.Scene.join([scene._core for scene in scenes], numbers)
-    rest_poses = []
-    for scene in scenes:
-        rest_pose = scene._rest.copy()
-        rest_pose[:, :, 3] += scene.origin - first.origin
-        rest_poses.append(rest_pose)
-    notes = dict.fromkeys(note for scene in scenes for note in scene._notes)
+    load_placements = [scene._rest.copy() for scene in scenes]
+    for scene, rows in zip(scenes, load_placements, strict=True):
+        rows[:, :, 3] += scene.origin - scenes[0].origin
     return Scene(
-        core,
+        _core.Scene.join([scene._core for scene in scenes], numbers),
         names,
         frames=_frames(scenes, names, numbers),
-        rest=np.concatenate(rest_poses),
+        rest=np.concatenate(load_placements),
         dropped=sum(scene._dropped for scene in scenes),
-        notes=tuple(notes),
+        notes=tuple(dict.fromkeys(note for scene in scenes for note in scene._notes)),
         used=tuple(dict.fromkeys(part for scene in scenes for part in scene._used)),
         undrawn={tag: part for scene in scenes for tag, part in scene._undrawn.items()},
     )
@@ -46,9 +41,7 @@ def _union(name_lists: Sequence[Names]) -> tuple[Names, list[NDArray[np.int32]]]
         return first, [np.zeros(0, np.int32) for _ in name_lists]
     number_by_name: dict[str, int] = {}
     numbers = [
-        np.array([number_by_name.setdefault(name, len(number_by_name)) for name in names.as_tuple], np.int32).reshape(
-            -1
-        )
+        np.array([number_by_name.setdefault(name, len(number_by_name)) for name in names.as_tuple], np.int32)
         for names in name_lists
     ]
     return Names(tuple(number_by_name)), numbers

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import islice
 from typing import Any, Protocol, runtime_checkable
 
 import numpy as np
@@ -12,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from nearfar import _core
 from nearfar._base import check
 from nearfar._scene.names import Names
+from nearfar._scene.poses import square
 from nearfar._scene.serialize import mesh_of
 
 
@@ -133,10 +135,7 @@ class LevelTable:
 
 
 def _restored(
-    models: tuple[Any, ...],
-    parts: list[list[dict[str, Any]]],
-    model_of: NDArray[np.int32],
-    row_of: NDArray[np.int32],
+    models: tuple[Any, ...], parts: list[list[dict[str, Any]]], model_of: NDArray[np.int32], row_of: NDArray[np.int32]
 ) -> LevelTable:
     meshes = tuple(tuple(map(mesh_of, row)) for row in parts)
     return LevelTable(models, meshes, _core.Levels([list(row) for row in meshes]), model_of, row_of)
@@ -169,7 +168,7 @@ def check_levels(
         if id(model) not in distinct:
             _check_model(f"models['{names.as_tuple[number]}']", model)
             distinct[id(model)] = model
-    rank = {key: place for place, key in enumerate(distinct)}
+    rank = {key: position for position, key in enumerate(distinct)}
     index = np.array([rank[id(model)] for model in models], np.int64)
     flat = np.linalg.matrix_rank(frames[:, :3, :3]) < 3 if len(frames) else np.zeros(0, bool)
     if flat.any():
@@ -186,8 +185,8 @@ def _placing(frames: NDArray[np.float64], level_frames: NDArray[np.float64]) -> 
     solved = np.linalg.solve(level_frames.transpose(0, 2, 1), frames.transpose(0, 2, 1))
     placing = np.array(solved.transpose(0, 2, 1), np.float64)
     placing[:, 3] = (0, 0, 0, 1)
-    same = (frames == level_frames).all(axis=(1, 2))
-    placing[same] = np.eye(4)
+    is_same = (frames == level_frames).all(axis=(1, 2))
+    placing[is_same] = np.eye(4)
     return placing
 
 
@@ -211,48 +210,35 @@ def kept_of(models: Iterable[Any], scene: Any = None) -> dict[str, Any]:
 def levels_of(argument: str, levels: ArrayLike | Mapping[str, int], leveled: Leveled) -> NDArray[np.int64]:
     """Check levels and return one for each object (N,), −1 to leave it out; objects missing in a mapping get 0."""
     if isinstance(levels, Mapping):
-        place = {name: at for at, name in enumerate(leveled.names)}
-        if unknown := [name for name in levels if name not in place]:
+        index = {name: number for number, name in enumerate(leveled.names)}
+        if unknown := [name for name in levels if name not in index]:
             raise ValueError(f"{argument}: expected names of objects with levels, got {check.shortened(unknown[0])}")
-        chosen = np.zeros(len(leveled), np.int64)
+        rows = np.zeros(len(leveled), np.int64)
         for name, level in levels.items():
-            chosen[place[name]] = check.integer(f"{argument}['{name}']", level, -1, 2**31 - 1)
+            rows[index[name]] = check.integer(f"{argument}['{name}']", level, -1, 2**31 - 1)
     else:
-        chosen = check.array(argument, levels, columns=None, dtype=np.int64)
-    if chosen.shape != (len(leveled),):
-        raise ValueError(
-            f"{argument}: expected one for each of {len(leveled)} objects with levels, got shape {chosen.shape}"
-        )
+        rows = check.array(argument, levels, columns=None, dtype=np.int64)
+    if rows.shape != (len(leveled),):
+        expected = f"one for each of {len(leveled)} objects with levels"
+        raise ValueError(f"{argument}: expected {expected}, got shape {rows.shape}")
     counts = leveled.level_counts
-    wrong = (chosen < -1) | (chosen >= counts)
-    if wrong.any():
-        at = int(np.argmax(wrong))
-        most = counts[at] - 1
-        raise ValueError(f"{argument}: expected -1 to {most} for '{leveled.names[at]}', got {chosen[at]}")
-    return chosen
+    wrong_rows = np.flatnonzero((rows < -1) | (rows >= counts))
+    if len(wrong_rows):
+        row = wrong_rows[0]
+        raise ValueError(f"{argument}: expected -1 to {counts[row] - 1} for '{leveled.names[row]}', got {rows[row]}")
+    return rows
 
 
 def with_levels(
     core: _core.Scene, rest: NDArray[np.float64], before: LevelTable | None, objects: int, new: NewLevels
 ) -> tuple[_core.Scene, NDArray[np.float64], LevelTable]:
-    """Replace the meshes of objects by levels.
+    """Replace the meshes of objects by levels; return the new scene, in which these objects show level 0.
 
-    Parameters
-    ----------
-    core, rest, before
-        The scene, the load placements of its moving instances, and its present levels.
-    objects
-        Number of objects of the scene.
-    new
-        The new levels and their objects.
-
-    Returns
-    -------
-    core, rest, table
-        The same for the new scene, in which the objects show level 0.
+    A scene is given and returned as its core, the load placements of its moving instances, and its levels. It has
+    `objects` objects.
     """
-    chosen = np.zeros(objects, bool)
-    chosen[new.numbers] = True
+    has_new_levels = np.zeros(objects, bool)
+    has_new_levels[new.numbers] = True
     owner = core.moving_objects()
     placed, moves = _placements(core, rest, new)
     core, pieces = _core.with_surfaces(core, [level.scene._core for model in new.models for level in model.levels])
@@ -260,7 +246,7 @@ def with_levels(
     table, row = _table(before, objects, new, rows)
     order = np.argsort(moves, kind="stable")
     core = _core.with_instances(
-        core.without_objects(chosen),
+        core.without_objects(has_new_levels),
         [table.meshes[number][0] for number in row[order]],
         placed[order],
         new.numbers[order].astype(np.int32),
@@ -268,7 +254,7 @@ def with_levels(
     )
     loaded = new.frames[order[moves[order]], :3].copy()
     loaded[:, :, 3] -= np.array(core.origin)
-    return core, np.concatenate([rest[~chosen[owner]], loaded]), table
+    return core, np.concatenate([rest[~has_new_levels[owner]], loaded]), table
 
 
 def _placements(
@@ -280,21 +266,17 @@ def _placements(
     owner, first = np.unique(core.moving_objects(), return_index=True)
     moves = np.isin(new.numbers, owner)
     instance = first[np.searchsorted(owner, new.numbers[moves])]
-    now, then = (_square(rows[instance]) for rows in (core.moving_placements(), rest))
-    moved = (now != then).any(axis=(1, 2))
-    at = np.flatnonzero(moves)[moved]
+    present, loaded = (square(rows[instance]) for rows in (core.moving_placements(), rest))
+    has_moved = (present != loaded).any(axis=(1, 2))
+    moved_rows = np.flatnonzero(moves)[has_moved]
     # An object's mesh moved from `then` to `now`, so its levels' placement is now · then⁻¹ · (load placement).
-    placed[at] = (now[moved] @ np.linalg.solve(then[moved], _square(placed[at])))[:, :3]
+    placed[moved_rows] = (present[has_moved] @ np.linalg.solve(loaded[has_moved], square(placed[moved_rows])))[:, :3]
     return placed, moves
 
 
-def _square(rows: NDArray[np.float64]) -> NDArray[np.float64]:
-    return np.concatenate([rows, np.tile([[[0.0, 0, 0, 1]]], (len(rows), 1, 1))], axis=1)
-
-
 def _rows(pieces: list[_core.Mesh], lengths: list[int]) -> list[tuple[_core.Mesh, ...]]:
-    ends = np.cumsum(lengths, dtype=int).tolist()
-    return [tuple(pieces[end - length : end]) for end, length in zip(ends, lengths, strict=True)]
+    remaining = iter(pieces)
+    return [tuple(islice(remaining, length)) for length in lengths]
 
 
 def _table(
@@ -309,8 +291,8 @@ def _table(
     for model in np.unique(new.index[mirrored]).tolist():
         row[mirrored & (new.index == model)] = len(meshes) + len(rows)
         rows = [*rows, tuple(mesh.flip_faces() for mesh in rows[model])]
-    none = np.full(objects, -1, np.int32)
-    model_of, row_of = (none, none.copy()) if before is None else (before.model_of.copy(), before.row_of.copy())
+    empty = np.full(objects, -1, np.int32)
+    model_of, row_of = (empty, empty.copy()) if before is None else (before.model_of.copy(), before.row_of.copy())
     model_of[new.numbers], row_of[new.numbers] = new.index + len(models), row
     meshes = (*meshes, *rows)
     core = _core.Levels([list(levels) for levels in meshes])

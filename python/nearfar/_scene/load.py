@@ -18,8 +18,7 @@ from nearfar._scene.gltf.document import read as read_gltf
 from nearfar._scene.materials import Materials
 from nearfar._scene.options import LoadOptions
 from nearfar._scene.reasons import explained
-from nearfar._scene.tileset import read as tiles
-from nearfar._scene.tileset.tileset import KINDS
+from nearfar._scene.tileset import tileset as tiles
 
 
 def load(path: str | os.PathLike[str], options: LoadOptions, *, moves: bool = False) -> Assembled:
@@ -63,7 +62,7 @@ def _read(path: Path, data: bytes, options: LoadOptions, budget: Budget) -> Cont
         raise UnusableError("it is an archive, which may hold several models: unpack it and load one of them")
     # Every tileset has these two entries; a text search is faster than parsing.
     may_be_tileset = kind == "json" and b'"root"' in data and b'"asset"' in data
-    if kind in KINDS or (may_be_tileset and tiles.is_tileset(data)):
+    if kind in tiles.KINDS or (may_be_tileset and tiles.is_tileset(data)):
         return tiles.read(path, options, budget)
     if kind == "json" or kind in cities.KINDS:
         tiles.check_unused(options)
@@ -103,8 +102,7 @@ _CONVERSION_ADVICE = {
     "fbx": "import it into Blender and export it as glTF (.glb), or convert it with FBX2glTF or Assimp",
     "3ds": "import it into Blender 4.2 or newer and export it as glTF (.glb), or convert it with Assimp",
     "max": "export it from Autodesk 3ds Max as glTF or OBJ",
-    "ma": "export it from Autodesk Maya as OBJ or FBX, and FBX from Blender as glTF (.glb)",
-    "mb": "export it from Autodesk Maya as OBJ or FBX, and FBX from Blender as glTF (.glb)",
+    **dict.fromkeys(("ma", "mb"), "export it from Autodesk Maya as OBJ or FBX, and FBX from Blender as glTF (.glb)"),
     "c4d": "export it from Cinema 4D as glTF (.glb)",
     "skp": "export it from SketchUp as glTF (.glb), COLLADA (.dae) or OBJ",
     "ifc": "convert it to glTF (.glb) with IfcConvert or the Python package ifcopenshell, or with Bonsai for Blender",
@@ -112,23 +110,19 @@ _CONVERSION_ADVICE = {
     "dwg": "export it from AutoCAD as OBJ or STL, or open it in FreeCAD",
     "3dm": "export it from Rhino as glTF (.glb) or OBJ",
     "dae": "install the Python package pycollada, with which it is read, or export it from Blender as glTF (.glb)",
-    "usd": "import it into Blender and export it as glTF (.glb)",
-    "usda": "import it into Blender and export it as glTF (.glb)",
-    "usdc": "import it into Blender and export it as glTF (.glb)",
-    "usdz": "import it into Blender and export it as glTF (.glb)",
-    "abc": "import it into Blender and export it as glTF (.glb)",
-    "x3d": "import it into Blender and export it as glTF (.glb)",
-    "wrl": "import it into Blender or MeshLab and export it as glTF (.glb) or PLY",
-    "step": "install the Python package cascadio, with which it is read, or export it from FreeCAD as glTF (.glb)",
-    "stp": "install the Python package cascadio, with which it is read, or export it from FreeCAD as glTF (.glb)",
-    "iges": "export it from FreeCAD as glTF (.glb) or OBJ",
-    "igs": "export it from FreeCAD as glTF (.glb) or OBJ",
-    "gml": "convert it with citygml-tools to CityJSON (.city.json)",
-    "citygml": "convert it with citygml-tools to CityJSON (.city.json)",
-    "vrml": "import it into Blender or MeshLab and export it as glTF (.glb) or PLY",
-    "las": "it holds points without triangles; CloudCompare or Open3D makes a mesh of them",
-    "laz": "it holds points without triangles; CloudCompare or Open3D makes a mesh of them",
-    "e57": "it holds points without triangles; CloudCompare or Open3D makes a mesh of them",
+    **dict.fromkeys(
+        ("usd", "usda", "usdc", "usdz", "abc", "x3d"), "import it into Blender and export it as glTF (.glb)"
+    ),
+    **dict.fromkeys(
+        ("step", "stp"),
+        "install the Python package cascadio, with which it is read, or export it from FreeCAD as glTF (.glb)",
+    ),
+    **dict.fromkeys(("iges", "igs"), "export it from FreeCAD as glTF (.glb) or OBJ"),
+    **dict.fromkeys(("gml", "citygml"), "convert it with citygml-tools to CityJSON (.city.json)"),
+    **dict.fromkeys(("wrl", "vrml"), "import it into Blender or MeshLab and export it as glTF (.glb) or PLY"),
+    **dict.fromkeys(
+        ("las", "laz", "e57"), "it holds points without triangles; CloudCompare or Open3D makes a mesh of them"
+    ),
 }
 """How to convert formats that nearfar cannot read, some of them only without an optional package."""
 

@@ -34,7 +34,7 @@ def parsed(data: bytes, kind: str, resolver: Any, **options: bool) -> Any:
 
 
 def read(label: str, loaded: trimesh.Trimesh | trimesh.Scene, materials: Materials | None = None) -> Content:
-    """Convert a mesh or a scene; its nodes become objects. `materials` means that it comes from a file."""
+    """Convert a mesh or a scene; its nodes become objects. `materials` is given if it comes from a file."""
     trimesh = background.module("trimesh")
     if isinstance(loaded, trimesh.Trimesh):
         loaded = trimesh.Scene({"object": loaded})
@@ -43,8 +43,8 @@ def read(label: str, loaded: trimesh.Trimesh | trimesh.Scene, materials: Materia
     fresh, materials = materials is not None, materials or Materials()
     meshes = {name: mesh for name, mesh in loaded.geometry.items() if isinstance(mesh, trimesh.Trimesh)}
     shapes = {name: _shape(mesh, materials, fresh=fresh) for name, mesh in meshes.items()}
-    other = len(loaded.geometry) - len(shapes)
-    notes = [f"{count(other, 'geometry', 'geometries')} without triangles ignored"] if other else []
+    other_count = len(loaded.geometry) - len(shapes)
+    notes = [f"{count(other_count, 'geometry', 'geometries')} without triangles ignored"] if other_count else []
     notes += _unused_properties(meshes.values())
     units = [str(mesh.units or "") for mesh in meshes.values()]
     return Content(label, shapes, _nodes(loaded, shapes), notes, units=units)
@@ -52,22 +52,8 @@ def read(label: str, loaded: trimesh.Trimesh | trimesh.Scene, materials: Materia
 
 _PLY_PROPERTIES = {
     "vertex": {
-        "x",
-        "y",
-        "z",
-        "nx",
-        "ny",
-        "nz",
-        "red",
-        "green",
-        "blue",
-        "alpha",
-        "u",
-        "v",
-        "s",
-        "t",
-        "texture_u",
-        "texture_v",
+        *("x", "y", "z", "nx", "ny", "nz", "red", "green", "blue", "alpha"),
+        *("u", "v", "s", "t", "texture_u", "texture_v"),
     },
     "face": {"vertex_indices", "vertex_index", "red", "green", "blue", "alpha", "texcoord"},
 }
@@ -78,8 +64,8 @@ def _unused_properties(meshes: Iterable[trimesh.Trimesh]) -> list[str]:
     """Notes on ignored properties of PLY files."""
     elements = [item for mesh in meshes for item in mesh.metadata.get("_ply_raw", {}).items()]
     unused = {
-        element: [name for name in described["properties"] if name not in _PLY_PROPERTIES.get(element, ())]
-        for element, described in elements
+        element: [name for name in element_entry["properties"] if name not in _PLY_PROPERTIES.get(element, ())]
+        for element, element_entry in elements
     }
     return [f"{element} property {name} ignored" for element, names in unused.items() for name in names]
 
@@ -98,9 +84,9 @@ def _nodes(scene: trimesh.Scene, shapes: dict[str, Shape]) -> Nodes:
                 world[child] = world[parent] if matrix is None else world[parent] @ matrix
                 pending.append(child)
     data = ((name, data.get("geometry")) for name, data in forest.node_data.items())
-    placed = [(name, shape) for name, shape in data if shape in shapes and name in world]
-    transforms = np.array([world[name] for name, _ in placed], np.float64).reshape(-1, 4, 4)
-    return Nodes([str(name) for name, _ in placed], transforms, [shape for _, shape in placed])
+    return Nodes.from_rows(
+        [(str(name), world[name], shape) for name, shape in data if shape in shapes and name in world]
+    )
 
 
 def source_normals(mesh: trimesh.Trimesh, *, fresh: bool = False) -> NDArray[np.float64] | None:
@@ -127,8 +113,7 @@ def source_normals(mesh: trimesh.Trimesh, *, fresh: bool = False) -> NDArray[np.
 def _kind_of_fresh(visual: Any) -> str | None:
     """Like `visual.kind`, for an unmodified mesh, without hashing its arrays."""
     if not hasattr(visual, "_data"):
-        kind: str | None = visual.kind
-        return kind
+        return visual.kind  # type: ignore[no-any-return]
     stored = visual._data.data
     return next((kind for kind in ("vertex", "face") if np.size(stored.get(f"{kind}_colors", ()))), None)
 
@@ -144,8 +129,7 @@ def _shape(mesh: trimesh.Trimesh, materials: Materials, *, fresh: bool) -> Shape
             shape.uvs = visual.uv
         if visual.face_materials is not None and len(shape.materials) > 1:
             shape.face_material = np.asarray(visual.face_materials, np.int64)
-        colors = visual.vertex_attributes.get("color", None)
-        if colors is not None:
+        if (colors := visual.vertex_attributes.get("color")) is not None:
             shape.colors = colors_of(np.asarray(colors), len(shape.vertices), linear=linear)
     elif kind == "vertex":
         shape.colors = colors_of(np.asarray(visual.vertex_colors), len(shape.vertices), linear=linear)

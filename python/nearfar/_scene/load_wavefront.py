@@ -5,6 +5,7 @@ from __future__ import annotations
 import codecs
 import io
 import re
+from contextlib import suppress
 from typing import Any
 
 import numpy as np
@@ -36,14 +37,14 @@ def read(label: str, data: bytes, resolver: Any, materials: Materials, budget: B
         [names[number] for number in (owner, material if len(library) > 1 else None) if number is not None]
         for owner, material, _, _ in parts
     ]
-    budget.hold(sum(len(word) for both in words for word in both))
-    objects = distinct(["_".join(filter(None, both)) or resolver.file_name for both in words])
+    budget.hold(sum(len(word) for part_words in words for word in part_words))
+    objects = distinct(["_".join(filter(None, part_words)) or resolver.file_name for part_words in words])
     shapes = {}
     for name, (_, material, rows, faces) in zip(objects, parts, strict=True):
         shape = shapes[name] = _shape(columns, rows, faces)
-        known = None if material is None else library.get(names[material])
-        if known is not None:
-            shape.materials = materials.base_colors(known)
+        library_material = None if material is None else library.get(names[material])
+        if library_material is not None:
+            shape.materials = materials.base_colors(library_material)
         elif rgba is not None:
             shape.colors = rgba[rows[:, 0]]
     identities = np.broadcast_to(np.eye(4), (len(objects), 4, 4))
@@ -55,12 +56,12 @@ def _shape(columns: tuple[NDArray[np.float64], ...], rows: NDArray[np.uint32], f
     positions, _, uvs, normals = columns
     shape = Shape(positions[rows[:, 0]], faces)
     for kind, column, values in (("uvs", 1, uvs), ("normals", 2, normals)):
-        chosen = rows[:, column]
-        given = chosen != _NONE
-        if given.all() and len(chosen):
-            setattr(shape, kind, values[chosen])
-        elif given.any():
-            setattr(shape, kind, np.where(given[:, None], values[np.where(given, chosen, 0)], 0.0))
+        numbers = rows[:, column]
+        is_stated = numbers != _NONE
+        if is_stated.all() and len(numbers):
+            setattr(shape, kind, values[numbers])
+        elif is_stated.any():
+            setattr(shape, kind, np.where(is_stated[:, None], values[np.where(is_stated, numbers, 0)], 0.0))
     return shape
 
 
@@ -90,14 +91,14 @@ def _library(names: list[str], resolver: Any) -> tuple[dict[str, Any], list[str]
     for name in names:
         try:
             text = resolver.get(name)
-            described = parse_mtl(text, resolver=resolver)
-            for entries in described.values():
+            material_entries = parse_mtl(text, resolver=resolver)
+            for entries in material_entries.values():
                 _add_emission(entries, resolver)
-            read = {key: SimpleMaterial(**entries) for key, entries in described.items()}
+            new_materials = {key: SimpleMaterial(**entries) for key, entries in material_entries.items()}
         except Exception:  # resolvers, trimesh and Pillow may raise any type
             notes.append(f"material file {check.shortened(name)} cannot be read, drawn without it")
             continue
-        library = read | library
+        library = new_materials | library
         for texture in dict.fromkeys(_TEXTURE.findall(text)):
             file = texture.decode(errors="replace").rstrip()
             try:
@@ -112,10 +113,8 @@ def _add_emission(entries: dict[str, Any], resolver: Any) -> None:
     from PIL import Image
 
     if EMISSION_MAP in entries:
-        try:
+        with suppress(Exception):  # resolvers and Pillow may raise any type; the map is noted as not drawn
             entries[EMISSION_IMAGE] = Image.open(io.BytesIO(resolver.get(" ".join(entries[EMISSION_MAP]))))
-        except Exception:  # resolvers and Pillow may raise any type; the map is noted as not drawn
-            return
 
 
 _TEXTURE = re.compile(rb"^[ \t]*map_kd[ \t]+(\S.*)", re.MULTILINE | re.IGNORECASE)

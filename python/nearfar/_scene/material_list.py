@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -11,14 +12,11 @@ from nearfar._scene.arrays import texture_of
 from nearfar._scene.materials import BaseColor
 from nearfar._scene.undrawn import GltfMaterial
 
-_NONE = -1
+NO_TEXTURE = -1
 """Index that means no texture."""
 
-_NO_TAG = 0
-"""Tag of a material without undrawn properties."""
 
-
-class _Material(NamedTuple):
+class Material(NamedTuple):
     """A material in the form that kernels take."""
 
     color: tuple[float, ...]
@@ -28,13 +26,14 @@ class _Material(NamedTuple):
     emission_texture: int
     unlit: bool
     tag: int
+    """Tag of the undrawn properties; 0 for none."""
 
 
 class MaterialList:
     """Numbers materials and textures; equal materials share a number, and so do identical texture arrays."""
 
     def __init__(self) -> None:
-        self._numbers: dict[_Material, int] = {}
+        self._numbers: dict[Material, int] = {}
         self._textures: dict[int, tuple[NDArray[np.uint8], NDArray[np.uint8], int]] = {}
         """Maps a texture's id to the passed array, its converted form, and its number."""
         self.undrawn: dict[int, GltfMaterial] = {}
@@ -45,16 +44,16 @@ class MaterialList:
 
     def add(self, material: BaseColor) -> int:
         """Add a checked material and return its number."""
-        tag = _NO_TAG if material.undrawn is None else material.undrawn.tag
+        tag = 0 if material.undrawn is None else material.undrawn.tag
         if material.undrawn is not None:
             self.undrawn[tag] = material.undrawn
         color, emission = (np.array(numbers, np.float32) for numbers in (material.factor, material.emission))
-        drawn = _Material(
+        drawn = Material(
             tuple(color.tolist()),
             self._texture(material.texture),
             material.cutoff,
             tuple(emission.tolist()),
-            self._texture(material.emission_texture) if emission.any() else _NONE,
+            self._texture(material.emission_texture) if emission.any() else NO_TEXTURE,
             material.unlit,
             tag,
         )
@@ -62,7 +61,7 @@ class MaterialList:
 
     def _texture(self, texture: NDArray[np.uint8] | None) -> int:
         if texture is None:
-            return _NONE
+            return NO_TEXTURE
         if id(texture) not in self._textures:
             # The reference keeps the array alive, so that its id is not reused.
             self._textures[id(texture)] = (texture, texture_of("texture", texture), len(self._textures))
@@ -70,15 +69,20 @@ class MaterialList:
 
     def arguments(self) -> dict[str, Any]:
         """Materials and textures as arguments of `_core.Scene`."""
-        columns = zip(*self._numbers, strict=True) if self._numbers else [()] * len(_Material._fields)
-        colors, textures, cutoffs, emissions, emission_textures, unlit, tags = columns
-        return {
-            "material_colors": np.array(colors, np.float32).reshape(-1, 4),
-            "material_textures": np.array(textures, np.int32),
-            "material_cutoffs": np.array([np.nan if cutoff is None else cutoff for cutoff in cutoffs], np.float32),
-            "material_emissions": np.array(emissions, np.float32).reshape(-1, 3),
-            "material_emission_textures": np.array(emission_textures, np.int32),
-            "material_unlit": np.array(unlit, bool),
-            "material_tags": np.array(tags, np.uint64),
-            "textures": [texture for _, texture, _ in self._textures.values()],
-        }
+        return surface_arguments([*self._numbers], [texture for _, texture, _ in self._textures.values()])
+
+
+def surface_arguments(materials: Sequence[Material], textures: list[NDArray[np.uint8]]) -> dict[str, Any]:
+    """Materials and textures as arguments of `_core.Scene`."""
+    columns = zip(*materials, strict=True) if materials else [()] * len(Material._fields)
+    colors, numbers, cutoffs, emissions, emission_numbers, unlit, tags = columns
+    return {
+        "material_colors": np.array(colors, np.float32).reshape(-1, 4),
+        "material_textures": np.array(numbers, np.int32),
+        "material_cutoffs": np.array([np.nan if cutoff is None else cutoff for cutoff in cutoffs], np.float32),
+        "material_emissions": np.array(emissions, np.float32).reshape(-1, 3),
+        "material_emission_textures": np.array(emission_numbers, np.int32),
+        "material_unlit": np.array(unlit, bool),
+        "material_tags": np.array(tags, np.uint64),
+        "textures": textures,
+    }

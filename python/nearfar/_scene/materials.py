@@ -15,6 +15,7 @@ from nearfar import _core
 from nearfar._scene import undrawn as undrawn_parts, wavefront_materials
 from nearfar._scene.arrays import MAX_CUTOFF
 from nearfar._scene.budget import Budget
+from nearfar._scene.coordinates import SPECULAR_GLOSSINESS
 from nearfar._scene.emission import DARK, MAP, Light, emission_of, is_unlit
 from nearfar._scene.srgb import to_linear
 from nearfar._scene.undrawn import EncodedImage, GltfMaterial, TextureSource
@@ -92,8 +93,7 @@ def colors_of(values: NDArray[Any], count: int, *, linear: bool) -> NDArray[np.u
 
 def _to_bytes(values: NDArray[Any]) -> NDArray[np.uint8]:
     # NaN becomes 0.
-    levels: NDArray[np.uint8] = np.rint(np.clip(np.nan_to_num(values), 0, 1) * 255).astype(np.uint8)
-    return levels
+    return np.rint(np.clip(np.nan_to_num(values), 0, 1) * 255).astype(np.uint8)  # type: ignore[no-any-return]
 
 
 @dataclass(frozen=True, eq=False)
@@ -108,7 +108,7 @@ class Described:
     def factor(self) -> tuple[float, float, float, float] | None:
         """Base colour factor in full precision; None means trimesh's value, which may come from an extension."""
         factor = self.material.get("pbrMetallicRoughness", {}).get("baseColorFactor")
-        if factor is None or _OTHER_SURFACE in (self.material.get("extensions") or ()):
+        if factor is None or SPECULAR_GLOSSINESS in (self.material.get("extensions") or ()):
             return None
         red, green, blue, alpha = np.clip(np.nan_to_num(np.array(factor, np.float64)), 0, 1).tolist()
         return red, green, blue, alpha
@@ -120,7 +120,7 @@ class Described:
 
 
 _COMPARED_ROWS = 4
-"""Number of rows, at least, that are compared before all texels of two textures are."""
+"""Least number of rows of two textures that are compared before all of their texels are."""
 
 _UNREADABLE = "with an unreadable texture drawn without it"
 _UNREADABLE_EMISSION = "with an unreadable map of emission drawn without it"
@@ -131,9 +131,8 @@ def _is_placeholder(image: Any) -> bool:
     from trimesh.visual.material import color_image
 
     grey = color_image()
-    if image is None or (image.size, image.mode) != (grey.size, grey.mode):
-        return False
-    return bool(image.tobytes() == grey.tobytes())
+    is_alike = image is not None and (image.size, image.mode) == (grey.size, grey.mode)
+    return is_alike and bool(image.tobytes() == grey.tobytes())
 
 
 def _gltf_entry(material: Any) -> Described:
@@ -150,9 +149,6 @@ def _gltf_entry(material: Any) -> Described:
     surface = {key: entry.pop(key) for key in _SURFACE_KEYS if key in entry}
     return Described(entry | {"pbrMetallicRoughness": surface}, lambda number: _encoded(images[number]))
 
-
-_OTHER_SURFACE = "KHR_materials_pbrSpecularGlossiness"
-"""Extension from which trimesh takes base colours."""
 
 _SURFACE_KEYS = ("metallicFactor", "roughnessFactor", "baseColorTexture", "metallicRoughnessTexture")
 
@@ -171,10 +167,7 @@ def _encoded(image: Any) -> TextureSource | None:
 class Materials:
     """Converts trimesh's materials to base colours; each image is decoded once, however many materials use it.
 
-    Parameters
-    ----------
-    budget
-        Limit for images of files; None for images that the caller made.
+    The budget limits images of files; it is None for images that the caller made.
     """
 
     def __init__(self, budget: Budget | None = None) -> None:
@@ -185,14 +178,9 @@ class Materials:
         self._images: dict[int, tuple[Any, NDArray[np.uint8] | None]] = {}
 
     def base_colors(self, material: Any, *, described: Described | None = None) -> list[BaseColor]:
-        """Return the base colours of a material, several for a MultiMaterial.
+        """Return the base colours of a material of trimesh or None, several for a MultiMaterial.
 
-        Parameters
-        ----------
-        material
-            A material of trimesh, or None.
-        described
-            Its entry in the source file; None uses only `material`.
+        `described` is its entry in the source file; None uses only `material`.
         """
         if material is None:
             return []
@@ -209,8 +197,8 @@ class Materials:
         factor = None if described is None else described.factor
         if factor is None:
             color = material.baseColorFactor
-            stored = (1.0, 1.0, 1.0, 1.0) if color is None else tuple(float(c) / 255 for c in color)
-            factor = (stored[0], stored[1], stored[2], stored[3])
+            red, green, blue, alpha = (255, 255, 255, 255) if color is None else color
+            factor = (float(red) / 255, float(green) / 255, float(blue) / 255, float(alpha) / 255)
         texture, notes = self._texture(material.baseColorTexture)
         if described is not None and described.is_textured and material.baseColorTexture is None:
             notes = (_UNREADABLE,)
@@ -222,16 +210,16 @@ class Materials:
             cutoff = min(max(cutoff, -MAX_CUTOFF), MAX_CUTOFF)
         described = described or _gltf_entry(material)
         undrawn, differences = undrawn_parts.of_gltf(described.material, described.texture)
-        light, glow, lost = self._emission(undrawn, material.emissiveTexture)
+        light, light_map, light_notes = self._emission(undrawn, material.emissiveTexture)
         unlit = undrawn is not None and is_unlit(undrawn.material)
-        notes += differences + lost
+        notes += differences + light_notes
         blend = "blending" if mode == "BLEND" else ""
-        return BaseColor(factor, texture, cutoff, light, glow, unlit, notes, undrawn, blend)
+        return BaseColor(factor, texture, cutoff, light, light_map, unlit, notes, undrawn, blend)
 
     def _emission(
         self, undrawn: GltfMaterial | None, image: Any
     ) -> tuple[Light, NDArray[np.uint8] | None, tuple[str, ...]]:
-        """Drawn part of a material's emission, and notes on the rest; `image` is the emission's texture."""
+        """Drawn part of a material's emission, and notes on the undrawn part; `image` is the emission's texture."""
         light = DARK if undrawn is None else emission_of(undrawn.material)
         if undrawn is None or light == DARK or MAP not in undrawn.material:
             return light, None, ()
@@ -242,12 +230,10 @@ class Materials:
         """Base colour of a Wavefront material: the diffuse colour is taken as sRGB, as in three.js."""
         diffuse, entries = tuple(int(c) for c in material.diffuse), material.kwargs
         image = getattr(material, "image", None)
-        if _is_placeholder(image):
-            image = None
-        texture, notes = self._texture(image)
-        glowing = entries.get(wavefront_materials.EMISSION_IMAGE)
-        described = wavefront_materials.as_gltf(entries)
-        undrawn, differences = undrawn_parts.of_gltf(described, lambda _: _encoded(glowing))
+        texture, notes = self._texture(None if _is_placeholder(image) else image)
+        emission_image = entries.get(wavefront_materials.EMISSION_IMAGE)
+        gltf = wavefront_materials.as_gltf(entries)
+        undrawn, differences = undrawn_parts.of_gltf(gltf, lambda _: _encoded(emission_image))
         notes += (*differences, *wavefront_materials.losses(entries))
         alpha = min(diffuse[3] / 255, wavefront_materials.opacity(entries))
         blend = "transparency" if alpha < 1.0 else ""
@@ -255,8 +241,9 @@ class Materials:
             red, green, blue, _ = UNCOLORED.factor if texture is not None else PLAIN.factor
         else:
             red, green, blue = (float(c) for c in to_linear(np.array(diffuse[:3]) / 255))
-        light, glow, lost = self._emission(undrawn, glowing)
-        return BaseColor((red, green, blue, alpha), texture, None, light, glow, False, notes + lost, undrawn, blend)
+        light, light_map, light_notes = self._emission(undrawn, emission_image)
+        notes += light_notes
+        return BaseColor((red, green, blue, alpha), texture, None, light, light_map, False, notes, undrawn, blend)
 
     def _texture(self, image: Any) -> tuple[NDArray[np.uint8] | None, tuple[str, ...]]:
         if image is None:
@@ -310,7 +297,6 @@ def _decoded(image: Any) -> NDArray[np.uint8] | None:
         if image.mode.startswith("I;16"):  # Pillow would clip 16-bit values instead of scaling them
             image = Image.fromarray((np.asarray(image) >> 8).astype(np.uint8))
         # Pillow's decoders raise OSError, SyntaxError, ValueError, struct.error, zlib.error and others.
-        texels: NDArray[np.uint8] = np.asarray(image.convert("RGBA"))
+        return np.asarray(image.convert("RGBA"))
     except Exception:
         return None
-    return texels

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from nearfar import _core
 from nearfar._base import check, glb
+from nearfar._scene.glb import placement_of
 from nearfar._scene.names import Names
 from nearfar._scene.scene import Scene
 
@@ -20,10 +21,8 @@ def moving_rows(scene: Scene) -> list[dict[str, Any]]:
     Instances without triangles are left out, because GLB files omit them, too.
     """
     rows: list[dict[str, Any]] = []
-    core, parts = scene._core, _core.scene_parts(scene._core)
-    meshes = parts["meshes"][parts["standing_count"] :]
-    moving = zip(core.moving_objects().tolist(), scene._rest, core.moving_placements(), meshes, strict=True)
-    for owner, rest, placement, mesh in moving:
+    owners, placements = scene._core.moving_objects().tolist(), scene._core.moving_placements()
+    for owner, rest, placement, mesh in zip(owners, scene._rest, placements, _moving_meshes(scene), strict=True):
         if not mesh.face_count:
             continue
         name = scene.object_names[owner]
@@ -78,12 +77,6 @@ def nodes_of(data: bytes) -> tuple[tuple[float, float, float], list[dict[str, An
     """Origin of a GLB, and its nodes: the children of the first node."""
     root, *nodes = glb.header(data)[0]["nodes"]
     return check.vector("translation", root.get("translation", (0.0, 0.0, 0.0))), nodes
-
-
-def placement_of(node: dict[str, Any]) -> NDArray[np.float64]:
-    """Exact placement (3, 4) of a node."""
-    matrix: NDArray[np.float64] = np.array(node.get("matrix", np.eye(4).ravel()), np.float64).reshape(4, 4)
-    return matrix.T[:3]
 
 
 def _moving_meshes(scene: Scene) -> Sequence[_core.Mesh]:

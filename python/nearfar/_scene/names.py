@@ -31,19 +31,16 @@ MAX_OBJECTS = (1 << 31) - 1
 
 def distinct(names: Sequence[str]) -> list[str]:
     """Make names distinct: the first of equal ones keeps its name, the others get unused number suffixes."""
-    taken, seen = set(names), set[str]()
-    counts: dict[str, int] = {}
+    used_names, next_suffixes = set(names), dict[str, int]()
     result = []
     for name in names:
-        chosen = name
-        if name in seen:
-            number = counts.get(name, 0) + 1
-            while (chosen := f"{name}_{number}") in taken:
-                number += 1
-            counts[name] = number
-            taken.add(chosen)
-        seen.add(name)
-        result.append(chosen)
+        unique, suffix = name, next_suffixes.get(name, 0)
+        if suffix:
+            while (unique := f"{name}_{suffix}") in used_names:
+                suffix += 1
+            used_names.add(unique)
+        next_suffixes[name] = suffix + 1
+        result.append(unique)
     return result
 
 
@@ -58,32 +55,28 @@ class Names:
     """
 
     def __init__(self, names: Sequence[str] | int) -> None:
-        self._source = names
+        self.source = names
+        """The names as passed, or the number of nameless objects."""
 
     def __len__(self) -> int:
-        return self._source if isinstance(self._source, int) else len(self._source)
-
-    @property
-    def source(self) -> Sequence[str] | int:
-        """The names as passed, or the number of nameless objects."""
-        return self._source
+        return self.source if isinstance(self.source, int) else len(self.source)
 
     @cached_property
     def as_tuple(self) -> tuple[str, ...]:
         """All names; nameless objects are called ``object_0``, ``object_1`` and so on."""
-        if isinstance(self._source, int):
-            return tuple(f"object_{number}" for number in range(self._source))
-        return tuple(self._source)
+        if isinstance(self.source, int):
+            return tuple(f"object_{number}" for number in range(self.source))
+        return tuple(self.source)
 
     @cached_property
     def _numbers(self) -> dict[str, int]:
         return {name: number for number, name in enumerate(self.as_tuple)}
 
     def _number_of(self, name: str) -> int | None:
-        if not isinstance(self._source, int):
+        if not isinstance(self.source, int):
             return self._numbers.get(name)
         match = _NAMELESS.fullmatch(name)
-        return int(match[1]) if match and int(match[1]) < self._source else None
+        return int(match[1]) if match and int(match[1]) < self.source else None
 
     def number(self, argument: str, name: str) -> int:
         """Return the number of an object; ValueError with similar names if there is none."""
@@ -102,8 +95,8 @@ class Names:
         return flags
 
     def _similar(self, name: str) -> str:
-        if isinstance(self._source, int):
-            return f"; it has {self._source} objects" + (", such as 'object_0'" if self._source else "")
+        if isinstance(self.source, int):
+            return f"; it has {self.source} objects" + (", such as 'object_0'" if self.source else "")
         candidates = self.as_tuple
         if len(candidates) > _MAX_COMPARED:
             candidates = tuple(other for other in candidates if other[:2] == name[:2])[:_MAX_COMPARED]

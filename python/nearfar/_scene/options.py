@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Literal, TypedDict, get_args
+from typing import Any, ClassVar, Literal, TypedDict, get_args
 
 from numpy.typing import ArrayLike
 
 from nearfar._base import check
+from nearfar._base.settings import Alternatives
 from nearfar._scene.city.levels import greatest
 from nearfar._scene.tileset.frames import checked_origin
 
@@ -22,7 +23,7 @@ Blend = Literal["opaque", "cutout"]
 
 
 @dataclass(frozen=True, kw_only=True)
-class LoadOptions:
+class LoadOptions(Alternatives):
     """Options of `Scene.load` and `open_source`.
 
     Parameters
@@ -59,6 +60,8 @@ class LoadOptions:
     ValueError, TypeError
         Options out of range, or both `error` and `triangles`.
     """
+
+    _alternatives: ClassVar = (("error",), ("triangles",))
 
     up: Up = "y"
     scale: float | None = None

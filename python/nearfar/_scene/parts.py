@@ -1,18 +1,20 @@
-"""Subsets and queries of a scene: the mixin of `Scene` that leaves out objects and triangles."""
+"""Mixins of `Scene`: subsets and queries, and pictures."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING, Any, Self, SupportsFloat
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from nearfar import _core
 from nearfar._base import check
+from nearfar._camera.shot import Shot, check_begin, check_request
 from nearfar._scene.arrays import triangle_mask
 
 if TYPE_CHECKING:
-    from nearfar._core import Scene as CoreScene
+    from nearfar._core import GpuDevice, GpuJob, Scene as CoreScene
     from nearfar._scene.levels import LevelTable
     from nearfar._scene.names import Names
 
@@ -28,7 +30,7 @@ class InParts:
     if TYPE_CHECKING:
 
         def _derived(
-            self, core: CoreScene, rest: NDArray[np.float64], table: LevelTable | None = None, **kept: Any
+            self, core: CoreScene, rest: NDArray[np.float64], table: LevelTable | None = None, **changes: Any
         ) -> Self: ...
 
     @property
@@ -52,8 +54,8 @@ class InParts:
             Unknown names, triangle numbers out of range, both arguments or none.
         """
         if (objects is None) == (triangles is None):
-            got = "none" if objects is None else "both"
-            raise ValueError(f"subset: expected either objects or triangles, got {got}")
+            count = "none" if objects is None else "both"
+            raise ValueError(f"subset: expected either objects or triangles, got {count}")
         owner = self._core.moving_objects()
         if objects is not None:
             flags = self._names.flags("objects", objects)
@@ -94,17 +96,7 @@ class InParts:
     def touches(self, aabb: ArrayLike) -> bool:
         """Return False if no triangle touches a box; True may be a false alarm. It takes microseconds.
 
-        Parameters
-        ----------
-        aabb
-            Least and greatest corner (2, 3), world, metres. The sides belong to the box and may be infinite.
-
-        Raises
-        ------
-        ValueError
-            A box with NaN or with a least corner above the greatest.
-        TypeError
-            Values that are not numbers.
+        The box is as in `query`; ValueError and TypeError, too.
         """
         least, greatest = check.box("aabb", aabb).tolist()
         return self._core.touches(tuple(least), tuple(greatest))
@@ -114,3 +106,38 @@ class InParts:
         least, greatest = box.tolist()
         core, remains = self._core.query(tuple(least), tuple(greatest), builds)
         return self._derived(core, self._rest if remains is None else self._rest[remains])
+
+
+class InPictures:
+    """Mixin that renders a scene exactly."""
+
+    _core: CoreScene
+
+    @property
+    def default_channels(self) -> tuple[str, ...]:
+        """Images that `nearfar.render` computes by default."""
+        return ("color", "range", "object_id")
+
+    @property
+    def backends(self) -> tuple[str, ...]:
+        """Backends that can render the scene."""
+        return ("cpu", "gpu")
+
+    def displayed(self, points: ArrayLike, user: ArrayLike) -> NDArray[np.float64]:
+        """Return the world positions (N, 3) where a picture shows points: unchanged, for any user."""
+        check.vector("user", user)
+        return check.array("points", points, columns=3, dtype=np.float64)
+
+    def trace(self, shot: Shot, report: Callable[[int, int], None] | None = None) -> list[dict[str, NDArray[Any]]]:
+        """Trace the pictures of a shot, one for each camera; `nearfar.render` makes frames of them."""
+        check_request(shot, report)
+        return [_core.render_truth(self._core, camera._core, shot.settings, report=report) for camera in shot.cameras]
+
+    def begin(self, device: GpuDevice, shot: Shot, report: Callable[[int, int], None] | None = None) -> list[GpuJob]:
+        """Begin the pictures of a shot on a graphics device, one for each camera.
+
+        Pictures of two cameras are drawn in one pass if the adapter supports it.
+        """
+        check_begin(device, shot, report)
+        cameras = [camera._core for camera in shot.cameras]
+        return device.truth(self._core, cameras, shot.settings, report=report)

@@ -1,4 +1,4 @@
-"""Placed meshes: which ones are merged or stay instances, the scene's origin, and the kernels' scene."""
+"""Meshes and their placements: which ones are merged or stay instances, the origin, and the kernels' scene."""
 
 from __future__ import annotations
 
@@ -12,13 +12,113 @@ from numpy.typing import NDArray
 from nearfar import _core
 from nearfar._base import check
 from nearfar._scene.arrays import ORIGIN_LIMIT, origin_for
-from nearfar._scene.mesh_list import MeshList
+from nearfar._scene.names import Names
 
 OWN_OBJECTS = -1
 """Object number of an instance whose mesh has an object number for each face."""
 
-_ROW = 12
+_ROW_BYTES = 12
 """Bytes of a vertex position, and of a face."""
+
+_MAX_VERTICES = 2**32 - 2**16
+"""Greatest number of vertices of a merged mesh, whose indices have 32 bits."""
+
+_NO_STORED_MESHES = _core.StoredMeshes([], np.zeros((0, 7), np.int64), np.zeros((0, 7), np.int64))
+
+
+@dataclass(frozen=True)
+class _ArrayMesh:
+    core: _core.Mesh
+    base: NDArray[np.float64]
+    """Whole metres (3,) subtracted from the vertices."""
+    has_objects: bool
+
+
+class MeshList:
+    """Numbers meshes and creates the kernels' meshes, one by one or merged."""
+
+    def __init__(self) -> None:
+        self._stored_meshes, self._stored_count = _NO_STORED_MESHES, 0
+        self._array_meshes: list[_ArrayMesh] = []
+        """The first one has the handle `_stored_count`."""
+
+    def __len__(self) -> int:
+        return self._stored_count + len(self._array_meshes)
+
+    def store(self, meshes: _core.StoredMeshes) -> None:
+        """Add meshes of a file, before any other mesh; their handles count from 0."""
+        assert not len(self)
+        self._stored_meshes, self._stored_count = meshes, len(meshes.face_counts())
+
+    def add(self, core: _core.Mesh, base: NDArray[np.float64], *, has_objects: bool) -> int:
+        """Add a mesh relative to its base (3,) in metres, and return its handle."""
+        self._array_meshes.append(_ArrayMesh(core, base, has_objects))
+        return len(self) - 1
+
+    def has_objects(self, handle: int) -> bool:
+        """Whether a mesh has an object number for each face."""
+        if not len(self):
+            raise ValueError("mesh: expected a handle of this builder, which has no mesh yet")
+        number = check.integer("mesh", handle, 0, len(self) - 1)
+        return number >= self._stored_count and self._array_meshes[number - self._stored_count].has_objects
+
+    def bases(self) -> NDArray[np.float64]:
+        """Bases (M, 3)."""
+        array_bases = np.array([mesh.base for mesh in self._array_meshes], np.float64).reshape(-1, 3)
+        return np.concatenate([np.zeros((self._stored_count, 3)), array_bases])
+
+    def vertex_counts(self) -> NDArray[np.int64]:
+        """Numbers of vertices (M,)."""
+        array_counts = np.array([mesh.core.vertex_count for mesh in self._array_meshes], np.int64)
+        return np.concatenate([self._stored_meshes.vertex_counts(), array_counts])
+
+    def face_counts(self) -> NDArray[np.int64]:
+        """Numbers of faces (M,)."""
+        array_counts = np.array([mesh.core.face_count for mesh in self._array_meshes], np.int64)
+        return np.concatenate([self._stored_meshes.face_counts(), array_counts])
+
+    def boxes(self) -> NDArray[np.float64]:
+        """Boxes (M, 2, 3) relative to the bases, which may include unused vertices; inverted without faces."""
+        return self._append_array_boxes(self._stored_meshes.bounds())
+
+    def face_boxes(self) -> NDArray[np.float64]:
+        """Exact boxes of the faces (M, 2, 3) relative to the bases, slower than `boxes`; inverted without faces."""
+        return self._append_array_boxes(self._stored_meshes.face_bounds())
+
+    def _append_array_boxes(self, stored_boxes: NDArray[np.float64]) -> NDArray[np.float64]:
+        array_boxes = np.array([mesh.core.bounds() for mesh in self._array_meshes], np.float64).reshape(-1, 2, 3)
+        return np.concatenate([stored_boxes, array_boxes])
+
+    def meshes_by_handle(self, handles: NDArray[np.int64]) -> dict[int, _core.Mesh]:
+        """Kernels' meshes by handle; handles may repeat."""
+        unique_handles = np.unique(handles)
+        stored, others = np.split(unique_handles, [np.searchsorted(unique_handles, self._stored_count)])
+        meshes = dict(zip(stored.tolist(), self._stored_meshes.meshes(stored), strict=True))
+        return meshes | {handle: self._array_meshes[handle - self._stored_count].core for handle in others.tolist()}
+
+    def merge(
+        self, handles: NDArray[np.int64], placements: NDArray[np.float64], objects: NDArray[np.int32]
+    ) -> list[_core.Mesh]:
+        """Merge K meshes with `placements` (K, 3, 4) into one of stored meshes and one of others.
+
+        Each is divided where indices of 32 bits do not suffice.
+        """
+        is_stored = handles < self._stored_count
+        merged = []
+        for all_rows in (np.flatnonzero(is_stored), np.flatnonzero(~is_stored)):
+            for rows in self._groups(all_rows, handles):
+                if is_stored[rows[0]]:
+                    merged.append(self._stored_meshes.merge(handles[rows], placements[rows], objects[rows]))
+                else:
+                    meshes = [self._array_meshes[handle - self._stored_count].core for handle in handles[rows].tolist()]
+                    merged.append(_core.Mesh.merged(meshes, placements[rows], objects[rows]))
+        return merged
+
+    def _groups(self, rows: NDArray[np.int64], handles: NDArray[np.int64]) -> list[NDArray[np.int64]]:
+        if not len(rows):
+            return []
+        group = np.cumsum(self.vertex_counts()[handles[rows]]) // _MAX_VERTICES
+        return np.split(rows, np.flatnonzero(np.diff(group)) + 1)
 
 
 @dataclass(frozen=True)
@@ -43,17 +143,16 @@ class Placements:
             transform[:, :3, 3] += np.einsum("kij,kj->ki", transform[:, :3, :3], bases[mesh])
         return cls(mesh, transform, numbers)
 
-    def merges(self, moves: NDArray[np.bool_], names: Sequence[str]) -> NDArray[np.bool_]:
+    def merges(self, moves: NDArray[np.bool_], names: Names) -> NDArray[np.bool_]:
         """Mask of the instances to merge: static meshes placed once, and flat ones (singular transforms)."""
         once = np.bincount(self.mesh, minlength=1)[self.mesh] == 1
         scale = np.abs(self.transform[:, :3, :3]).sum(axis=(1, 2)) ** 3
         # A determinant below 1e-30 of the size cubed is rounding error: float64 has 16 digits on each of three axes.
         flat = np.abs(np.linalg.det(self.transform[:, :3, :3])) <= 1e-30 * scale
         if (flat & moves).any():
-            name = names[self.object[np.argmax(flat & moves)]]
+            name = names.as_tuple[self.object[np.argmax(flat & moves)]]
             raise ValueError(f"dynamic: expected objects with invertible transforms, got a flat one for {name!r}")
-        merged: NDArray[np.bool_] = (once & ~moves) | flat
-        return merged
+        return np.asarray((once & ~moves) | flat)
 
     def origin(self, meshes: MeshList) -> NDArray[np.float64]:
         """World position (3,) of the scene's origin."""
@@ -68,13 +167,13 @@ class Placements:
             raise ValueError(f"vertices: expected coordinates within ±1e30 m, got {reach:g} m")
         return origin_for(bounds)
 
-    def _bounds(self, chosen: NDArray[np.bool_], boxes: NDArray[np.float64]) -> NDArray[np.float64]:
+    def _bounds(self, is_used: NDArray[np.bool_], boxes: NDArray[np.float64]) -> NDArray[np.float64]:
         """Box (2, 3) of the chosen instances of meshes with boxes (M, 2, 3)."""
         # The sides of a rotated box are sums over its axes; they are exact if axes map to axes.
-        products = self.transform[chosen, None, :3, :3] * boxes[self.mesh[chosen]][:, :, None, :]
-        places = self.transform[chosen, :3, 3]
-        least = products.min(axis=1).sum(axis=-1) + places
-        greatest = products.max(axis=1).sum(axis=-1) + places
+        products = self.transform[is_used, None, :3, :3] * boxes[self.mesh[is_used]][:, :, None, :]
+        offsets = self.transform[is_used, :3, 3]
+        least = products.min(axis=1).sum(axis=-1) + offsets
+        greatest = products.max(axis=1).sum(axis=-1) + offsets
         return np.stack([least.min(axis=0), greatest.max(axis=0)])
 
     def copied_bytes(self, merged: NDArray[np.bool_], meshes: MeshList) -> int:
@@ -82,7 +181,7 @@ class Placements:
         copies = np.maximum(np.bincount(self.mesh[merged], minlength=len(meshes)) - 1, 0)
         # Python integers: counts in malformed files overflow 64 bits.
         sizes = (meshes.vertex_counts() + meshes.face_counts()).tolist()
-        return sum(_ROW * size * count for size, count in zip(sizes, copies.tolist(), strict=True) if count)
+        return sum(_ROW_BYTES * size * count for size, count in zip(sizes, copies.tolist(), strict=True) if count)
 
 
 def core_scene(
@@ -100,22 +199,21 @@ def core_scene(
         rows = rows[:0]  # a single mesh at the identity is used without a copy
         merges = np.zeros_like(merges)
     merged = meshes.merge(placed.mesh[rows], placements[rows], placed.object[rows])
-    rest = np.flatnonzero(~merges)
+    others = np.flatnonzero(~merges)
     identities = np.broadcast_to(np.eye(4)[:3], (len(merged), 3, 4))
+    x, y, z = origin.tolist()
     return _core.Scene(
-        origin=(float(origin[0]), float(origin[1]), float(origin[2])),
-        meshes=merged + _instanced(placed, rest, meshes),
-        placements=np.concatenate([identities, placements[rest]]),
-        objects=np.concatenate([np.full(len(merged), OWN_OBJECTS, np.int32), placed.object[rest]]),
-        standing_count=len(merged) + len(rest),
+        origin=(x, y, z),
+        meshes=merged + _instanced(placed, others, meshes),
+        placements=np.concatenate([identities, placements[others]]),
+        objects=np.concatenate([np.full(len(merged), OWN_OBJECTS, np.int32), placed.object[others]]),
+        standing_count=len(merged) + len(others),
         **materials,
     )
 
 
 def _instanced(placed: Placements, rows: NDArray[np.int64], meshes: MeshList) -> list[_core.Mesh]:
     """Meshes of instances; mirrored instances get meshes with reversed faces, so that outer sides stay outer sides."""
-    if not len(rows):
-        return []
     handles = placed.mesh[rows]
     mirrored = np.linalg.det(placed.transform[rows, :3, :3]) < 0
     cores = meshes.meshes_by_handle(handles)

@@ -22,36 +22,24 @@ def checked_pose(argument: str, pose: ArrayLike) -> Floats:
 
 
 def placements_in(pose: Floats, frame: Floats, rest: Floats, origin: Floats) -> Floats:
-    """Compute the placements (K, 3, 4) of an object's meshes in a pose, relative to `origin`.
+    """Compute an object's mesh placements (K, 3, 4) in a pose, relative to the world position `origin`, metres.
 
-    Parameters
-    ----------
-    pose, frame
-        Matrices object→world (4, 4): the new pose, and the load transform.
-    rest
-        Load placements of the object's meshes (K, 3, 4), relative to `origin`.
-    origin
-        World position (3,) that placements are relative to, metres.
+    `pose` and `frame` are matrices object→world (4, 4): the new pose, and the load transform. `rest` are the load
+    placements of the meshes (K, 3, 4), relative to `origin`.
     """
     if np.array_equal(pose, frame):
         return rest
-    world = rest.copy()
-    world[:, :, 3] += origin
+    world = square(rest)
+    world[:, :3, 3] += origin
     # mesh→world = pose · frame⁻¹ · rest. The right product is solved first, so that equal factors cancel exactly.
-    local = np.linalg.solve(frame, np.concatenate([world, np.tile([[[0.0, 0, 0, 1]]], (len(world), 1, 1))], axis=1))
-    placements: Floats = (pose @ local)[:, :3]
+    placements: Floats = (pose @ np.linalg.solve(frame, world))[:, :3]
     placements[:, :, 3] -= origin
     return placements
 
 
-def current_pose(frame: Floats, placement: Floats, rest: Floats, origin: Floats) -> Floats:
-    """Compute object→world (4, 4) of an object from its mesh's present placement (3, 4) and load placement (`rest`)."""
-    now, loaded = (np.vstack([rows, [0, 0, 0, 1]]) for rows in (placement, rest))
-    if np.array_equal(now, loaded):
-        return frame.copy()
-    for matrix in (now, loaded):
-        matrix[:3, 3] += origin
-    return now @ np.linalg.solve(loaded, frame)
+def square(placements: Floats) -> Floats:
+    """Append the row (0, 0, 0, 1) to placements (K, 3, 4)."""
+    return np.concatenate([placements, np.tile([[[0.0, 0, 0, 1]]], (len(placements), 1, 1))], axis=1)
 
 
 def frame_of(frames: Floats | None, number: int) -> Floats:
@@ -61,7 +49,10 @@ def frame_of(frames: Floats | None, number: int) -> Floats:
 
 def pose_of(core: _core.Scene, number: int, frame: Floats, rest: Floats) -> Floats:
     """Present object→world (4, 4) of an object, from its load transform and moving instances' load placements."""
-    rows = np.flatnonzero(core.moving_objects() == number)
-    if not len(rows):
+    rows = np.flatnonzero(core.moving_objects() == number)[:1]
+    present, loaded = square(core.moving_placements()[rows]), square(rest[rows])
+    if np.array_equal(present, loaded):
         return frame.copy()
-    return current_pose(frame, core.moving_placements()[rows[0]], rest[rows[0]], np.array(core.origin))
+    present[:, :3, 3] += core.origin
+    loaded[:, :3, 3] += core.origin
+    return np.asarray(present[0] @ np.linalg.solve(loaded[0], frame))

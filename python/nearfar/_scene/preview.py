@@ -15,7 +15,7 @@ SIZE = (320, 200)
 """Width and height of the picture in pixels."""
 
 MAX_EXACT_ELEMENTS = 750_000
-"""Most distinct triangles and instances to draw exactly: their bounding volume trees are built within a second."""
+"""Maximum number of distinct triangles and instances that are drawn exactly: their trees are built within a second."""
 
 POINT_COUNT = 250_000
 """Number of triangles drawn as points for larger scenes, whose trees would take seconds to build and stay in memory."""
@@ -32,12 +32,10 @@ CAMERA_DIRECTION = np.array([0.45, 0.5, 0.74])
 
 def html(core: _core.Scene, report: Report, bounds: NDArray[np.float64]) -> str:
     """Make the card of a scene."""
+    meshes = count(report.meshes, "mesh", "meshes")
     facts = [
         ("triangles", f"{report.triangles:,}"),
-        (
-            "objects",
-            f"{report.objects:,} in {count(report.instances, 'instance')} of {count(report.meshes, 'mesh', 'meshes')}",
-        ),
+        ("objects", f"{report.objects:,} in {count(report.instances, 'instance')} of {meshes}"),
         ("moving", count(report.dynamic, "instance")),
         ("materials", f"{count(report.materials, 'material')}, {count(report.textures, 'texture')}"),
     ]
@@ -91,7 +89,7 @@ def element_count(core: _core.Scene) -> int:
 
 
 def sample_mask(total: int, sample_count: int) -> NDArray[np.bool_]:
-    """Sample about `wanted` of `total` triangles: one at a random place in each interval of equal length.
+    """Sample about `sample_count` of `total` triangles: one at a random place in each interval of equal length.
 
     Equal spacing would alias with meshes whose faces are in rows.
     """
@@ -107,15 +105,11 @@ def sample_mask(total: int, sample_count: int) -> NDArray[np.bool_]:
 
 def dense_view(core: _core.Scene, bounds: NDArray[np.float64]) -> Camera:
     """Camera that sees the middle nine tenths of the triangles; ground and distant hills are wide but have few."""
-    sample = (
-        core.subset_of_triangles(sample_mask(core.triangle_count, VIEW_SAMPLE_COUNT))
-        .triangles()
-        .mean(axis=1, dtype=np.float64)
-    )
-    low, high = np.percentile(sample, [5.0, 95.0], axis=0) + np.array(core.origin)
+    sample = core.subset_of_triangles(sample_mask(core.triangle_count, VIEW_SAMPLE_COUNT)).triangles()
+    centroids = sample.mean(axis=1, dtype=np.float64)
+    low, high = np.percentile(centroids, [5.0, 95.0], axis=0) + np.array(core.origin)
     middle, margin = (low + high) / 2.0, 0.65 * (high - low)
     low, high = np.maximum(middle - margin, bounds[0]), np.minimum(middle + margin, bounds[1])
     middle, radius = (low + high) / 2.0, max(float(np.linalg.norm(high - low)) / 2.0, 1e-3)
-    return Camera.look_at(
-        middle + 2.2 * radius * CAMERA_DIRECTION, middle, fov=Fov.symmetric(60.0, SIZE[0] / SIZE[1]), size=SIZE
-    )
+    eye, fov = middle + 2.2 * radius * CAMERA_DIRECTION, Fov.symmetric(60.0, SIZE[0] / SIZE[1])
+    return Camera.look_at(eye, middle, fov=fov, size=SIZE)

@@ -38,10 +38,9 @@ class _Collector(logging.Handler):
 
     def emit(self, record: logging.LogRecord) -> None:
         messages = _silent.get(threading.get_ident())
-        if messages is None:
-            if _LOGGER.parent is not None:
-                _LOGGER.parent.callHandlers(record)
-        elif record.levelno >= logging.WARNING:
+        if messages is None and _LOGGER.parent is not None:
+            _LOGGER.parent.callHandlers(record)
+        elif messages is not None and record.levelno >= logging.WARNING:
             messages.append(record.getMessage().partition("\n")[0])
 
 
@@ -51,17 +50,8 @@ _LOGGER, _COLLECTOR = logging.getLogger("trimesh"), _Collector()
 @contextmanager
 def silence() -> Iterator[list[str]]:
     """Hide this thread's warnings within a block; collect the first lines of trimesh's logged warnings."""
-    messages: list[str] = []
-    _enter(messages)
-    try:
-        with np.errstate(all="ignore"):
-            yield messages
-    finally:
-        _leave()
-
-
-def _enter(messages: list[str]) -> None:
     global _propagates
+    messages: list[str] = []
     with _changes:
         if not _silent:
             _propagates, _LOGGER.propagate = _LOGGER.propagate, False
@@ -69,16 +59,17 @@ def _enter(messages: list[str]) -> None:
         _silent[threading.get_ident()] = messages
         # The filter must precede those added since another thread was silenced.
         warnings.filterwarnings("ignore", category=_OfSilentThread)
-
-
-def _leave() -> None:
-    with _changes:
-        del _silent[threading.get_ident()]
-        if not _silent:
-            _LOGGER.removeHandler(_COLLECTOR)
-            _LOGGER.propagate = _propagates
-            with suppress(ValueError):  # the filters have been reset
-                warnings.filters.remove(_IGNORED)  # type: ignore[attr-defined]
+    try:
+        with np.errstate(all="ignore"):
+            yield messages
+    finally:
+        with _changes:
+            del _silent[threading.get_ident()]
+            if not _silent:
+                _LOGGER.removeHandler(_COLLECTOR)
+                _LOGGER.propagate = _propagates
+                with suppress(ValueError):  # the filters have been reset
+                    warnings.filters.remove(_IGNORED)  # type: ignore[attr-defined]
 
 
 _propagates = True

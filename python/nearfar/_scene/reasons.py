@@ -22,11 +22,15 @@ def explained(label: str, *, passed: type[Exception] = SceneError) -> Iterator[N
     except (SceneError, passed):
         raise
     except Exception as error:
-        raise SceneError(f"{label}: {check.one_line(sentence(error), MAX_SENTENCE_LENGTH)}") from error
+        raise SceneError(f"{label}: {sentence(error)}") from error
 
 
 def sentence(error: Exception) -> str:
-    """Return the reason for an exception of a reader."""
+    """Return the reason for an exception of a reader, on one line."""
+    return check.one_line(_sentence(error), _MAX_LENGTH)
+
+
+def _sentence(error: Exception) -> str:
     match error:
         case UnusableError():
             return str(error)
@@ -62,9 +66,9 @@ def sentence(error: Exception) -> str:
 
 def _reader_sentence(reason: str) -> str:
     """Sentence for a reader's message; messages of Python and NumPy are about code and are replaced."""
-    for pattern, sentence in _REASONS:
+    for pattern, template in _REASONS:
         if match := pattern.search(reason):
-            reason = sentence.format(*(group for group in match.groups() if group))
+            reason = template.format(*filter(None, match.groups()))
             break
     return f"it cannot be read: {reason or 'no reason given'}"
 
@@ -73,7 +77,7 @@ def _first_line(error: Exception) -> str:
     return next(iter(str(error).splitlines()), "")
 
 
-MAX_SENTENCE_LENGTH = 300
+_MAX_LENGTH = 300
 """Greatest number of characters of a reason, which may quote the file."""
 
 _DETECTORS = ("chardet", "charset_normalizer")

@@ -1,12 +1,15 @@
-"""Counts of a scene's contents, and notes on the parts of its source that are used, dropped or not drawn."""
+"""Counts of a scene's contents, and notes on the parts of its source that are used, dropped or drawn differently."""
 
 from __future__ import annotations
 
+from collections import Counter
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from nearfar import _core
+from nearfar._scene.materials import PLAIN, UNCOLORED, BaseColor
 from nearfar._scene.units import extent_note
 
 
@@ -46,13 +49,7 @@ class Report:
 
     @classmethod
     def count(
-        cls,
-        core: _core.Scene,
-        objects: int,
-        dynamic: int,
-        dropped: int,
-        notes: tuple[str, ...],
-        used: tuple[str, ...],
+        cls, core: _core.Scene, objects: int, dynamic: int, dropped: int, notes: tuple[str, ...], used: tuple[str, ...]
     ) -> Report:
         """Count the parts of a scene."""
         return cls(
@@ -87,3 +84,71 @@ class Report:
 def count(number: int, noun: str, plural: str = "") -> str:
     """Format a number with its noun, in the plural unless the number is 1."""
     return f"{number:,} {noun if number == 1 else plural or noun + 's'}"
+
+
+@dataclass(frozen=True)
+class Surface:
+    """Materials and attributes of faces."""
+
+    materials: Sequence[BaseColor]
+    """Materials; empty means the plain one."""
+    has_normals: bool
+    has_uvs: bool
+    has_colors: bool
+
+    @property
+    def is_textured(self) -> bool:
+        """Whether the texture coordinates are used."""
+        return self.has_uvs and any(material.is_textured for material in self.materials)
+
+    @property
+    def drawn_materials(self) -> list[BaseColor]:
+        """Materials that the faces are drawn with, at least one."""
+        materials = self.materials or [UNCOLORED if self.has_colors else PLAIN]
+        return [material if self.is_textured else material.without_textures() for material in materials]
+
+
+@dataclass(frozen=True)
+class Look:
+    """Surface of some shapes."""
+
+    surface: Surface
+    shape_count: int
+    """Number of these shapes."""
+    transparent_count: int
+    """Number of these shapes with a vertex alpha below 1."""
+
+
+def inventory(looks: Sequence[Look], vertices: int) -> list[str]:
+    """Count shapes, vertices, and the shapes with each attribute, one phrase each."""
+    shapes = sum(look.shape_count for look in looks)
+    all_shapes = "all of them" if shapes > 1 else "it"
+    phrases = [f"{count(shapes, 'mesh', 'meshes')} with {count(vertices, 'vertex', 'vertices')}"]
+    attributes = {"has_normals": "vertex normals", "has_uvs": "texture coordinates", "has_colors": "vertex colours"}
+    for field, name in attributes.items():
+        if number := sum(look.shape_count for look in looks if getattr(look.surface, field)):
+            phrases.append(f"{name} of {all_shapes if number == shapes else f'{number:,} of them'}")
+    return phrases
+
+
+def notes(looks: Sequence[Look]) -> list[str]:
+    """Notes on differences between the drawn shapes and the source, one sentence each."""
+    materials = {id(material): material for look in looks for material in look.surface.materials}
+    counts = Counter(note for material in materials.values() for note in (*_blend_notes(material), *material.notes))
+    opaque_count = dark_count = 0
+    for look in looks:
+        if any(material.cutoff is None for material in look.surface.drawn_materials):
+            opaque_count += look.transparent_count
+        has_map = any(material.emission_texture is not None for material in look.surface.materials)
+        dark_count += look.shape_count * (has_map and not look.surface.has_uvs)
+    dark = "with a map of emission but no texture coordinates drawn and saved without it"
+    return [
+        *(f"{count(number, 'material')} {note}" for note, number in counts.items()),
+        *([f"{count(opaque_count, 'mesh', 'meshes')} with vertex alpha below 1 drawn opaque"] if opaque_count else []),
+        *([f"{count(dark_count, 'mesh', 'meshes')} {dark}"] if dark_count else []),
+    ]
+
+
+def _blend_notes(material: BaseColor) -> list[str]:
+    rendering = "opaque" if material.cutoff is None else "where alpha is at least 1/2"
+    return [f"with {material.blend} drawn {rendering}"] if material.blend else []

@@ -14,13 +14,11 @@ from nearfar import _core
 from nearfar._base import card, check
 from nearfar._base.settings import gather
 from nearfar._scene import preview
-from nearfar._scene.assembly import Assembled
+from nearfar._scene.assembly import Assembled, one_mesh
 from nearfar._scene.levels import Leveled, LevelTable, check_levels, kept_of, levels_of, with_levels
 from nearfar._scene.names import Names, names_of
-from nearfar._scene.one_mesh import one_mesh
 from nearfar._scene.options import Blend, LoadKeywords, LoadOptions, OnInvalid, Up
-from nearfar._scene.parts import InParts
-from nearfar._scene.pictures import InPictures
+from nearfar._scene.parts import InParts, InPictures
 from nearfar._scene.poses import checked_pose, frame_of, placements_in, pose_of
 from nearfar._scene.report import Report
 from nearfar._scene.serialize import core_of_parts, parts_of
@@ -60,15 +58,12 @@ class Scene(InParts, InPictures):
 
     @classmethod
     def _from_assembled(cls, parts: Assembled) -> Scene:
-        kept = {name: getattr(parts, name) for name in ("frames", "dropped", "notes", "used", "undrawn")}
-        return cls(parts.core, Names(parts.names), **kept)
+        fields = {name: getattr(parts, name) for name in ("frames", "dropped", "notes", "used", "undrawn")}
+        return cls(parts.core, parts.names, **fields)
 
     @classmethod
     def load(
-        cls,
-        path: str | os.PathLike[str],
-        options: LoadOptions | None = None,
-        **keywords: Unpack[LoadKeywords],
+        cls, path: str | os.PathLike[str], options: LoadOptions | None = None, **keywords: Unpack[LoadKeywords]
     ) -> Scene:
         """Load a file: GLB, glTF with its buffers and images, OBJ with MTL, PLY, STL, OFF or another format of trimesh.
 
@@ -265,9 +260,9 @@ class Scene(InParts, InPictures):
         leveled, table = self.leveled, self._table
         if leveled is None or table is None:
             raise ValueError("levels: expected a scene whose objects have levels, got one without; see with_levels")
-        chosen = levels_of("levels", levels, leveled)
+        level_rows = levels_of("levels", levels, leveled)
         by_object = np.zeros(len(self._names), np.int32)
-        by_object[leveled.numbers] = chosen
+        by_object[leveled.numbers] = level_rows
         remains = (by_object >= 0)[self._core.moving_objects()]
         return self._derived(table.core.choose(self._core, table.row_of, by_object), self._rest[remains])
 
@@ -315,12 +310,12 @@ class Scene(InParts, InPictures):
         return frame_of(self._frames, number)
 
     def _derived(
-        self, core: _core.Scene, rest: NDArray[np.float64], table: LevelTable | None = None, **kept: Any
+        self, core: _core.Scene, rest: NDArray[np.float64], table: LevelTable | None = None, **changes: Any
     ) -> Self:
-        return type(self)(core, self._names, **{**self._own, "rest": rest, "table": table, **kept})
+        return type(self)(core, self._names, **{**self._arguments, "rest": rest, "table": table, **changes})
 
     @property
-    def _own(self) -> dict[str, Any]:
+    def _arguments(self) -> dict[str, Any]:
         """Keyword arguments that recreate this scene from its core and names."""
         names = ("frames", "rest", "dropped", "notes", "used", "table", "undrawn")
         return {name: getattr(self, f"_{name}") for name in names}
@@ -329,7 +324,7 @@ class Scene(InParts, InPictures):
         """Pickle a scene as arrays; its search trees are rebuilt after unpickling."""
         source = self._names.source
         names = source if isinstance(source, int) else list(source)
-        return {"parts": parts_of(self._core), "names": names, "own": self._own}
+        return {"parts": parts_of(self._core), "names": names, "own": self._arguments}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         Scene.__init__(self, core_of_parts(state["parts"]), Names(state["names"]), **state["own"])

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from nearfar import _core
+from nearfar._scene.material_list import surface_arguments
 
 
 def parts_of(core: _core.Scene) -> dict[str, Any]:
@@ -29,25 +30,17 @@ def core_of_parts(parts: dict[str, Any]) -> _core.Scene:
 
 def mesh_of(parts: dict[str, Any]) -> _core.Mesh:
     """Rebuild a mesh from the result of `_core.mesh_parts`."""
-    rest = dict(parts)
-    return _core.Mesh(rest.pop("positions"), rest.pop("faces"), **rest)
+    attributes = dict(parts)
+    return _core.Mesh(attributes.pop("positions"), attributes.pop("faces"), **attributes)
 
 
 def empty_core(origin: tuple[float, float, float] = (0.0, 0.0, 0.0)) -> _core.Scene:
     """Create an empty scene."""
-    none = np.zeros(0, np.int32)
     return _core.Scene(
         origin=origin,
         meshes=[],
         placements=np.zeros((0, 3, 4)),
-        objects=none,
+        objects=np.zeros(0, np.int32),
         standing_count=0,
-        material_colors=np.zeros((0, 4), np.float32),
-        material_textures=none,
-        material_cutoffs=np.zeros(0, np.float32),
-        material_emissions=np.zeros((0, 3), np.float32),
-        material_emission_textures=none,
-        material_unlit=np.zeros(0, bool),
-        material_tags=np.zeros(0, np.uint64),
-        textures=[],
+        **surface_arguments([], []),
     )

@@ -1,7 +1,8 @@
-"""Conversion between sRGB and linear light."""
+"""Conversion between sRGB and linear light, and texture files, to which GLB files refer."""
 
 from __future__ import annotations
 
+import io
 from typing import Any
 
 import numpy as np
@@ -20,3 +21,19 @@ def to_srgb(linear: NDArray[Any]) -> NDArray[np.float64]:
     linear_segment = linear * 12.92
     power_segment = 1.055 * np.maximum(linear, 0.0031308) ** (1 / 2.4) - 0.055
     return np.where(linear <= 0.0031308, linear_segment, power_segment)
+
+
+def encode_texture(texels: NDArray[np.uint8], quality: int | None) -> bytes:
+    """Encode a texture (H, W, 4), sRGB with alpha, as WebP; `quality` 0 to 100, or None for lossless."""
+    settings = {"lossless": True, "exact": True} if quality is None else {"quality": quality}
+    return encode_image(texels, "webp", method=4, **settings)
+
+
+def encode_image(texels: NDArray[np.uint8], kind: str, **settings: Any) -> bytes:
+    """Encode texels (H, W, 4) as a file of a kind that Pillow knows, without alpha if all are opaque."""
+    from PIL import Image
+
+    is_opaque = bool((texels[..., 3] == 255).all())
+    file = io.BytesIO()
+    Image.fromarray(texels[..., :3] if is_opaque else texels).save(file, kind, **settings)
+    return file.getvalue()

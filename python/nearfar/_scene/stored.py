@@ -9,30 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nearfar import _core
-from nearfar._scene.looks import Look
-from nearfar._scene.materials import PLAIN, UNCOLORED, BaseColor
-
-
-@dataclass(frozen=True)
-class Surface:
-    """Material and attributes shared by groups of stored faces."""
-
-    materials: Sequence[BaseColor]
-    """One material; empty means the plain one."""
-    has_normals: bool
-    has_uvs: bool
-    has_colors: bool
-
-    @property
-    def is_textured(self) -> bool:
-        """Whether the texture coordinates are used."""
-        return self.has_uvs and any(material.is_textured for material in self.materials)
-
-    @property
-    def drawn_material(self) -> BaseColor:
-        """Material that the faces are drawn with."""
-        (material,) = self.materials or (UNCOLORED if self.has_colors else PLAIN,)
-        return material if self.is_textured else material.without_textures()
+from nearfar._scene.materials import BaseColor
+from nearfar._scene.report import Look, Surface
 
 
 @dataclass(frozen=True)
@@ -51,19 +29,15 @@ class Stored:
 
     def with_materials(self, materials: Sequence[Sequence[BaseColor]]) -> Stored:
         """Copy with other materials for the surfaces."""
-        surfaces = [replace(one, materials=chosen) for one, chosen in zip(self.surfaces, materials, strict=True)]
+        surfaces = [replace(old, materials=new) for old, new in zip(self.surfaces, materials, strict=True)]
         return replace(self, surfaces=surfaces)
 
     def looks(self, placed: NDArray[np.bool_]) -> list[Look]:
         """Attributes and materials of the placed meshes, for reports; `placed` (M,) marks them."""
-        mine = placed[self.mesh]
-        numbers = np.bincount(self.surface[mine], minlength=len(self.surfaces)).tolist()
+        is_placed = placed[self.mesh]
+        numbers = np.bincount(self.surface[is_placed], minlength=len(self.surfaces)).tolist()
         see_through = [0] * len(self.surfaces)
         if any(surface.has_colors for surface in self.surfaces):
-            rows = self.surface[mine & self.core.see_through()]
+            rows = self.surface[is_placed & self.core.see_through()]
             see_through = np.bincount(rows, minlength=len(self.surfaces)).tolist()
-        return [
-            Look(number, one.materials, one.has_normals, one.has_uvs, one.has_colors, clear)
-            for one, number, clear in zip(self.surfaces, numbers, see_through, strict=True)
-            if number
-        ]
+        return [Look(*row) for row in zip(self.surfaces, numbers, see_through, strict=True) if row[1]]

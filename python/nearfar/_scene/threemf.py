@@ -49,7 +49,7 @@ def check_instances(data: bytes, budget: Budget) -> None:
 def _instances(components: Mapping[str, Sequence[str]], items: Sequence[str]) -> list[int]:
     """Number of objects in each build item: itself and all descendants."""
     counts: dict[str, int] = {}
-    open_objects: set[str] = set()
+    open_objects = set[str]()
     for item in items:
         pending = [item]
         while pending:

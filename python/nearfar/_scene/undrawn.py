@@ -4,14 +4,22 @@ from __future__ import annotations
 
 import hashlib
 import json
-import math
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
 from nearfar._scene import emission
-from nearfar._scene.coordinates import TRANSFORM, Coordinates, drawn_texture_coordinates, is_texture, relative
+from nearfar._scene.coordinates import (
+    TRANSFORM,
+    Coordinates,
+    drawn_texture_coordinates,
+    is_number,
+    is_texture,
+    numbers_of,
+    object_of,
+    relative,
+)
 
 EXTENSIONS = frozenset(
     f"KHR_materials_{name}"
@@ -76,9 +84,7 @@ class GltfMaterial:
     @cached_property
     def tag(self) -> int:
         """Content hash from 1 to 2⁶⁴ − 1, by which kernels distinguish materials."""
-        textures = [
-            (texture.sampler, "" if texture.image is None else texture.image.digest) for texture in self.textures
-        ]
+        textures = [(source.sampler, "" if source.image is None else source.image.digest) for source in self.textures]
         text = json.dumps([self.material, textures], sort_keys=True)
         return int.from_bytes(hashlib.blake2b(text.encode(), digest_size=8).digest()) or 1
 
@@ -96,19 +102,10 @@ class GltfMaterial:
 def of_gltf(
     material: Any, texture_of: Callable[[int], TextureSource | None]
 ) -> tuple[GltfMaterial | None, tuple[str, ...]]:
-    """Collect the properties of a glTF material.
+    """Collect the properties of a glTF material, an entry of a document; parts of wrong types count as absent.
 
-    Parameters
-    ----------
-    material
-        The material's entry in the document; entries of wrong types count as absent.
-    texture_of
-        Returns a texture by index, with its image; None if it cannot be read.
-
-    Returns
-    -------
-    undrawn, notes
-        None for a material that is drawn completely; differences in drawing, phrased to follow "2 materials".
+    `texture_of` returns a texture by index, with its image; None if it cannot be read. Return the properties, None for
+    a material that is drawn completely, and notes on differences in drawing, phrased to follow "2 materials".
     """
     if not isinstance(material, dict):
         return None, ()
@@ -122,12 +119,11 @@ def of_gltf(
 def _none_if_plain(undrawn: GltfMaterial) -> GltfMaterial | None:
     """Return the material; None if it differs from `PLAIN` only in what the scene itself stores."""
     material = {key: value for key, value in undrawn.material.items() if key != "alphaCutoff"}
-    metallic_roughness = {
-        k: v for k, v in material.get(_METALLIC_ROUGHNESS, {}).items() if not k.startswith("baseColor")
-    }
+    surface = material.get(_METALLIC_ROUGHNESS, {})
+    material[_METALLIC_ROUGHNESS] = {key: value for key, value in surface.items() if not key.startswith("baseColor")}
     if material.get("alphaMode") in ("OPAQUE", "MASK"):
         del material["alphaMode"]
-    is_plain = {**material, _METALLIC_ROUGHNESS: metallic_roughness} == PLAIN
+    is_plain = material == PLAIN
     return None if is_plain and all(texture == TextureSource() for texture in undrawn.textures) else undrawn
 
 
@@ -148,23 +144,20 @@ class _Collector:
         self._base_coordinates: Coordinates | None = None
 
     def material(self, source: dict[str, Any]) -> dict[str, Any]:
-        surface = source.get(_METALLIC_ROUGHNESS)
-        surface = surface if isinstance(surface, dict) else {}
+        surface = object_of(source, _METALLIC_ROUGHNESS)
         self._base_coordinates = drawn_texture_coordinates(source)
         entries: dict[str, Any] = {}
         if isinstance(source.get("name"), str):
             entries["name"] = source["name"]
-        if metallic_roughness := _numbers(surface, _METALLIC_ROUGHNESS_SIZES) | self._texture_infos(
-            surface, (_BASE_TEXTURE, "metallicRoughnessTexture")
-        ):
+        infos = self._texture_infos(surface, (_BASE_TEXTURE, "metallicRoughnessTexture"))
+        if metallic_roughness := numbers_of(surface, _METALLIC_ROUGHNESS_SIZES) | infos:
             entries[_METALLIC_ROUGHNESS] = metallic_roughness
-        entries |= _numbers(source, _SIZES) | self._texture_infos(source, _TEXTURES)
+        entries |= numbers_of(source, _SIZES) | self._texture_infos(source, _TEXTURES)
         if source.get("alphaMode") in ("OPAQUE", "MASK", "BLEND"):
             entries["alphaMode"] = source["alphaMode"]
         if isinstance(source.get("doubleSided"), bool):
             entries["doubleSided"] = source["doubleSided"]
-        extensions = source.get("extensions")
-        for name, content in extensions.items() if isinstance(extensions, dict) else ():
+        for name, content in object_of(source, "extensions").items():
             if name in EXTENSIONS and isinstance(content, dict):
                 entries.setdefault("extensions", {})[name] = self._extension(content)
             else:
@@ -175,18 +168,18 @@ class _Collector:
         return entries
 
     def _texture_infos(self, source: dict[str, Any], names: Iterable[str]) -> dict[str, Any]:
-        found = ((name, self._texture_info(name, source[name])) for name in names if is_texture(name, source.get(name)))
-        return {name: info for name, info in found if info is not None}
+        infos = {name: self._texture_info(name, source[name]) for name in names if is_texture(name, source.get(name))}
+        return {name: info for name, info in infos.items() if info is not None}
 
     def _extension(self, content: dict[str, Any]) -> dict[str, Any]:
-        textures = [key for key, value in content.items() if is_texture(key, value)]
-        return {key: value for key, value in content.items() if _is_copyable(value)} | self._texture_infos(
-            content, textures
-        )
+        numbers_and_texts = {key: value for key, value in content.items() if _is_copyable(value)}
+        return numbers_and_texts | self._texture_infos(content, content)
 
     def _texture_info(self, name: str, source: dict[str, Any]) -> dict[str, Any] | None:
         """Reference to a texture; None if it cannot be written back."""
-        transform = {} if name == _BASE_TEXTURE else self._transform(source)
+        base = None if name == _BASE_TEXTURE else self._base_coordinates
+        # The map's transform relative to the meshes' texture coordinates; None if it cannot be expressed.
+        transform = {} if base is None else relative(source, base)
         if transform is None:
             subject = "emission" if name == emission.MAP else "a map"
             self.losses.append(f"with {subject} on other texture coordinates drawn and saved without it")
@@ -202,36 +195,12 @@ class _Collector:
         if texture not in self.textures:
             self.textures.append(texture)
         info: dict[str, Any] = {"index": self.textures.index(texture)}
-        info |= {key: source[key] for key in ("scale", "strength") if _is_number(source.get(key))}
+        info |= {key: source[key] for key in ("scale", "strength") if is_number(source.get(key))}
         return info | ({"extensions": {TRANSFORM: transform}} if transform else {})
-
-    def _transform(self, source: dict[str, Any]) -> dict[str, Any] | None:
-        """A map's transform relative to the meshes' texture coordinates; None if it cannot be expressed."""
-        return {} if self._base_coordinates is None else relative(source, self._base_coordinates)
-
-
-def _numbers(source: dict[str, Any], sizes: dict[str, int]) -> dict[str, Any]:
-    """Entries that are finite numbers, or lists of the expected length."""
-    numbers = {}
-    for name, size in sizes.items():
-        value = source.get(name)
-        if _is_number(value) if size == 1 else _is_list(value, size):
-            numbers[name] = value
-    return numbers
-
-
-def _is_list(value: object, size: int) -> bool:
-    return isinstance(value, list) and len(value) == size and all(map(_is_number, value))
-
-
-def _is_number(value: object) -> bool:
-    return isinstance(value, int | float) and not isinstance(value, bool) and math.isfinite(value)
 
 
 def _is_copyable(value: object) -> bool:
-    if isinstance(value, list):
-        return all(map(_is_number, value))
-    return isinstance(value, str | bool) or _is_number(value)
+    return all(map(is_number, value)) if isinstance(value, list) else isinstance(value, str | bool) or is_number(value)
 
 
 def _differences(undrawn: GltfMaterial) -> list[str]:
@@ -250,17 +219,14 @@ def _differences(undrawn: GltfMaterial) -> list[str]:
 
 def _lighting_differences(material: Mapping[str, Any]) -> list[str]:
     surface = material.get(_METALLIC_ROUGHNESS, {})
-    notes = []
-    if not emission.is_beside_base(material):
-        notes.append("with emission on other texture coordinates drawn without it")
-    if "normalTexture" in material:
-        notes.append("with a normal map drawn without it")
-    if "occlusionTexture" in material:
-        notes.append("with an occlusion map drawn without it")
     is_shiny = surface.get("metallicFactor", 1) > 0 or surface.get("roughnessFactor", 1) < 1
-    if is_shiny or "metallicRoughnessTexture" in surface:
-        notes.append("with metal or gloss drawn matt")
-    return notes
+    notes = {
+        "with emission on other texture coordinates drawn without it": not emission.is_beside_base(material),
+        "with a normal map drawn without it": "normalTexture" in material,
+        "with an occlusion map drawn without it": "occlusionTexture" in material,
+        "with metal or gloss drawn matt": is_shiny or "metallicRoughnessTexture" in surface,
+    }
+    return [note for note, applies in notes.items() if applies]
 
 
 def _sampling_differences(undrawn: GltfMaterial, info: Mapping[str, Any]) -> list[str]:

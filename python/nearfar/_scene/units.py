@@ -47,9 +47,8 @@ def _metres_in(label: str, unit: str) -> float:
     except ValueError:
         factor = 0.0
     if not 0.0 < factor < np.inf:
-        raise SceneError(
-            f"{label}: expected a unit that trimesh knows, got {check.shortened(unit)}; scale= states its metres"
-        )
+        got = check.shortened(unit)
+        raise SceneError(f"{label}: expected a unit that trimesh knows, got {got}; scale= states its metres")
     return factor
 
 

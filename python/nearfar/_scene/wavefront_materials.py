@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from contextlib import suppress
 from typing import Any
 
 import numpy as np
@@ -32,10 +33,7 @@ def opacity(entries: Mapping[str, Any]) -> float:
 def as_gltf(entries: Mapping[str, Any]) -> dict[str, Any]:
     """Convert a material's emission, metalness, roughness and blending to glTF.
 
-    Parameters
-    ----------
-    entries
-        Keywords of the material in lower case with their values: numbers, or words of the file.
+    Entries are the material's keywords in lower case with their values: numbers, or words of the file.
     """
     surface = {"metallicFactor": float(np.clip(_numbers(entries.get("pm"))[0], 0.0, 1.0))}
     if "pr" in entries:
@@ -63,20 +61,16 @@ def _emission(entries: Mapping[str, Any]) -> Light:
 
 def losses(entries: Mapping[str, Any]) -> tuple[str, ...]:
     """Notes on maps of a material that are neither drawn nor saved, phrased to follow "2 materials"."""
-    found = {*entries} - ({EMISSION_MAP} if EMISSION_IMAGE in entries else set())
-    lost = (what for what, keywords in _MAPS.items() if not found.isdisjoint(keywords))
-    return tuple(f"with {what} drawn and saved without it" for what in lost)
+    unused = {*entries} - ({EMISSION_MAP} if EMISSION_IMAGE in entries else set())
+    maps = (name for name, keywords in _MAPS.items() if not unused.isdisjoint(keywords))
+    return tuple(f"with {name} drawn and saved without it" for name in maps)
 
 
 def _numbers(value: Any, default: float = 0.0) -> list[float]:
     """Finite numbers of an entry; the default if it has none."""
     values = value if isinstance(value, list | tuple) else [value]
-    found = []
+    numbers = []
     for item in values:
-        try:
-            number = float(item)
-        except (TypeError, ValueError):
-            continue
-        if math.isfinite(number):
-            found.append(number)
-    return found or [default]
+        with suppress(TypeError, ValueError):
+            numbers.append(float(item))
+    return [number for number in numbers if math.isfinite(number)] or [default]

@@ -38,9 +38,8 @@ class Grid:
             counts = last - first + 1
             total = counts.prod()
         if not total <= MAX_CELLS:
-            raise ValueError(
-                f"cell: expected a width with at most {MAX_CELLS:,} cells, got {cell:g} m, {total:.3g} cells"
-            )
+            got = f"{cell:g} m, {total:.3g} cells"
+            raise ValueError(f"cell: expected a width with at most {MAX_CELLS:,} cells, got {got}")
         x, z = first.astype(np.int64).tolist()
         columns, rows = counts.astype(np.int64).tolist()
         return cls(cell, (x, z), (columns, rows))
@@ -51,26 +50,25 @@ class Grid:
 
     def name(self, number: int) -> str:
         """Name of a cell by its multiples of the width, so that grids of the same width have common names."""
-        column, row = number % self.counts[0], number // self.counts[0]
+        row, column = divmod(number, self.counts[0])
         return f"{self.first[0] + column}_{self.first[1] + row}"
 
     def box(self, number: int) -> NDArray[np.float64]:
         """World box (2, 3) that all triangles with centroids in a cell touch; unbounded in height."""
-        column, row = number % self.counts[0], number // self.counts[0]
+        row, column = divmod(number, self.counts[0])
         box = np.array([[-np.inf] * 3, [np.inf] * 3])
-        for axis, place, first, count in zip((0, 2), (column, row), self.first, self.counts, strict=True):
-            low, high = (first + place) * self.cell, (first + place + 1) * self.cell
+        for axis, index, first, count in zip((0, 2), (column, row), self.first, self.counts, strict=True):
+            low, high = (first + index) * self.cell, (first + index + 1) * self.cell
             margin = _MARGIN * max(abs(low), abs(high))
-            if place > 0:
+            if index > 0:
                 box[0, axis] = low - margin
-            if place < count - 1:
+            if index < count - 1:
                 box[1, axis] = high + margin
         return box
 
     def of_triangles(self, scene: Scene) -> NDArray[np.int64]:
         """Number of the cell (T,) of each triangle's centroid, or of the nearest one."""
         centroids = scene.triangles().mean(axis=1, dtype=np.float64) + scene.origin
-        places = np.floor(centroids[:, (0, 2)] / self.cell).astype(np.int64) - self.first
-        column, row = np.clip(places, 0, np.array(self.counts) - 1).T
-        numbers: NDArray[np.int64] = column + row * self.counts[0]
-        return numbers
+        indices = np.floor(centroids[:, (0, 2)] / self.cell).astype(np.int64) - self.first
+        column, row = np.clip(indices, 0, np.array(self.counts) - 1).T
+        return np.asarray(column + row * self.counts[0])

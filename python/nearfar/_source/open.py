@@ -11,19 +11,20 @@ from nearfar._base.errors import SceneError, UnusableError
 from nearfar._base.settings import gather
 from nearfar._scene.options import LoadKeywords, LoadOptions
 from nearfar._scene.scene import Scene
-from nearfar._scene.tileset.read import is_tileset
-from nearfar._scene.tileset.tileset import KINDS, Tileset, suffix
-from nearfar._source.footprints import SUFFIXES as FOOTPRINTS, FootprintFile
+from nearfar._scene.tileset.tileset import KINDS, Tileset, is_tileset, suffix
+from nearfar._source.files import FootprintFile, TilesetSource
 from nearfar._source.protocol import SceneSource
 from nearfar._source.tile_index import DOCUMENT
 from nearfar._source.tiles import TileFolder
-from nearfar._source.tileset import TilesetSource
 
 TILESET = "tileset.json"
 """Name that the first document of a tileset usually has."""
 
 _CACHE = 1 << 30
 """Default size of the cache of tiles, bytes."""
+
+_FOOTPRINTS = ("geojson", "parquet", "geoparquet")
+"""Suffixes of files that contain footprints only."""
 
 
 def open_source(
@@ -68,24 +69,24 @@ def open_source(
     OSError
         A file that cannot be opened.
     """
-    chosen = gather(LoadOptions, options, keywords, "options")
-    most = check.integer("cache_bytes", cache_bytes, 0, 2**62)
+    options = gather(LoadOptions, options, keywords, "options")
+    max_bytes = check.integer("cache_bytes", cache_bytes, 0, 2**62)
     upright = ("up", "scale", "lod", "error", "triangles")
     tileset = _tileset(path)
     if tileset is not None:
-        _refuse("a tileset", chosen, *upright, "max_bytes", "height")
-        return TilesetSource(Tileset.open(tileset, origin=chosen.origin, cache_bytes=most), chosen)
+        _refuse("a tileset", options, *upright, "max_bytes", "height")
+        return TilesetSource(Tileset.open(tileset, origin=options.origin, cache_bytes=max_bytes), options)
     target = check.path("path", path)
     folder = target.parent if target.name == DOCUMENT else target
-    if not folder.is_dir() and suffix(target) in FOOTPRINTS:
-        _refuse("footprints", chosen, *upright, "blend")
-        return FootprintFile.open(target, chosen)
+    if not folder.is_dir() and suffix(target) in _FOOTPRINTS:
+        _refuse("footprints", options, *upright, "blend")
+        return FootprintFile(target, options)
     if not folder.is_dir():
-        return Scene.load(target, chosen)
+        return Scene.load(target, options)
     if not (folder / DOCUMENT).is_file():
         raise SceneError(f"{os.fspath(path)}: expected a file, or a folder of tiles with {DOCUMENT} or {TILESET}")
-    _refuse("a folder of tiles", chosen, *upright, "max_bytes", "origin", "height", "blend")
-    return TileFolder(folder, most)
+    _refuse("a folder of tiles", options, *upright, "max_bytes", "origin", "height", "blend")
+    return TileFolder(folder, max_bytes)
 
 
 def _refuse(kind: str, options: LoadOptions, *names: str) -> None:

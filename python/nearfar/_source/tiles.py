@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from nearfar._base import background, check, formats
 from nearfar._base.errors import FormatError
+from nearfar._scene.arrays import touching
 from nearfar._scene.joined import join_scenes
 from nearfar._scene.moving_rows import frames_of
 from nearfar._scene.names import Names
@@ -25,22 +26,21 @@ class TileFolder:
     """World in a folder written by `nearfar.write_tiles`."""
 
     def __init__(self, folder: Path, cache_bytes: int) -> None:
-        self._folder, self._most = folder, cache_bytes
+        self._folder, self._cache_bytes = folder, cache_bytes
         self._index = TileIndex.read(folder)
         if self._index.written_cells < self._index.cell_count:
-            raise FormatError(
-                f"{os.fspath(folder / DOCUMENT)}: expected all tiles, got those of {self._index.written_cells} of "
-                f"{self._index.cell_count} cells; write_tiles with the same arguments writes the others"
-            )
+            part = f"{self._index.written_cells} of {self._index.cell_count} cells"
+            hint = "write_tiles with the same arguments writes the others"
+            raise FormatError(f"{os.fspath(folder / DOCUMENT)}: expected all tiles, got those of {part}; {hint}")
         self._boxes = self._index.boxes
         nameless = self._index.nameless_objects
         self._names = None if nameless is None else Names(nameless)
-        self._kept: OrderedDict[str, Scene] = OrderedDict()
+        self._cache: OrderedDict[str, Scene] = OrderedDict()
         self._lock = Lock()
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Pickle the folder's path: another process reads the tiles itself."""
-        return TileFolder, (self._folder.absolute(), self._most)
+        return TileFolder, (self._folder.absolute(), self._cache_bytes)
 
     @property
     def bounds(self) -> NDArray[np.float64]:
@@ -61,7 +61,7 @@ class TileFolder:
     def cached_bytes(self) -> int:
         """Memory of the cached tiles, with their search trees."""
         with self._lock:
-            return sum(scene._core.bytes() for scene in self._kept.values())
+            return sum(scene._core.bytes() for scene in self._cache.values())
 
     def query(self, aabb: ArrayLike, detail: SupportsFloat = 0.0) -> Scene:
         """Return a scene of the triangles that touch a box, whole; see `nearfar.SceneSource`.
@@ -70,9 +70,9 @@ class TileFolder:
         """
         box = check.box("aabb", aabb)
         check.at_least_zero("detail", detail)
-        near = [self._index.tiles[at] for at in np.flatnonzero(self._touching(box))]
-        parts = [part for part in (self._tile(tile).query(box) for tile in near) if part.triangle_count]
-        self._forget()
+        tiles = [self._index.tiles[number] for number in np.flatnonzero(touching(self._boxes, box))]
+        parts = [part for part in (self._tile(tile).query(box) for tile in tiles) if part.triangle_count]
+        self._evict()
         if parts:
             return join_scenes(parts)
         names = Names(()) if self._names is None else self._names
@@ -80,23 +80,18 @@ class TileFolder:
 
     def touches(self, aabb: ArrayLike) -> bool:
         """Return False if no tile's box touches a box; see `nearfar.SceneSource`. Reads nothing."""
-        return bool(self._touching(check.box("aabb", aabb)).any())
-
-    def _touching(self, box: NDArray[np.float64]) -> NDArray[np.bool_]:
-        """Whether each tile's box touches a box."""
-        touching: NDArray[np.bool_] = ((self._boxes[:, 0] <= box[1]) & (self._boxes[:, 1] >= box[0])).all(axis=1)
-        return touching
+        return bool(touching(self._boxes, check.box("aabb", aabb)).any())
 
     def _tile(self, tile: Tile) -> Scene:
         """Return a tile, from the cache or from its file."""
         with self._lock:
-            if tile.file in self._kept:
-                self._kept.move_to_end(tile.file)
-                return self._kept[tile.file]
+            if tile.file in self._cache:
+                self._cache.move_to_end(tile.file)
+                return self._cache[tile.file]
         scene = background.run(lambda: self._read(tile))
         with self._lock:
-            self._kept[tile.file] = scene
-        self._forget(keep=1)
+            self._cache[tile.file] = scene
+        self._evict(min_count=1)
         return scene
 
     def _read(self, tile: Tile) -> Scene:
@@ -112,13 +107,13 @@ class TileFolder:
             frames, rest = frames_of(tile.moving, names, core.moving_placements(), tile.file)
         return Scene(core, names, frames=frames, rest=rest, notes=self._index.notes, undrawn=undrawn)
 
-    def _forget(self, keep: int = 0) -> None:
+    def _evict(self, min_count: int = 0) -> None:
         """Evict the least recently used tiles until the others fit; search trees are counted once they are built."""
         with self._lock:
-            sizes = {file: scene._core.bytes() for file, scene in self._kept.items()}
+            sizes = {file: scene._core.bytes() for file, scene in self._cache.items()}
             total = sum(sizes.values())
-            while total > self._most and len(self._kept) > keep:
-                file, _ = self._kept.popitem(last=False)
+            while total > self._cache_bytes and len(self._cache) > min_count:
+                file, _ = self._cache.popitem(last=False)
                 total -= sizes[file]
 
     def __len__(self) -> int:

@@ -15,7 +15,7 @@ from nearfar._base import check, files, progress
 from nearfar._scene.moving_rows import moving_rows
 from nearfar._scene.scene import Scene
 from nearfar._source.cells import Grid
-from nearfar._source.protocol import SceneSource, source_of
+from nearfar._source.protocol import SceneSource, bounds_of, source_of
 from nearfar._source.tile_index import DOCUMENT, Tile, TileIndex
 
 _UPDATE_SECONDS = 10.0
@@ -62,7 +62,7 @@ def write_tiles(
     """
     source, target = source_of("source", source), check.path("folder", folder)
     size, error = check.positive("cell", cell), check.at_least_zero("detail", detail)
-    bounds = check.array("source.bounds", source.bounds, dtype=np.float64)
+    bounds = bounds_of(source)
     region = None if aabb is None else check.box("aabb", aabb)
     box = _intersection(bounds, region)
     if np.isinf(box).any() and (box[0] <= box[1]).all():
@@ -112,18 +112,17 @@ class _TileWriter:
 
     def run(self, index: TileIndex) -> None:
         """Write the tiles of the cells that follow those of the index."""
-        current = index
         saved_at = time.monotonic()
         try:
             with progress.bar("tiles") as report:
                 for cell_number in range(index.written_cells, len(self._grid)):
                     report(cell_number, len(self._grid))
-                    current = replace(self._write_cell(current, cell_number), written_cells=cell_number + 1)
+                    index = replace(self._write_cell(index, cell_number), written_cells=cell_number + 1)
                     if time.monotonic() - saved_at > _UPDATE_SECONDS:
-                        current.write(self._folder)
+                        index.write(self._folder)
                         saved_at = time.monotonic()
         finally:
-            current.write(self._folder)
+            index.write(self._folder)
 
     def _write_cell(self, index: TileIndex, cell_number: int) -> TileIndex:
         """Write the tile of a cell, and return the index with it; a cell without triangles has no tile."""

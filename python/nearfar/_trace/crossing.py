@@ -14,7 +14,7 @@ from nearfar._trace.viewpoint import Point, Viewpoint, beside
 PITCHES = 61
 """Number of rays from top to bottom; they lie closer together at the horizon, where distant surfaces are."""
 
-STEEPEST = 40.0
+MAX_PITCH_DEG = 40.0
 """Greatest angle in degrees between a ray and the horizon."""
 
 AZIMUTHS = 360
@@ -23,16 +23,16 @@ AZIMUTHS = 360
 TURNS = 72
 """Number of compared viewing directions."""
 
-COMPARED = 6
+MAX_COMPARED = 6
 """Number of directions for which the user's places at both sides are compared."""
 
-CONTINUOUS = 1.5
+MAX_RATIO = 1.5
 """Maximum ratio of r2 and the axis distances of two neighbouring points that may be on one surface across r2."""
 
-GROUND = 0.05
+GROUND_WEIGHT = 0.05
 """Weight of horizontal boundaries, such as on the ground: surfaces that end there are torn along the boundary."""
 
-SHOWN = 0.05
+MIN_SHARE = 0.05
 """Share of a picture at which a zone counts as well visible."""
 
 
@@ -48,12 +48,12 @@ class Panorama:
     def scores(self, fov: float) -> NDArray[np.float64]:
         """Return (TURNS,) scores of views by horizontal field of view, degrees; 0 if the boundary is not in view."""
         # The outer tenth of a picture is left out, so that the boundary is well inside it.
-        half = max(round(0.4 * fov * AZIMUTHS / 360.0), 1)
-        window = np.arange(-half, half + 1)
+        half_window = max(round(0.4 * fov * AZIMUTHS / 360.0), 1)
+        window = np.arange(-half_window, half_window + 1)
         middles = np.arange(TURNS) * (AZIMUTHS // TURNS)
-        seen = (middles[:, None] + window) % AZIMUTHS
-        visible = np.minimum(self.shares[:, seen].mean(axis=-1) / SHOWN, 1.0).sum(axis=0)
-        return np.asarray(np.sqrt(self.crossing[seen].sum(axis=-1)) * visible, np.float64)
+        azimuths = (middles[:, None] + window) % AZIMUTHS
+        visible = np.minimum(self.shares[:, azimuths].mean(axis=-1) / MIN_SHARE, 1.0).sum(axis=0)
+        return np.asarray(np.sqrt(self.crossing[azimuths].sum(axis=-1)) * visible, np.float64)
 
 
 def look(scene: Scene, eye: Point, center: Point, r1: float, r2: float, *, fov: float) -> Point | None:
@@ -67,20 +67,17 @@ def choose(
 ) -> tuple[Point, Point, bool]:
     """Choose a user's place beside a centre, and a view that the boundary crosses.
 
-    Returns
-    -------
-    user, forward, crosses
-        The place, at most `distance` metres from the centre; the horizontal direction of view; and whether the boundary
-        is in view. If no view shows it, the direction is that of the centre's viewpoint.
+    Returns the place, at most `distance` metres from the centre; the horizontal direction of view; and whether the
+    boundary is in view. If no view shows it, the direction is that of the centre's viewpoint.
     """
     default = beside(scene, place, distance)[0]
     if place.is_outside:
         # Another direction would show nothing of the object.
-        seen = panorama(scene, default, place.eye, r1, r2).scores(fov)
-        return default, place.forward, bool(seen.max() > 0.0)
-    first = panorama(scene, place.eye, place.eye, r1, r2).scores(fov)
+        scores = panorama(scene, default, place.eye, r1, r2).scores(fov)
+        return default, place.forward, bool(scores.max() > 0.0)
+    center_scores = panorama(scene, place.eye, place.eye, r1, r2).scores(fov)
     best = (0.0, default, place.forward)
-    for turn in np.argsort(-first, kind="stable")[:COMPARED].tolist():
+    for turn in np.argsort(-center_scores, kind="stable")[:MAX_COMPARED].tolist():
         forward = _direction(turn)
         for user in beside(scene, replace(place, forward=forward), distance):
             score = float(panorama(scene, user, place.eye, r1, r2).scores(fov)[turn])
@@ -94,32 +91,27 @@ def choose(
 
 def panorama(scene: Scene, eye: Point, center: Point, r1: float, r2: float) -> Panorama:
     """Cast rays around an eye, and measure zones and boundary about the axis through a centre."""
-    pitch, steps = _pitches()
+    u = np.linspace(-1.0, 1.0, PITCHES)
+    pitch = np.radians(MAX_PITCH_DEG) * u * np.abs(u)
+    steps = np.gradient(pitch)
     azimuth = np.arange(AZIMUTHS) * (2.0 * np.pi / AZIMUTHS)
-    up, around = np.meshgrid(pitch, azimuth, indexing="ij")
-    rays = np.stack([np.cos(up) * np.sin(around), np.sin(up), -np.cos(up) * np.cos(around)], axis=-1)
+    up, azimuths = np.meshgrid(pitch, azimuth, indexing="ij")
+    rays = np.stack([np.cos(up) * np.sin(azimuths), np.sin(up), -np.cos(up) * np.cos(azimuths)], axis=-1)
     points = cast_rays(scene, np.asarray(eye, np.float64), rays.reshape(-1, 3)).position.reshape(*up.shape, 3)
     rho = np.hypot(points[..., 0] - center[0], points[..., 2] - center[2])
     weights = (steps / steps.sum())[:, None]
     zones = (rho <= r1, (rho > r1) & (rho <= r2), rho > r2)
-    aside = _crosses(rho, np.roll(rho, -1, axis=1), r2)
-    below = _crosses(rho[:-1], rho[1:], r2)
-    upright = (aside * np.degrees(steps)[:, None]).sum(axis=0)
-    level = below.sum(axis=0) * (360.0 / AZIMUTHS)
-    return Panorama(np.stack([(zone * weights).sum(axis=0) for zone in zones]), upright + GROUND * level)
+    crosses_sideways = _crosses(rho, np.roll(rho, -1, axis=1), r2)
+    crosses_downwards = _crosses(rho[:-1], rho[1:], r2)
+    upright = (crosses_sideways * np.degrees(steps)[:, None]).sum(axis=0)
+    level = crosses_downwards.sum(axis=0) * (360.0 / AZIMUTHS)
+    return Panorama(np.stack([(zone * weights).sum(axis=0) for zone in zones]), upright + GROUND_WEIGHT * level)
 
 
-def _crosses(one: NDArray[np.float64], other: NDArray[np.float64], r2: float) -> NDArray[np.bool_]:
+def _crosses(first_rho: NDArray[np.float64], second_rho: NDArray[np.float64], r2: float) -> NDArray[np.bool_]:
     """Whether two neighbouring points, possibly of one surface, lie on both sides of r2; False for NaN."""
-    nearer, farther = np.minimum(one, other), np.maximum(one, other)
-    return np.asarray((nearer <= r2) & (farther > r2) & (nearer * CONTINUOUS >= r2) & (farther <= CONTINUOUS * r2))
-
-
-def _pitches() -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Pitches (PITCHES,) in radians, ascending, and the angle that each stands for."""
-    u = np.linspace(-1.0, 1.0, PITCHES)
-    pitch = np.radians(STEEPEST) * u * np.abs(u)
-    return pitch, np.gradient(pitch)
+    nearer, farther = np.minimum(first_rho, second_rho), np.maximum(first_rho, second_rho)
+    return np.asarray((nearer <= r2) & (farther > r2) & (nearer * MAX_RATIO >= r2) & (farther <= MAX_RATIO * r2))
 
 
 def _direction(turn: int) -> Point:

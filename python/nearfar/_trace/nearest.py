@@ -62,9 +62,9 @@ def nearest_points(scene: Scene, points: ArrayLike, *, facing: ArrayLike | None 
     Search: Roussopoulos, Kelley, Vincent (1995), Nearest neighbor queries. Nearest point of a triangle: Ericson (2005).
     """
     core = core_of(scene)
-    places = check.array("points", points)
+    positions = check.array("points", points)
     directions = None if facing is None else check.array("facing", facing, dtype=np.float32, finite=True)
-    if directions is not None and directions.shape != places.shape:
-        raise ValueError(f"facing: expected shape {places.shape} as points has, got {directions.shape}")
+    if directions is not None and directions.shape != positions.shape:
+        raise ValueError(f"facing: expected shape {positions.shape} as points has, got {directions.shape}")
     with progress.bar("looking for nearest points") as report:
-        return Nearest(*_core.nearest_points(core, places, facing=directions, report=report))
+        return Nearest(*_core.nearest_points(core, positions, facing=directions, report=report))

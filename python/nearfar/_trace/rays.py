@@ -1,4 +1,4 @@
-"""Casts rays into a scene and finds the nearest triangle along each."""
+"""Casts rays into a scene and finds the nearest triangle along each, and whether it is hit from behind."""
 
 from __future__ import annotations
 
@@ -46,6 +46,15 @@ class Hits:
             directions /= np.linalg.norm(directions, axis=1, keepdims=True)
             t = np.where(self.hit, self.t_hit, np.float32(np.nan)).astype(np.float64)
             return np.asarray(self._origins + t[:, None] * directions, np.float64)
+
+
+def surface_heights(scene: Scene, points: NDArray[np.float64], *, from_above: bool) -> NDArray[np.float64]:
+    """Heights (M,) of the first surface at points (M, 2) as x, z, seen from above or from below; NaN without any."""
+    low, high = scene.bounds[:, 1]
+    start, sign = (high + 1.0, -1.0) if from_above else (low - 1.0, 1.0)
+    down = np.tile([0.0, sign, 0.0], (len(points), 1))
+    distances = cast_rays(scene, np.insert(points, 1, start, axis=1), down).t_hit.astype(np.float64)
+    return np.where(np.isfinite(distances), start + sign * np.where(np.isfinite(distances), distances, 0.0), np.nan)
 
 
 def cast_rays(scene: Scene, origins: ArrayLike, directions: ArrayLike, *, t_max: float = np.inf) -> Hits:
@@ -102,3 +111,19 @@ def cast_rays(scene: Scene, origins: ArrayLike, directions: ArrayLike, *, t_max:
             core, ray_origins, ray_directions, limit, report
         )
     return Hits(t_hit, triangle_index, object_id, barycentric, ray_origins, ray_directions)
+
+
+def is_hit_from_behind(
+    scene: Scene, triangles: NDArray[np.int64], directions: NDArray[np.float64]
+) -> NDArray[np.bool_]:
+    """Return whether rays with directions (N, 3) hit the back of their triangle, (…, N) numbers, −1 for none."""
+    is_hit = triangles >= 0
+    hit_triangles = np.unique(triangles[is_hit])
+    if not len(hit_triangles):
+        return np.zeros(triangles.shape, bool)
+    mask = np.zeros(scene.triangle_count, bool)
+    mask[hit_triangles] = True
+    corners = scene._core.subset_of_triangles(mask).triangles().astype(np.float64)
+    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    hit_normals = normals[np.searchsorted(hit_triangles, np.where(is_hit, triangles, hit_triangles[0]))]
+    return np.asarray(((hit_normals * directions).sum(axis=-1) > 0.0) & is_hit)

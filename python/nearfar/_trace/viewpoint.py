@@ -8,24 +8,23 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nearfar._scene.scene import Scene
-from nearfar._trace.behind import is_hit_from_behind
-from nearfar._trace.rays import Hits, cast_rays
+from nearfar._trace.rays import Hits, cast_rays, is_hit_from_behind, surface_heights
 
 Point = tuple[float, float, float]
 
 EYE_HEIGHT = 1.7
 """Height of a standing person's eyes above the ground, metres."""
 
-SMALLEST_PLACE = 3.0
+MIN_SCENE_SIZE = 3.0
 """Least size in metres of a scene that a person stands in; a smaller one is an object."""
 
-GROUND = (20.0, 0.2)
+GROUND_SHAPE = (20.0, 0.2)
 """Least size in metres, and greatest height as a share of it, of a scene without open places that counts as ground."""
 
-AWAY = 2.25
+OBJECT_DISTANCE = 2.25
 """Distance of the eye from the middle of an object in radii of its bounding sphere, which then fits into the view."""
 
-NEAR = 30.0
+NEAR_DISTANCE = 30.0
 """Distance in metres within which open places have surfaces if possible, so that a user's steps show parallax."""
 
 MAX_COMPARED = 40
@@ -37,10 +36,10 @@ BLOCK = 64
 GRID = 41
 """Number of candidates along each side of a square grid over the middle of the scene."""
 
-BESIDE = 0.25
+OUTSIDE_SHARE = 0.25
 """Distance of an eye from a scene's bounds, as a share of their horizontal diagonal, beyond which it is outside."""
 
-SEEN = 0.25
+MIN_HIT_SHARE = 0.25
 """Least share of the rays of a view that hit something."""
 
 DIRECTIONS = 72
@@ -83,50 +82,50 @@ def find(scene: Scene) -> Viewpoint:
     surfaces if there are any. A scene without an open place is an object, unless it is flat and wide.
     """
     size = scene.bounds[1] - scene.bounds[0]
-    if size.max() < SMALLEST_PLACE:
+    if size.max() < MIN_SCENE_SIZE:
         return in_front(scene)
-    above, below = _candidates(scene)
-    eyes = np.concatenate([above, below])
-    far = min(10.0, 0.25 * float(np.hypot(*size[[0, 2]] / 2.0)))
+    sky_eyes, roofed_eyes = _candidates(scene)
+    eyes = np.concatenate([sky_eyes, roofed_eyes])
+    far_distance = min(10.0, 0.25 * float(np.hypot(*size[[0, 2]] / 2.0)))
     open_places: list[tuple[bool, float, Point]] = []
     for start in range(0, len(eyes), BLOCK):
         block = eyes[start : start + BLOCK]
         hits = _hits(scene, block)
         is_around = _surrounds(np.isfinite(_distances(hits)))
-        distances = np.minimum(_distances(hits), 10.0 * far)
-        is_free = distances.min(axis=1) >= min(CLEARANCE, far / 2.0)
-        meets = (distances < 10.0 * far).mean(axis=1) >= 0.25
-        is_open = is_free & meets & is_around & (np.median(distances, axis=1) >= far)
-        roofed = is_open & (start + np.arange(len(block)) >= len(above))
+        distances = np.minimum(_distances(hits), 10.0 * far_distance)
+        is_free = distances.min(axis=1) >= min(CLEARANCE, far_distance / 2.0)
+        meets = (distances < 10.0 * far_distance).mean(axis=1) >= 0.25
+        is_open = is_free & meets & is_around & (np.median(distances, axis=1) >= far_distance)
+        roofed = is_open & (start + np.arange(len(block)) >= len(sky_eyes))
         if roofed.any():
             is_open[roofed] = ~_inside_solid(scene, hits, roofed)
         # Without near surfaces the methods show no effect.
-        has_near = distances.min(axis=1) <= NEAR
-        found = np.flatnonzero(is_open)
-        open_places += [(bool(has_near[n]), float(distances[n].mean()), _point(block[n])) for n in found]
+        has_near = distances.min(axis=1) <= NEAR_DISTANCE
+        numbers = np.flatnonzero(is_open)
+        open_places += [(bool(has_near[n]), float(distances[n].mean()), _point(block[n])) for n in numbers]
         if len(open_places) >= MAX_COMPARED:
             break
     if open_places:
         return facing_open(scene, max(open_places[:MAX_COMPARED])[2])
-    least, share = GROUND
-    is_ground = size.max() >= least and size[1] <= share * size.max()
+    min_size, max_flatness = GROUND_SHAPE
+    is_ground = size.max() >= min_size and size[1] <= max_flatness * size.max()
     return facing_open(scene, _point(eyes[0])) if is_ground else in_front(scene)
 
 
 def in_front(scene: Scene) -> Viewpoint:
     """Viewpoint outside a scene, at the height of its middle, from which all of it is in view."""
     low, high = scene.bounds
-    away = AWAY * max(float(np.linalg.norm(high - low)) / 2.0, 1e-6)
+    distance = OBJECT_DISTANCE * max(float(np.linalg.norm(high - low)) / 2.0, 1e-6)
     forward, middle = np.array([-0.5, 0.0, -np.sqrt(0.75)]), (low + high) / 2.0
-    return Viewpoint(_point(middle - away * forward), _point(forward), _point(middle))
+    return Viewpoint(_point(middle - distance * forward), _point(forward), _point(middle))
 
 
 def facing_open(scene: Scene, eye: Point) -> Viewpoint:
     """Viewpoint at an eye's position that faces the longest open view, or the middle of a scene that is far away."""
     low, high = scene.bounds[:, [0, 2]]
-    here = np.array(eye)[[0, 2]]
-    beside = np.linalg.norm(np.maximum(np.maximum(low - here, here - high), 0.0))
-    if beside > BESIDE * np.linalg.norm(high - low):
+    x_z = np.array(eye)[[0, 2]]
+    distance = np.linalg.norm(np.maximum(np.maximum(low - x_z, x_z - high), 0.0))
+    if distance > OUTSIDE_SHARE * np.linalg.norm(high - low):
         middle = _point(scene.bounds.mean(axis=0))
         return replace(facing(eye, middle), middle=middle)
     return Viewpoint(eye, open_direction(scene, eye))
@@ -134,8 +133,8 @@ def facing_open(scene: Scene, eye: Point) -> Viewpoint:
 
 def facing(eye: Point, target: Point) -> Viewpoint:
     """Viewpoint at an eye's position that faces a target horizontally."""
-    ahead = np.array([target[0] - eye[0], 0.0, target[2] - eye[2]])
-    return Viewpoint(eye, _point(ahead / np.linalg.norm(ahead)))
+    direction = np.array([target[0] - eye[0], 0.0, target[2] - eye[2]])
+    return Viewpoint(eye, _point(direction / np.linalg.norm(direction)))
 
 
 def beside(scene: Scene, viewpoint: Viewpoint, distance: float) -> list[Point]:
@@ -164,18 +163,16 @@ def _candidates(scene: Scene) -> list[NDArray[np.float64]]:
     the lowest tenth are left out, as they are roofs.
     """
     low, high = scene.bounds
-    middle, half = (low + high) / 2.0, (high - low) / 2.0
+    middle, half_size = (low + high) / 2.0, (high - low) / 2.0
     axis = np.linspace(-1.0, 1.0, GRID)
     grid = np.stack(np.meshgrid(axis, axis, indexing="ij"), axis=-1).reshape(-1, 2)
     grid = grid[np.argsort(np.hypot(*grid.T), kind="stable")]
-    x, z = (grid * np.minimum(half * 0.6, 150.0)[[0, 2]] + middle[[0, 2]]).T
+    x, z = (grid * np.minimum(half_size * 0.6, 150.0)[[0, 2]] + middle[[0, 2]]).T
     eyes = []
-    for start, sign in ((high[1] + 1.0, -1.0), (low[1] - 1.0, 1.0)):
-        origins = np.column_stack([x, np.full(len(x), start), z])
-        way = cast_rays(scene, origins, np.tile([0.0, sign, 0.0], (len(x), 1))).t_hit.astype(np.float64)
-        ground = np.where(np.isfinite(way), start + sign * np.where(np.isfinite(way), way, 0.0), low[1])
-        level = ground <= np.percentile(ground, 10.0) + 2.0
-        eyes.append(np.column_stack([x, ground + EYE_HEIGHT, z])[level])
+    for from_above in (True, False):
+        ground = np.nan_to_num(surface_heights(scene, np.column_stack([x, z]), from_above=from_above), nan=low[1])
+        is_low = ground <= np.percentile(ground, 10.0) + 2.0
+        eyes.append(np.column_stack([x, ground + EYE_HEIGHT, z])[is_low])
     return eyes
 
 
@@ -206,7 +203,7 @@ def open_direction(scene: Scene, eye: Point) -> Point:
         ring = np.concatenate([values[-(quarter // 2) :], values, values[: quarter // 2]])
         return np.convolve(ring, kernel, mode="valid")
 
-    shows = summed(np.isfinite(distances).astype(np.float64)) >= SEEN * len(kernel)
+    shows = summed(np.isfinite(distances).astype(np.float64)) >= MIN_HIT_SHARE * len(kernel)
     visible = summed(np.sqrt(np.minimum(distances, 500.0)))
     if shows.any():
         visible = np.where(shows, visible, -1.0)
@@ -221,9 +218,10 @@ def _ring() -> NDArray[np.float64]:
 
 def _surrounds(is_hit: NDArray[np.bool_]) -> NDArray[np.bool_]:
     """Whether every half of the horizon has a hit, for rows of `DIRECTIONS` rays."""
-    half = DIRECTIONS // 2
-    counts = np.cumsum(np.concatenate([np.zeros((len(is_hit), 1), bool), is_hit, is_hit[:, :half]], axis=1), axis=1)
-    return np.asarray((counts[:, half:] > counts[:, :-half]).all(axis=1))
+    half_count = DIRECTIONS // 2
+    padded = np.concatenate([np.zeros((len(is_hit), 1), bool), is_hit, is_hit[:, :half_count]], axis=1)
+    counts = np.cumsum(padded, axis=1)
+    return np.asarray((counts[:, half_count:] > counts[:, :-half_count]).all(axis=1))
 
 
 def _hits(scene: Scene, eyes: NDArray[np.float64]) -> Hits:
@@ -240,8 +238,8 @@ def _distances(hits: Hits) -> NDArray[np.float64]:
 def _inside_solid(scene: Scene, hits: Hits, asked: NDArray[np.bool_]) -> NDArray[np.bool_]:
     """Whether most of the rays that hit something around each selected eye hit it from behind."""
     numbers = hits.triangle_index.reshape(-1, DIRECTIONS)[asked]
-    behind = is_hit_from_behind(scene, numbers, _ring())
-    return np.asarray(behind.sum(axis=1) > 0.5 * (numbers >= 0).sum(axis=1))
+    hits_back = is_hit_from_behind(scene, numbers, _ring())
+    return np.asarray(hits_back.sum(axis=1) > 0.5 * (numbers >= 0).sum(axis=1))
 
 
 def _point(values: NDArray[np.float64]) -> Point:

@@ -1,7 +1,7 @@
 """The command line: `nearfar demo | info | partition | bake | reduce | render | compare | lod | stereo | … | view`.
 
-User errors print one sentence on standard error and exit with status 1 (2 for a wrong command line); a traceback is a
-bug of nearfar.
+User errors print one sentence on standard error and exit with status 1 (2 for a command line that cannot be read); a
+traceback is a bug of nearfar.
 """
 
 from __future__ import annotations

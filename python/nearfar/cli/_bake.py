@@ -2,17 +2,13 @@
 
 from __future__ import annotations
 
-import time
 from pathlib import Path
-from typing import Annotated
-
-import typer
 
 import nearfar as nf
 from nearfar._base import formats
 from nearfar.cli import _options as options
-from nearfar.cli._options import option
-from nearfar.cli._output import bytes_text, check_target, count, metres, note_rows, show
+from nearfar.cli._groups import flag, option
+from nearfar.cli._output import Clock, bytes_text, check_target, count, metres, note_rows, show
 from nearfar.cli._scenes import SceneOptions, open_scene
 from nearfar.cli._viewpoint import choose
 
@@ -22,21 +18,19 @@ VERSION = 1
 def bake(
     *,
     scene: options.Input,
-    output: Annotated[Path, option("-o --output", "FILE", "Map file to write, .exr.")],
+    output: Path = option(..., "FILE", "Map file to write, .exr.", "-o --output"),
     zones: options.MapOptions,
-    samples: options.Samples = 1,
+    samples: options.Samples = 4,
     with_range: options.WithRange = False,
-    with_ids: Annotated[bool, typer.Option("--object-id", help="Bake object numbers too.")] = False,
-    equirectangular: Annotated[
-        Path | None,
-        option("--equirectangular", "FILE", "Also write the map as one equirectangular picture, .exr or .png."),
-    ] = None,
+    with_ids: bool = flag("--object-id", "Bake object numbers too."),
+    equirectangular: Path | None = option(
+        None, "FILE", "Also write the map as one equirectangular picture, .exr or .png."
+    ),
     backend: options.Backend = None,
     file: SceneOptions,
     as_json: options.Json = False,
 ) -> None:
     """Bake the static part of a scene beyond r2 into a cube map seen from the centre."""
-    options.check_backend(backend)
     check_target(output, ".exr")
     if equirectangular is not None:
         check_target(equirectangular, ".exr", ".png")
@@ -44,19 +38,19 @@ def bake(
     place = choose(loaded, scene, zones.point)
     radii = zones.choose_radii(loaded, place)
     channels = ("color", *(("range",) if with_range else ()), *(("object_id",) if with_ids else ()))
-    started = time.perf_counter()
-    reduced = nf.reduce(
-        loaded,
-        center=place.eye,
-        r1=radii.r1,
-        r2=radii.r2,
-        face_size=zones.texels,
-        samples=samples,
-        channels=channels,
-        morph="none",
-        backend=options.check_backend(backend),
-    )
-    seconds = time.perf_counter() - started
+    clock = Clock()
+    with clock.step("bake"):
+        reduced = nf.reduce(
+            loaded,
+            center=place.eye,
+            r1=radii.r1,
+            r2=radii.r2,
+            face_size=zones.face_size,
+            samples=samples,
+            channels=channels,
+            morph="none",
+            backend=backend,
+        )
     if reduced.env is None:
         raise ValueError(f"r2: expected less, there is nothing beyond {radii.r2:g} m to bake")
     reduced.env.save(output)
@@ -72,7 +66,7 @@ def bake(
         "channels": list(reduced.env.channels),
         "bytes": output.stat().st_size,
         "triangles_left": int(reduced.stats["drawn"]),
-        "seconds": round(seconds, 3),
+        "seconds": clock.seconds["bake"],
     }
     rows = [
         ("centre", metres(place.eye)),
@@ -80,7 +74,7 @@ def bake(
         ("map", f"6 × {reduced.env.face_size}², {', '.join(reduced.env.channels)}"),
         ("file", f"{output}, {bytes_text(document['bytes'])}"),
         ("triangles left", count(document["triangles_left"])),
-        ("baked in", f"{seconds:.2f} s"),
+        ("baked in", f"{document['seconds']:.2f} s"),
         *note_rows(document),
     ]
     show(document, rows, title=scene, as_json=as_json)

@@ -2,48 +2,68 @@
 
 from __future__ import annotations
 
-import math
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Any
 
 import typer
 
 import nearfar as nf
 from nearfar._base import check as checks, files, formats
 from nearfar._reduce import default_radii, findings
-from nearfar.cli import _comparison_page, _options as options, _page, _pictures, _source, _thresholds, _viewpoint
+from nearfar.cli import _options as options, _page, _pictures, _source, _thresholds, _viewpoint
+from nearfar.cli._groups import flag, option
 from nearfar.cli._methods import METHODS, render_all
-from nearfar.cli._options import option
-from nearfar.cli._output import Clock, metres, note_rows, radii_rows, show, triangles_text
+from nearfar.cli._output import (
+    Clock,
+    count,
+    metres,
+    note_rows,
+    radii_rows,
+    reduction_texts,
+    rounded,
+    show,
+    triangles_text,
+)
 from nearfar.cli._partition import curve_points
 from nearfar.cli._render import camera
 from nearfar.cli._scenes import SceneOptions, is_reduced, open_scene
 
 VERSION = 1
 
+MEASURES = {
+    "tear": "tear along the boundary at r₂, pixels",
+    "tear_kink": "of which change of slope",
+    "psnr": "PSNR, dB",
+    "ssim": "SSIM",
+    "rmse": "RMSE",
+    "discontinuity": "discontinuity δ, mean",
+    "discontinuity_p99": "discontinuity δ, 99th percentile",
+    "boundary": "discontinuity δ along the boundary at r₂",
+}
+"""Labels of the measures."""
+
+CAPTIONS = {
+    "side_by_side.png": "Truth, conventional and continuous",
+    "discontinuity.png": "Discontinuity of both methods, on one scale",
+    "load_curve.png": "Triangles left as geometry",
+}
+"""Captions of the pictures."""
+
 
 @dataclass(frozen=True, kw_only=True)
 class ViewOptions(options.PictureOptions):
     """A user's view, and the size of its pictures."""
 
-    user: Annotated[str | None, option("--user", "X,Y,Z", "User's eye U in metres. By default beside the centre.")] = (
-        None
+    user: str | None = option(None, "X,Y,Z", "User's eye U in metres. By default beside the centre.")
+    distance: float | None = option(
+        None,
+        "METRES",
+        "Distance of U from O if --user is not given. By default 6 m if the radii are 30 and 50 m, else less.",
     )
-    distance: Annotated[
-        float | None,
-        option(
-            "--distance",
-            "METRES",
-            "Distance of U from O if --user is not given. By default 6 m if the radii are 30 and 50 m, else less.",
-        ),
-    ] = None
-    target: Annotated[
-        str | None,
-        option("--target", "X,Y,Z", "Point to look at, metres. By default the boundary at r2 is in view."),
-    ] = None
-    fov: Annotated[float, option("--fov", "DEGREES", "Horizontal field of view.")] = 90.0
+    target: str | None = option(None, "X,Y,Z", "Point to look at, metres. By default the boundary at r2 is in view.")
+    fov: float = option(90.0, "DEGREES", "Horizontal field of view.")
 
     def __post_init__(self) -> None:
         super().__post_init__()
@@ -53,7 +73,6 @@ class ViewOptions(options.PictureOptions):
 
     @cached_property
     def stand_keywords(self) -> dict[str, Any]:
-        """Keyword arguments of `_viewpoint.stand`."""
         eye, target = options.read_point("--user", self.user), options.read_point("--target", self.target)
         return {"fov": self.fov, "user": eye, "target": target, "distance": self.distance}
 
@@ -62,17 +81,12 @@ def compare(
     *,
     scene: options.SceneOrFolder,
     output: options.Folder,
-    truth: Annotated[
-        str | None,
-        option(
-            "--truth", "SCENE", "Full scene of the folder that -i names. By default the scene that its report names."
-        ),
-    ] = None,
+    truth: str | None = option(
+        None, "SCENE", "Full scene of the folder that -i names. By default the scene that its report names."
+    ),
     zones: options.MapOptions,
     view: ViewOptions,
-    exact: Annotated[
-        bool, typer.Option("--exact", help="Bend a ray for every pixel; trace the far part instead of using the map.")
-    ] = False,
+    exact: bool = flag("--exact", "Bend a ray for every pixel; trace the far part instead of using the map."),
     limits: _thresholds.LimitOptions,
     backend: options.Backend = None,
     file: SceneOptions,
@@ -82,11 +96,11 @@ def compare(
 
     Thresholds apply to the continuous method; the exit status is 3 if one is not met or could not be measured.
     """
-    options.check_backend(backend)
     clock, saved_reduction, truth_source = Clock(), None, scene
     if is_reduced(scene):
-        _source.refuse("which has its own", **asdict(zones))
-        _source.refuse("which has no far geometry to trace", exact=exact or None)
+        zones.refuse("with a folder as -i, which has its own")
+        if exact:
+            raise ValueError("exact: expected none with a folder as -i, which has no far geometry to trace")
     elif truth is not None:
         raise ValueError(f"--truth: expected none with a scene as -i, got {checks.shortened(truth)}")
     output.parent.mkdir(parents=True, exist_ok=True)
@@ -108,9 +122,8 @@ def compare(
         with clock.step("load curve"):
             curve = nf.load_curve(full_scene, center=viewpoint.eye)
         # The discontinuity of far pixels needs their scene points, which are computed from the map's range.
-        texels = (
-            zones.texels if saved_reduction is None or saved_reduction.env is None else saved_reduction.env.face_size
-        )
+        env = None if saved_reduction is None else saved_reduction.env
+        texels = zones.face_size if env is None else env.face_size
         place_and_map = {"center": viewpoint.eye, "r1": r1, "r2": r2, "channels": ("color", "range")}
         rendered = render_all(
             full_scene,
@@ -118,7 +131,7 @@ def compare(
             clock,
             pictures={"samples": view.samples, "channels": ("color", "position")},
             reduction=place_and_map | {"face_size": texels, "backend": backend},
-            drawing={"method": "exact", "env": False} if exact else None,
+            exact=exact,
             saved=saved_reduction,
         )
         frames, reduced = rendered.frames, rendered.reduced
@@ -138,10 +151,8 @@ def compare(
                 _pictures.save_heat_maps(folder, {name: comparison.torn for name, comparison in comparisons.items()})
         margin = nf.fold_margin(user_view.user, center=viewpoint.eye, r1=r1, r2=r2)
         crosses = any(comparison.boundary_pixels for comparison in comparisons.values())
-        results = [threshold.check(measures["continuous"]) for threshold in limits.thresholds]
-        document = formats.header(
-            "compare", VERSION, origin=[float(v) for v in full_scene.origin], color_space="sRGB"
-        ) | {
+        results = limits.results(measures["continuous"])
+        document = formats.header("compare", VERSION, origin=full_scene.origin.tolist(), color_space="sRGB") | {
             "source": scene,
             "truth": truth_source,
             "unit_note": full_scene.report.unit_note,
@@ -151,7 +162,7 @@ def compare(
             "map_bytes": int(reduced.stats["map_bytes"]),
             "center": list(viewpoint.eye),
             "user": list(user_view.user),
-            "fold_margin": round(margin, 3) if math.isfinite(margin) else None,
+            "fold_margin": rounded(margin, 3),
             "r1": r1,
             "r2": r2,
             "radii_reason": radii.reason if isinstance(radii, default_radii.Choice) else "",
@@ -161,15 +172,13 @@ def compare(
             "method": "exact" if exact else "vertex",
             "pictures": measures,
             "thresholds": results,
-            "findings": [
-                *findings.of_reduction(reduced.stats, r2),
-                *findings.of_view(crosses=crosses, fold_margin=margin, r2=r2),
-            ],
+            "findings": findings.of_reduction(reduced.stats, r2)
+            + findings.of_view(crosses=crosses, fold_margin=margin, r2=r2),
             "load_curve": curve_points(curve),
             "seconds": clock.seconds,
             "files": sorted([path.name for path in folder.iterdir()] + ["compare.json", "report.html", "report.md"]),
         }
-        _page.save(folder, "compare.json", document, _comparison_page.page(document))
+        _report(document).save(folder, "compare.json")
     if not has_plots:
         typer.echo("nearfar: left plots out, because matplotlib is not installed", err=True)
     show(document, _rows(document, output), title=scene, as_json=as_json)
@@ -183,29 +192,24 @@ def compare(
 def _measures_document(comparison: nf.Comparison, tear: nf.metrics.BoundaryTear) -> dict[str, Any]:
     """Return rounded measures for the report, without the map of discontinuity."""
     return {
-        "tear": _rounded(tear.tear),
-        "tear_kink": _rounded(tear.kink),
-        "tear_shared": _rounded(tear.shared),
-        "tear_density": _rounded(tear.pixels_per_degree),
-        "psnr": round(comparison.psnr, 4) if math.isfinite(comparison.psnr) else None,
-        "ssim": round(comparison.ssim, 6),
-        "rmse": round(comparison.rmse, 6),
-        "discontinuity": _rounded(comparison.discontinuity),
-        "discontinuity_p99": _rounded(comparison.discontinuity_p99),
-        "boundary": _rounded(comparison.boundary_discontinuity),
+        "tear": rounded(tear.tear),
+        "tear_kink": rounded(tear.kink),
+        "tear_shared": rounded(tear.shared),
+        "tear_density": rounded(tear.pixels_per_degree),
+        "psnr": rounded(comparison.psnr, 4),
+        "ssim": rounded(comparison.ssim),
+        "rmse": rounded(comparison.rmse),
+        "discontinuity": rounded(comparison.discontinuity),
+        "discontinuity_p99": rounded(comparison.discontinuity_p99),
+        "boundary": rounded(comparison.boundary_discontinuity),
         "boundary_pixels": comparison.boundary_pixels,
     }
-
-
-def _rounded(value: float | None) -> float | None:
-    return None if value is None else round(value, 6)
 
 
 def _rows(document: dict[str, Any], output: Path) -> list[tuple[str, str]]:
     pictures = document["pictures"]
     measure_rows = [
-        (label, " → ".join(_comparison_page.text(pictures[name][key]) for name in METHODS))
-        for key, label in _comparison_page.MEASURES.items()
+        (label, " → ".join(_text(pictures[name][key]) for name in METHODS)) for key, label in MEASURES.items()
     ]
     return [
         ("triangles", triangles_text(document)),
@@ -217,3 +221,38 @@ def _rows(document: dict[str, Any], output: Path) -> list[tuple[str, str]]:
         *note_rows(document),
         ("written to", str(output)),
     ]
+
+
+def _text(value: float | None) -> str:
+    return "–" if value is None else f"{value:.4g}"
+
+
+def _report(document: dict[str, Any]) -> _page.Page:
+    pictures, margin = document["pictures"], document["fold_margin"]
+    shares = (values["tear_shared"] for values in pictures.values())
+    tables = {
+        "Against the truth": [
+            ["measure", *pictures],
+            *([label, *(_text(values[key]) for values in pictures.values())] for key, label in MEASURES.items()),
+            [
+                "boundary pixels that see both sides",
+                *("–" if share is None else f"{100 * share:.0f} %" for share in shares),
+            ],
+            ["pixels along the boundary", *(count(values["boundary_pixels"]) for values in pictures.values())],
+        ],
+        "Triangles left": _page.load_curve_rows(document),
+        "Time": _page.time_rows(document),
+        **_page.notes_table(document),
+    }
+    if document["thresholds"]:
+        rows = [
+            [check["option"], f"{check['limit']:.4g}", _text(check["value"]), _thresholds.result(check)]
+            for check in document["thresholds"]
+        ]
+        tables["Thresholds"] = [["threshold", "limit", "continuous", "result"], *rows]
+    has_folded = margin is None or margin < 0
+    folds = "the picture has folded" if has_folded else f"the picture folds {margin:.1f} m farther away from O"
+    texts = {"method": document["method"], "folds": folds, **reduction_texts(document)}
+    notes = [f"Note: {note}." for note in (document["unit_note"], *document["findings"]) if note]
+    title = f"Near-far comparison of {document['source']}"
+    return _page.Page(document, title, [*notes, *_page.paragraphs("comparison.md", **texts)], CAPTIONS, tables)

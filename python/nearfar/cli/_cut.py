@@ -10,39 +10,36 @@ import typer
 
 import nearfar as nf
 from nearfar._base import check
-from nearfar.cli._options import option, read_numbers
+from nearfar.cli import _options as options
+from nearfar.cli._groups import option
 from nearfar.cli._output import check_target, count
 from nearfar.cli._scenes import FileOptions, open_scene, open_world
 
 INDEX = "tiles.json"
 """Name of the index file of a folder of tiles."""
 
-Box = tuple[tuple[float, float, float], tuple[float, float, float]]
+Box = Annotated[
+    str | None,
+    typer.Option(metavar="X0,Z0,X1,Z1", help="Least x and z and greatest x and z in metres; by default everything."),
+]
 
 
 def cut(
     *,
-    world: Annotated[
-        str,
-        option("-i --input", "WORLD", "Scene file, procedural scene, or a folder of tiles that `nearfar cut` wrote."),
-    ],
-    output: Annotated[Path, option("-o --output", "FILE|FOLDER", "GLB to write; with --cell a folder of tiles.")],
-    box: Annotated[
-        str | None,
-        option("--box", "X0,Z0,X1,Z1", "Least x and z and greatest x and z in metres; by default everything."),
-    ] = None,
-    cell: Annotated[
-        float | None,
-        option("--cell", "METRES", "Write tiles of this width; the same call resumes an interrupted one."),
-    ] = None,
-    detail: Annotated[float, option("--detail", "METRES", "Greatest geometric error; 0 for full detail.")] = 0.0,
+    world: str = option(
+        ..., "WORLD", "Scene file, procedural scene, or a folder of tiles that `nearfar cut` wrote.", "-i --input"
+    ),
+    output: Path = option(..., "FILE|FOLDER", "GLB to write; with --cell a folder of tiles.", "-o --output"),
+    box: Box = None,
+    cell: float | None = option(None, "METRES", "Write tiles of this width; the same call resumes an interrupted one."),
+    detail: float = option(0.0, "METRES", "Greatest geometric error; 0 for full detail."),
     file: FileOptions,
 ) -> None:
     """Cut a part out of a world that may be larger than memory: triangles that touch a box, whole."""
     aabb = read_box(box)
-    check.at_least_zero("--detail", detail)
+    check.at_least_zero("detail", detail)
     if cell is not None:
-        check.positive("--cell", cell)
+        check.positive("cell", cell)
     else:
         check_target(output, ".glb")
     source = open_source(world, file.loading)
@@ -57,11 +54,11 @@ def cut(
     typer.echo(f"{output}: {count(part.triangle_count)} triangles")
 
 
-def read_box(text: str | None) -> Box:
+def read_box(text: str | None) -> tuple[options.Point, options.Point]:
     """Parse "x0,z0,x1,z1" in metres as a box of unlimited height; None means everything."""
     if text is None:
         return (-math.inf, -math.inf, -math.inf), (math.inf, math.inf, math.inf)
-    x0, z0, x1, z1 = read_numbers("--box", text, "x0,z0,x1,z1 in metres such as 0,0,200,200", 4)
+    x0, z0, x1, z1 = options.read_numbers("--box", text, "x0,z0,x1,z1 in metres such as 0,0,200,200", 4)
     if not (x0 <= x1 and z0 <= z1):
         raise ValueError(f"--box: expected least x and z before greatest x and z, got {check.shortened(text)}")
     return (x0, -math.inf, z0), (x1, math.inf, z1)
@@ -75,6 +72,5 @@ def open_source(text: str, loading: nf.LoadOptions) -> nf.SceneSource:
 
 
 def _span(source: nf.SceneSource) -> str:
-    """Return the extent in x and z in the format of `--box`."""
     (x0, _, z0), (x1, _, z1) = source.bounds.tolist()
     return f"{x0:g},{z0:g},{x1:g},{z1:g}"

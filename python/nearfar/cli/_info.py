@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import dataclasses
-import time
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -12,12 +11,16 @@ import typer
 import nearfar as nf
 from nearfar._base import formats
 from nearfar.cli import _options as options, _source, _viewpoint
-from nearfar.cli._options import SCENE_OR_FOLDER, option
-from nearfar.cli._output import bytes_text, check_target, count, metres, show, triangles_text
+from nearfar.cli._groups import flag, option
+from nearfar.cli._options import SCENE_OR_FOLDER
+from nearfar.cli._output import Clock, bytes_text, check_target, count, metres, show, triangles_text
 from nearfar.cli._render import camera
 from nearfar.cli._scenes import SceneOptions, is_reduced, open_scene
 
 VERSION = 1
+
+_LABELS = {"notes": "not as in the file", "used": "used of the file"}
+"""Labels of report fields that differ from their names."""
 
 PREVIEW = (480, 300)
 """Width and height of the preview in pixels."""
@@ -26,15 +29,12 @@ PREVIEW = (480, 300)
 def info(
     *,
     scene: Annotated[str | None, SCENE_OR_FOLDER] = None,
-    gpu: Annotated[bool, typer.Option("--gpu", help="List the graphics adapters, and why any is not used.")] = False,
-    preview: Annotated[
-        Path | None,
-        option(
-            "--preview",
-            "FILE",
-            "Also render a small picture of the scene, .png. It takes the time of a search tree and one frame.",
-        ),
-    ] = None,
+    gpu: bool = flag("--gpu", "List the graphics adapters, and why any is not used."),
+    preview: Path | None = option(
+        None,
+        "FILE",
+        "Also render a small picture of the scene, .png. It takes the time of a search tree and one frame.",
+    ),
     file: SceneOptions,
     as_json: options.Json = False,
 ) -> None:
@@ -47,22 +47,22 @@ def info(
         return
     if preview is not None:
         check_target(preview, ".png")
-    started = time.perf_counter()
-    reduced = nf.ReducedScene.load(scene) if is_reduced(scene) else None
-    loaded = open_scene(scene, file.loading) if reduced is None else reduced.scene
-    document = describe(loaded, scene, time.perf_counter() - started)
+    clock = Clock()
+    with clock.step("load"):
+        reduced = nf.ReducedScene.load(scene) if is_reduced(scene) else None
+        loaded = open_scene(scene, file.loading) if reduced is None else reduced.scene
+    document = describe(loaded, scene, clock.seconds["load"])
     rows = []
     if reduced is not None:
         document["reduced"] = describe_reduced(reduced)
         rows += _reduced_rows(document["reduced"])
     if preview is not None:
-        document["preview"] = {"file": str(preview), "seconds": save_preview(loaded, scene, reduced, preview)}
+        with clock.step("preview"):
+            _save_preview(loaded, scene, reduced, preview)
+        document["preview"] = {"file": str(preview), "seconds": clock.seconds["preview"]}
+    facts = {_LABELS.get(key, key.replace("_", " ")): value for key, value in document["report"].items() if value}
     rows += [
-        *(
-            (_LABELS.get(key, key.replace("_", " ")), _value_text(value))
-            for key, value in document["report"].items()
-            if value
-        ),
+        *((label, _value_text(value)) for label, value in facts.items()),
         *((name, metres(corner)) for name, corner in zip(("from", "to"), document["bounds"] or (), strict=False)),
         ("origin", metres(document["origin"])),
         ("loaded in", f"{document['seconds']:.2f} s"),
@@ -73,10 +73,6 @@ def info(
         document["gpu"] = describe_adapters()
         rows += _adapter_rows(document["gpu"])
     show(document, rows, title=scene, as_json=as_json)
-
-
-_LABELS = {"notes": "not as in the file", "used": "used of the file"}
-"""Labels of report fields that differ from their names."""
 
 
 def describe_adapters() -> dict[str, Any]:
@@ -115,22 +111,20 @@ def _suffix(note: str) -> str:
 
 def describe(scene: nf.Scene, source: str, seconds: float) -> dict[str, Any]:
     """Return the document of a scene; schema "info"."""
-    return formats.header("info", VERSION, origin=[float(value) for value in scene.origin]) | {
+    return formats.header("info", VERSION, origin=scene.origin.tolist()) | {
         "source": source,
         "triangles": int(scene.triangle_count),
         "objects": len(scene.object_names),
-        "bounds": [[float(value) for value in corner] for corner in scene.bounds] if scene.triangle_count else None,
+        "bounds": scene.bounds.tolist() if scene.triangle_count else None,
         "report": _to_json(dataclasses.asdict(scene.report)),
-        "seconds": round(seconds, 3),
+        "seconds": seconds,
     }
 
 
 def describe_reduced(reduced: nf.ReducedScene) -> dict[str, Any]:
     """Return the part of the document that describes a reduced scene."""
     stats, env = reduced.stats, reduced.env
-    map_entry = (
-        None if env is None else {"face_size": env.face_size, "channels": list(env.channels), "bytes": env.nbytes}
-    )
+    map_entry = env and {"face_size": env.face_size, "channels": list(env.channels), "bytes": env.nbytes}
     return {
         "center": list(reduced.center),
         "r1": reduced.r1,
@@ -146,9 +140,8 @@ def _reduced_rows(document: dict[str, Any]) -> list[tuple[str, str]]:
     map_entry = document["map"]
     map_text = "none, nothing is far"
     if map_entry is not None:
-        map_text = (
-            f"6 × {map_entry['face_size']}², {', '.join(map_entry['channels'])}, {bytes_text(map_entry['bytes'])}"
-        )
+        channels = ", ".join(map_entry["channels"])
+        map_text = f"6 × {map_entry['face_size']}², {channels}, {bytes_text(map_entry['bytes'])}"
     return [
         ("reduced scene", triangles_text(document) + " triangles; the lines below are about these"),
         ("centre", metres(document["center"])),
@@ -157,16 +150,13 @@ def _reduced_rows(document: dict[str, Any]) -> list[tuple[str, str]]:
     ]
 
 
-def save_preview(scene: nf.Scene, source: str, reduced: nf.ReducedScene | None, path: Path) -> float:
-    """Render a small picture from the default viewpoint to a file; return the time in seconds."""
-    started = time.perf_counter()
+def _save_preview(scene: nf.Scene, source: str, reduced: nf.ReducedScene | None, path: Path) -> None:
     user_view = None if reduced is None else _source.view_of(source)
     viewpoint = _viewpoint.choose(scene, source, None if reduced is None else reduced.center)
     eye_and_target = (viewpoint.eye, viewpoint.target) if user_view is None else (user_view.user, user_view.target)
     view = camera(*eye_and_target, 90.0, PREVIEW)
     subject = scene if reduced is None else reduced
     nf.render(subject, view, samples=4, channels=("color",)).save(path)
-    return round(time.perf_counter() - started, 3)
 
 
 def _to_json(value: Any) -> Any:

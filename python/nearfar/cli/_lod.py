@@ -2,108 +2,99 @@
 
 from __future__ import annotations
 
-import time
 from dataclasses import asdict, dataclass
 from functools import cached_property
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Any
 
 import numpy as np
-import typer
 from numpy.typing import NDArray
 
 import nearfar as nf
 from nearfar._base import formats
 from nearfar.cli import _options as options
-from nearfar.cli._groups import Options
-from nearfar.cli._options import option, read_numbers
-from nearfar.cli._output import bytes_text, check_target, count, note_rows, show
+from nearfar.cli._groups import Options, choice, flag, option
+from nearfar.cli._options import read_numbers
+from nearfar.cli._output import Clock, bytes_text, check_target, count, note_rows, show
 from nearfar.cli._scenes import SceneOptions, open_scene
+from nearfar.lod._measure.views import Directions
+from nearfar.lod._select.threshold import Kind
+from nearfar.lod._simplify.simplify import Method
+from nearfar.lod._simplify.surface import Normals
 
 VERSION = 1
 
-# Defaults of their fields are the defaults of the options.
-Settings, Threshold = nf.lod.MeasureSettings, nf.lod.LodThreshold
+DEFAULTS, THRESHOLD = nf.lod.MeasureSettings, nf.lod.LodThreshold
+"""Classes whose defaults are those of the options."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class SimplifyOptions(Options):
     """How levels are simplified."""
 
-    ratios: Annotated[str | None, option("--ratios", "R,R,…", "Shares of the triangles, as in 0.5,0.2,0.05.")] = None
-    method: Annotated[str, option("--method", "fast|meshopt", "The simplifier: see nf.lod.simplify.")] = "fast"
-    normals: Annotated[str, option("--normals", "keep|smooth|flat", "How levels are shaded: see nf.lod.simplify.")] = (
-        "keep"
-    )
+    ratios: str | None = option(None, "R,R,…", "Shares of the triangles, as in 0.5,0.2,0.05.")
+    method: Method = choice("fast", "The simplifier: see nf.lod.simplify.")
+    normals: Normals = choice("keep", "How levels are shaded: see nf.lod.simplify.")
 
     @cached_property
-    def shares(self) -> list[float] | None:
-        """Shares of the triangles; None for the default."""
-        if self.ratios is None:
-            return None
-        return read_numbers("--ratios", self.ratios, "numbers such as 0.5,0.2,0.05")
-
-    def simplify(self, scene: nf.Scene, name: str) -> nf.lod.Levels:
-        """Return the levels of a scene."""
-        shaped: dict[str, Any] = {"method": self.method, "normals": self.normals}
-        return nf.lod.simplify(scene, name=name, **shaped | ({} if self.shares is None else {"ratios": self.shares}))
+    def keywords(self) -> dict[str, Any]:
+        ratios = None if self.ratios is None else read_numbers("--ratios", self.ratios, "numbers such as 0.5,0.2,0.05")
+        return {"method": self.method, "normals": self.normals} | ({} if ratios is None else {"ratios": ratios})
 
 
 @dataclass(frozen=True, kw_only=True)
 class MeasureOptions(Options):
     """How levels are compared."""
 
-    hmd: Annotated[str, option("--hmd", "NAME", "Headset that levels are measured for: a name or a .json file.")] = (
-        "quest_2"
-    )
-    views: Annotated[int, option("--views", "N", "Number of directions from which levels are compared.")] = (
-        Settings.views
-    )
-    directions: Annotated[
-        str, option("--directions", "even|published", "Distribution of the views: see nf.lod.MeasureSettings.")
-    ] = Settings.directions
-    distances: Annotated[int, option("--distances", "N", "Number of distances at which levels are compared.")] = (
-        Settings.distances
-    )
+    hmd: str = option("quest_2", "NAME", "Headset that levels are measured for: a name or a .json file.")
+    views: int = option(DEFAULTS.views, "N", "Number of directions from which levels are compared.")
+    directions: Directions = choice(DEFAULTS.directions, "Distribution of the views: see nf.lod.MeasureSettings.")
+    distances: int = option(DEFAULTS.distances, "N", "Number of distances at which levels are compared.")
+
+    @cached_property
+    def device(self) -> nf.Hmd:
+        return options.headset(self.hmd)
+
+    @cached_property
+    def settings(self) -> nf.lod.MeasureSettings:
+        return nf.lod.MeasureSettings(**asdict(self) | {"hmd": self.device})
 
 
 @dataclass(frozen=True, kw_only=True)
 class SwitchOptions(Options):
     """Threshold at which levels switch, and the levels that are written."""
 
-    k: Annotated[float, option("--k", "K", "Slope of the threshold.")] = Threshold.k
-    d: Annotated[float, option("--d", "D", "The threshold at 1/16 of the screen.")] = Threshold.d
-    threshold: Annotated[
-        str, option("--threshold", "KIND", "Formula of the threshold: anchored, literal or normalized.")
-    ] = Threshold.kind
-    all_levels: Annotated[bool, typer.Option("--all-levels", help="Also write levels that are never shown.")] = False
+    k: float = option(THRESHOLD.k, "K", "Slope of the threshold.")
+    d: float = option(THRESHOLD.d, "D", "The threshold at 1/16 of the screen.")
+    threshold: Kind = choice(THRESHOLD.kind, "Formula of the threshold.")
+    all_levels: bool = flag("--all-levels", "Also write levels that are never shown.")
+
+    @cached_property
+    def limit(self) -> nf.lod.LodThreshold:
+        return nf.lod.LodThreshold(self.k, self.d, self.threshold)
 
 
 def lod(
     *,
     scene: options.Input,
-    output: Annotated[Path, option("-o --output", "FILE", "The model: .glb with its levels, or .json without.")],
+    output: Path = option(..., "FILE", "The model: .glb with its levels, or .json without.", "-o --output"),
     simplifier: SimplifyOptions,
-    pictures: MeasureOptions,
+    measurement: MeasureOptions,
     switching: SwitchOptions,
     backend: options.Backend = None,
     file: SceneOptions,
     as_json: options.Json = False,
 ) -> None:
     """Simplify an object, measure the SSIM of each level over its size, and write the model with sizes to switch at."""
-    renderer = options.check_backend(backend)
     check_target(output, ".glb", ".json")
-    device = options.headset(pictures.hmd)
-    loaded = open_scene(scene, file.loading)
-    started = time.perf_counter()
-    levels = simplifier.simplify(loaded, Path(scene.partition(":")[0]).stem)
-    simplified = time.perf_counter()
-    asked = asdict(pictures) | {"hmd": device}
-    model = nf.lod.measure(levels, backend=renderer, **asked)
-    seconds = {"simplify": simplified - started, "measure": time.perf_counter() - simplified}
-    threshold: dict[str, Any] = {"k": switching.k, "d": switching.d, "threshold": switching.threshold}
-    model.export(output, view=device, all_levels=switching.all_levels, **threshold)
-    switches = nf.lod.switches(model, view=device, **threshold)
+    loaded, clock = open_scene(scene, file.loading), Clock()
+    device = measurement.device
+    with clock.step("simplify"):
+        levels = nf.lod.simplify(loaded, name=Path(scene.partition(":")[0]).stem, **simplifier.keywords)
+    with clock.step("measure"):
+        model = nf.lod.measure(levels, settings=measurement.settings, backend=backend)
+    model.export(output, view=device, all_levels=switching.all_levels, threshold=switching.limit)
+    switches = nf.lod.switches(model, view=device, threshold=switching.limit)
     written = np.ones(len(model), bool) if switching.all_levels else switches.is_ever_shown
     document = describe(model, switches, written) | {
         "source": scene,
@@ -111,13 +102,13 @@ def lod(
         "file": str(output),
         "bytes": output.stat().st_size,
         "hmd": device.name,
-        "seconds": {step: round(value, 3) for step, value in seconds.items()},
+        "seconds": clock.seconds,
     }
     rows = [
         *((f"level {number}", _text(level)) for number, level in enumerate(document["levels"])),
         ("headset", device.name),
         ("file", f"{output}, {bytes_text(document['bytes'])}"),
-        *((step, f"{value:.2f} s") for step, value in seconds.items()),
+        *((step, f"{value:.2f} s") for step, value in clock.seconds.items()),
         *note_rows(document),
     ]
     show(document, rows, title=scene, as_json=as_json)
@@ -154,10 +145,10 @@ def _text(level: dict[str, Any]) -> str:
     parts = [f"{count(level['triangles'])} triangles", f"error {level['error']:.3g} m"]
     if level["curve"] is not None:
         where = "never" if level["distance"] is None else f"from {level['distance']:.3g} m on"
-        share = f"{level['screen_coverage']:.2%} of the picture"
+        coverage = f"{level['screen_coverage']:.2%} of the picture"
         if level["limit_of_measurement"]:
-            where, share = f"at all sizes measured, {where}", f"{share}; larger is beyond what was measured"
-        parts.append(f"good enough {where} ({share})")
+            where, coverage = f"at all sizes measured, {where}", f"{coverage}; larger is beyond what was measured"
+        parts.append(f"good enough {where} ({coverage})")
     if not level["shown"]:
         parts.append("never shown" + ("" if level["written"] else ", left out of the file"))
     return ", ".join(parts) + (f"; {level['note']}" if level["note"] else "")

@@ -32,8 +32,8 @@ class Rendered:
 
 def morph_of(method: str, saved: nf.ReducedScene | None) -> Morph:
     """Return the morph of a method; a saved scene keeps its continuous one."""
-    continues = method == "continuous" and saved is not None and saved.morph != "none"
-    return saved.morph if saved is not None and continues else METHODS[method]
+    is_own = saved is not None and method == "continuous" and saved.morph != "none"
+    return saved.morph if saved is not None and is_own else METHODS[method]
 
 
 def render_all(
@@ -43,36 +43,38 @@ def render_all(
     *,
     pictures: dict[str, Any],
     reduction: dict[str, Any],
-    drawing: dict[str, Any] | None = None,
+    exact: bool = False,
     saved: nf.ReducedScene | None = None,
 ) -> Rendered:
     """Render the truth and both methods; `position` among the channels also requests dense pictures.
 
-    The dicts are arguments of `render`, of `reduce`, and additional ones of `ReducedScene.render`. A `saved` reduced
-    scene is shown instead of a new one; if its map has no range, a new one provides the positions of far pixels.
+    The dicts are arguments of `render` and of `reduce`. With `exact` both methods bend a ray for every pixel, and trace
+    the far part. A `saved` reduced scene is shown instead of a new one; if its map has no range, a new one provides the
+    positions of far pixels.
     """
+    needs_positions = "position" in pictures["channels"]
+    drawing: dict[str, Any] = {"method": "exact", "env": False} if exact else {}
     with clock.step("truth"):
         frames = {"truth": nf.render(scene, view, backend=reduction["backend"], **pictures)}
-    lacks = saved is not None and saved.env is not None and saved.env.range is None
-    measures = "position" in pictures["channels"]
+    has_no_range = saved is not None and saved.env is not None and saved.env.range is None
     with clock.step("reduce"):
-        made = nf.reduce(scene, **reduction) if saved is None or (measures and lacks) else saved
-    reduced = made if saved is None else saved
+        measured = nf.reduce(scene, **reduction) if saved is None or (needs_positions and has_no_range) else saved
+    shown = saved or measured
     for name in METHODS:
         morph = morph_of(name, saved)
         with clock.step(name):
-            if reduced is made:
-                frames[name] = made.with_morph(morph).render(view, **pictures, **(drawing or {}))
+            if shown is measured:
+                frames[name] = shown.with_morph(morph).render(view, **pictures, **drawing)
                 continue
-            seen = reduced.with_morph(morph).render(view, **pictures | {"channels": ("color",)})
-            measured = made.with_morph(morph).render(view, channels=("position",))
-            frames[name] = replace(seen, origin=measured.origin, position=measured.position)
+            frame = shown.with_morph(morph).render(view, **pictures | {"channels": ("color",)})
+            positions = measured.with_morph(morph).render(view, channels=("position",))
+            frames[name] = replace(frame, origin=positions.origin, position=positions.position)
     dense: dict[str, nf.Frame] = {}
-    if measures:
+    if needs_positions:
         with clock.step("dense pictures"):
+            dense_view = with_density(view, DENSITY)
             for name in METHODS:
-                shown = made.with_morph(morph_of(name, saved))
                 # Splitting triangles for all directions takes seconds; bent rays are only traced within the view.
-                how = {"method": "exact", **(drawing or {})}
-                dense[name] = shown.render(with_density(view, DENSITY), channels=("position",), **how)
-    return Rendered(frames, reduced, dense)
+                settings = {"channels": ("position",), "method": "exact"} | drawing
+                dense[name] = measured.with_morph(morph_of(name, saved)).render(dense_view, **settings)
+    return Rendered(frames, shown, dense)

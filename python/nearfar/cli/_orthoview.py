@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from functools import cached_property
 from pathlib import Path
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any
 
 import typer
 
@@ -15,75 +16,59 @@ import nearfar as nf
 from nearfar._base import check, files, formats
 from nearfar._base.cluster import LOCAL
 from nearfar.cli import _options as options
-from nearfar.cli._cut import read_box
-from nearfar.cli._groups import Options
-from nearfar.cli._options import option
+from nearfar.cli._cut import Box, read_box
+from nearfar.cli._groups import Options, choice, flag, option
+from nearfar.cli._options import read_numbers
 from nearfar.cli._output import Clock, bytes_text, check_target, count, metres, show
 from nearfar.cli._scenes import FileOptions, open_world
+from nearfar.orthoview._settings import Compression
 
 VERSION = 1
 
 World = Annotated[
     str,
-    option(
-        "-i --input",
-        "WORLD",
-        "Folder of tiles, tileset, footprints, scene file or procedural scene; world and asteroids are taken whole.",
+    typer.Option(
+        "-i",
+        "--input",
+        metavar="WORLD",
+        help="Folder of tiles, tileset, footprints, scene file or procedural scene (world and asteroids in full).",
     ),
 ]
 Store = Annotated[str, typer.Argument(metavar="STORE", help="Folder or URL of a tree.")]
-BOX = option("--box", "X0,Z0,X1,Z1", "Least x and z and greatest x and z in metres; by default everything.")
 
 
 @dataclass(frozen=True, kw_only=True)
 class ViewOptions(Options):
     """Views of a tree's cells."""
 
-    size: Annotated[int, option("--size", "PIXELS", "Width and height of a view, a multiple of 4.")] = 512
-    directions: Annotated[
-        str,
-        option(
-            "--directions",
-            "5|9|13|26|auto",
-            "Number of directions from which cells are drawn; auto chooses by measurement.",
-        ),
-    ] = "9"
-    depth_bits: Annotated[int, option("--depth-bits", "BITS", "Bits of a depth, 8 to 16.")] = 12
-    normal_bits: Annotated[int, option("--normal-bits", "16|24", "Bits of a normal.")] = 16
-    color: Annotated[str, option("--color", "zstd|webp", "How colours are compressed.")] = "zstd"
-    quality: Annotated[int | None, option("--quality", "0-100", "Quality of WebP; by default files are lossless.")] = (
-        None
+    size: int = option(512, "PIXELS", "Width and height of a view, a multiple of 4.")
+    directions: str = option(
+        "9", "5|9|13|26|auto", "Number of directions from which cells are drawn; auto chooses by measurement."
     )
-    layers: Annotated[
-        int, option("--layers", "1|2", "Layers of surfaces to store: 2 also stores those hidden behind the first.")
-    ] = 1
-    geometry: Annotated[
-        bool, typer.Option("--geometry/--no-geometry", help="Also write the triangles of leaves, as 3D Tiles.")
-    ] = True
+    depth_bits: int = option(12, "BITS", "Bits of a depth, 8 to 16.")
+    normal_bits: int = option(16, "16|24", "Bits of a normal.")
+    color: Compression = choice("zstd", "How colours are compressed.")
+    quality: int | None = option(None, "0-100", "Quality of WebP; by default files are lossless.")
+    layers: int = option(1, "1|2", "Layers of surfaces to store: 2 also stores those hidden behind the first.")
+    geometry: bool = option(True, None, "Also write the triangles of leaves, as 3D Tiles.", "--geometry/--no-geometry")
 
     @cached_property
-    def count(self) -> int | Literal["auto"]:
-        """The number of directions, or `auto`."""
-        return read_directions(self.directions)
+    def settings(self) -> nf.orthoview.ViewSettings:
+        fields: dict[str, Any] = asdict(self) | {"directions": _read_directions(self.directions)}
+        del fields["geometry"]
+        return nf.orthoview.ViewSettings(**fields)
 
 
 def build(
     *,
     world: World,
-    output: Annotated[
-        Path, option("-o --output", "STORE", "Folder to write; the same call resumes an interrupted one.")
-    ],
-    cell: Annotated[float, option("--cell", "METRES", "Side of the leaves' cubic cells.")],
-    box: Annotated[str | None, BOX] = None,
+    output: Path = option(..., "STORE", "Folder to write; the same call resumes an interrupted one.", "-o --output"),
+    cell: float = option(..., "METRES", "Side of the leaves' cubic cells."),
+    box: Box = None,
     views: ViewOptions,
-    cluster: Annotated[
-        str | None,
-        option(
-            "--cluster",
-            "local|ADDRESS",
-            "local for one process per core, or the address of a Dask scheduler, tcp://HOST:PORT.",
-        ),
-    ] = None,
+    cluster: str | None = option(
+        None, "local|ADDRESS", "local for one process per core, or the address of a Dask scheduler, tcp://HOST:PORT."
+    ),
     file: FileOptions,
     as_json: options.Json = False,
 ) -> None:
@@ -93,26 +78,14 @@ def build(
     clock = Clock()
     with _client(cluster) as client, clock.step("build"):
         tree = nf.orthoview.build(
-            source,
-            output,
-            cell=cell,
-            aabb=aabb,
-            size=views.size,
-            directions=views.count,
-            depth_bits=views.depth_bits,
-            normal_bits=views.normal_bits,
-            color=views.color,  # type: ignore[arg-type]  # checked by `build`
-            quality=views.quality,
-            geometry=views.geometry,
-            layers=views.layers,
-            cluster=client,
+            source, output, cell=cell, aabb=aabb, geometry=views.geometry, settings=views.settings, cluster=client
         )
     _show(tree, as_json, source=world, seconds=clock.seconds)
 
 
 def info(
     store: Store,
-    preview: Annotated[Path | None, option("--preview", "FILE.png", "Write the views of the whole world.")] = None,
+    preview: Path | None = option(None, "FILE.png", "Write the views of the whole world."),
     as_json: options.Json = False,
 ) -> None:
     """Print what a tree holds."""
@@ -131,9 +104,7 @@ def update(
     *,
     store: Store,
     world: World,
-    box: Annotated[
-        str, option("--box", "X0,Z0,X1,Z1", "Box that has changed: least x and z and greatest x and z in metres.")
-    ],
+    box: str = option(..., "X0,Z0,X1,Z1", "Box that has changed: least x and z and greatest x and z in metres."),
     file: FileOptions,
     as_json: options.Json = False,
 ) -> None:
@@ -158,16 +129,12 @@ def verify(store: Store, as_json: options.Json = False) -> None:
 
 def export(
     store: Store,
-    output: Annotated[Path, option("-o --output", "PLACE", "Folder to write; with --splats also a file .spz or .glb.")],
-    splats: Annotated[
-        bool, typer.Option("--splats", help="Write Gaussians for splat viewers: .spz, .glb or a folder of 3D Tiles.")
-    ] = False,
-    level: Annotated[int, option("--level", "N", "Level of the cells in a file, or of the finest tiles.")] = 0,
-    box: Annotated[str | None, BOX] = None,
-    light: Annotated[
-        str, option("--light", "sun|none|X,Y,Z", "The light in the splats' colours: X,Y,Z points to the sun.")
-    ] = "sun",
-    compression: Annotated[str | None, option("--compression", "spz", "Put SPZ into .glb files and tiles.")] = None,
+    output: Path = option(..., "PLACE", "Folder to write; with --splats also a file .spz or .glb.", "-o --output"),
+    splats: bool = flag("--splats", "Write Gaussians for splat viewers: .spz, .glb or a folder of 3D Tiles."),
+    level: int = option(0, "N", "Level of the cells in a file, or of the finest tiles."),
+    box: Box = None,
+    light: str = option("sun", "sun|none|X,Y,Z", "The light in the splats' colours: X,Y,Z points to the sun."),
+    compression: str | None = option(None, "spz", "Put SPZ into .glb files and tiles."),
     as_json: options.Json = False,
 ) -> None:
     """Write the newest generation of a tree as plain Zarr, for any reader, or for splat viewers."""
@@ -182,30 +149,19 @@ def export(
         return
     aabb = None if box is None else read_box(box)
     with clock.step("export"):
-        counts = tree.export_splats(output, level=level, aabb=aabb, light=read_light(light), compression=compression)
+        counts = tree.export_splats(output, level=level, aabb=aabb, light=_read_light(light), compression=compression)
     _show(tree, as_json, source=store, seconds=clock.seconds, splats=counts)
 
 
-def read_light(text: str) -> str | tuple[float, ...] | None:
+def _read_light(text: str) -> str | tuple[float, ...] | None:
     """Parse the light: a word or three numbers."""
     if text in ("sun", "none"):
         return None if text == "none" else text
-    try:
-        x, y, z = map(float, text.split(","))
-    except ValueError:
-        raise ValueError(f"--light: expected sun, none or X,Y,Z, got {check.shortened(text)}") from None
-    return x, y, z
+    return tuple(read_numbers("light", text, "sun, none or X,Y,Z", 3))
 
 
-def read_directions(text: str) -> int | Literal["auto"]:
-    """Parse a number of directions, or `auto`."""
-    if text == "auto":
-        return "auto"
-    try:
-        return int(text)
-    except ValueError:
-        got = check.shortened(text)
-        raise ValueError(f"--directions: expected 5, 9, 13, 26 or auto, got {got}") from None
+def _read_directions(text: str) -> int | str:
+    return int(text) if re.fullmatch("-?[0-9]{1,9}", text) else text
 
 
 @contextmanager
@@ -244,14 +200,14 @@ def _show(tree: nf.orthoview.OrthoTree, as_json: bool, **facts: Any) -> None:
         "done": tree.done,
         "geometry": tree.geometry,
     }
-    each = bytes_text(held["bytes"] / max(held["chunks"] // 3, 1))
+    view_bytes = bytes_text(held["bytes"] / max(held["chunks"] // 3, 1))
     low, high = tree.bounds
     rows = [
         ("leaves", f"{' × '.join(map(str, tree.cells(0)))} of {tree.cell:g} m, {count(held['leaves'])} not empty"),
         ("from, to", f"{metres(low)}; {metres(high)}"),
         ("levels", str(tree.levels)),
         ("views", f"{len(tree.directions)} directions, {tree.size} × {tree.size} pixels"),
-        ("held", f"{count(held['cells'])} cells, {bytes_text(held['bytes'])}, {each} a view"),
+        ("held", f"{count(held['cells'])} cells, {bytes_text(held['bytes'])}, {view_bytes} a view"),
         *_geometry_rows(tree.geometry),
         ("updates", str(tree.generation)),
         *(("done", f"{name} {count(number)}") for name, number in sorted(tree.done.items())),
@@ -268,21 +224,19 @@ def _show(tree: nf.orthoview.OrthoTree, as_json: bool, **facts: Any) -> None:
 
 
 def _splat_rows(counts: dict[str, int]) -> list[tuple[str, str]]:
-    """Return table rows for files written for splat viewers."""
     (parts,) = (f"{count(counts[name])} {name}" for name in ("cells", "tiles") if name in counts)
-    each = bytes_text(counts["bytes"] / counts["splats"])
+    splat_bytes = bytes_text(counts["bytes"] / counts["splats"])
     return [
         ("splats", f"{count(counts['splats'])} for {count(counts['pixels'])} pixels, in {parts}"),
-        ("written", f"{bytes_text(counts['bytes'])}, {each} a splat"),
+        ("written", f"{bytes_text(counts['bytes'])}, {splat_bytes} a splat"),
     ]
 
 
 def _geometry_rows(facts: dict[str, Any] | None) -> list[tuple[str, str]]:
-    """Return table rows for the triangles of leaves."""
     if facts is None:
         return []
-    stands, moving = f"{count(facts['triangles'])} triangles in {count(facts['leaves'])} leaves", facts["moving"]
-    rows = [("geometry", f"{stands}, {bytes_text(facts['bytes'])}, off by {1e3 * facts['error']:.2g} mm at most")]
+    static, moving = f"{count(facts['triangles'])} triangles in {count(facts['leaves'])} leaves", facts["moving"]
+    rows = [("geometry", f"{static}, {bytes_text(facts['bytes'])}, off by {1e3 * facts['error']:.2g} mm at most")]
     if moving["triangles"]:
         rows.append(("moving", f"{count(moving['triangles'])} triangles of {count(moving['objects'])} objects"))
     return rows

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import math
 import time
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
@@ -58,7 +59,6 @@ class _TrialWrite(Exception):  # noqa: N818
 
 
 def count(value: int) -> str:
-    """Format a count with thousands separators."""
     return f"{value:,}"
 
 
@@ -83,10 +83,22 @@ def radii_rows(document: dict[str, Any]) -> list[tuple[str, str]]:
     return [("radii", f"r1 = {document['r1']:g} m, r2 = {document['r2']:g} m"), *([("", reason)] if reason else [])]
 
 
-def radii_text(document: dict[str, Any]) -> str:
-    """Format the radii for a report, with the reason for them."""
+def _radii_text(document: dict[str, Any]) -> str:
     reason = document["radii_reason"]
     return f"r₁ = {document['r1']:g} m, r₂ = {document['r2']:g} m" + (f" ({reason})" if reason else "")
+
+
+def rounded(value: float | None, digits: int = 6) -> float | None:
+    """Round a measure for a document; None for a missing or an infinite one."""
+    return None if value is None or math.isinf(value) else round(value, digits)
+
+
+def reduction_texts(document: dict[str, Any]) -> dict[str, str]:
+    """Format the values of a reduction that the templates of reports contain."""
+    texts = {name: count(document[name]) for name in ("triangles", "triangles_left")}
+    texts |= {name: metres(document[name]) for name in ("center", "user")}
+    face_size, map_bytes = str(document["face_size"]), bytes_text(document["map_bytes"])
+    return texts | {"face_size": face_size, "map_bytes": map_bytes, "radii": _radii_text(document)}
 
 
 def bytes_text(value: float) -> str:

@@ -12,6 +12,7 @@ from typing import Any
 from xml.etree.ElementTree import Element, SubElement, tostring
 
 from nearfar._base import formats
+from nearfar.cli._output import count
 
 BROKEN = ("not met", "not measured")
 """Last cells of table rows that are highlighted."""
@@ -19,31 +20,40 @@ BROKEN = ("not met", "not measured")
 
 @dataclass(frozen=True)
 class Page:
-    """A report."""
+    """A report, and the document from which it is made."""
 
+    document: dict[str, Any]
     title: str
     paragraphs: list[str]
     """Paragraphs; those that begin with "Note: " are highlighted."""
-    pictures: list[tuple[str, str]]
-    """File names in the report's folder, and captions."""
+    captions: dict[str, str]
+    """Captions of pictures by their file names in the report's folder; pictures without a file are left out."""
     tables: dict[str, list[list[str]]]
     """Table rows by heading; the first row of each is its header."""
-    generator: str
 
-    def save(self, folder: Path) -> None:
-        """Write report.md and report.html."""
+    @property
+    def pictures(self) -> list[tuple[str, str]]:
+        """File names of the pictures that were made, and their captions."""
+        return [(name, caption) for name, caption in self.captions.items() if name in self.document["files"]]
+
+    @property
+    def footer(self) -> str:
+        return f"Written by {self.document['generator']}."
+
+    def save(self, folder: Path, name: str) -> None:
+        """Write the document, report.md and report.html."""
+        formats.write_json(folder / name, self.document)
         (folder / "report.md").write_text(self.markdown(), encoding="utf-8")
         (folder / "report.html").write_text(self.html(folder), encoding="utf-8")
 
     def markdown(self) -> str:
-        """Format the report as Markdown."""
         lines = [f"# {self.title}", ""]
         for paragraph in self.paragraphs:
             lines += [paragraph, ""]
         lines += [line for name, caption in self.pictures for line in (f"![{caption}]({name})", "")]
         for heading, rows in self.tables.items():
             lines += [f"## {heading}", "", table(*rows), ""]
-        return "\n".join([*lines, f"Written by {self.generator}.", ""])
+        return "\n".join([*lines, self.footer, ""])
 
     def html(self, folder: Path) -> str:
         """Format the report as one HTML page that embeds its pictures."""
@@ -62,7 +72,7 @@ class Page:
             lines = SubElement(grid, "tbody")
             for row in rows:
                 _add_row(lines, "td", row)
-        _add(body, "footer", f"Written by {self.generator}.")
+        _add(body, "footer", self.footer)
         return fill(
             "report.html", title=html.escape(self.title), body=tostring(body, encoding="unicode", method="html")
         )
@@ -85,10 +95,21 @@ def table(header: list[str], *rows: list[str]) -> str:
     return "\n".join(f"| {' | '.join(line)} |" for line in lines)
 
 
-def save(folder: Path, name: str, document: dict[str, object], page: Page) -> None:
-    """Write a document and its report pages."""
-    formats.write_json(folder / name, document)
-    page.save(folder)
+def notes_table(document: dict[str, Any]) -> dict[str, list[list[str]]]:
+    """Return the table of what is not drawn as in the file, by its heading; empty without such notes."""
+    notes = document["notes"]
+    return {"Not drawn as in the file": [["note"], *([note] for note in notes)]} if notes else {}
+
+
+def load_curve_rows(document: dict[str, Any]) -> list[list[str]]:
+    """Return the table of the load curve, header first."""
+    rows = ([f"{entry['radius']:g} m", count(entry["triangles"])] for entry in document["load_curve"])
+    return [["within", "triangles"], *rows]
+
+
+def time_rows(document: dict[str, Any]) -> list[list[str]]:
+    """Return the table of the time of each step, header first."""
+    return [["step", "seconds"], *([name, f"{value:.2f}"] for name, value in document["seconds"].items())]
 
 
 def _add(parent: Element, tag: str, text: str = "", *, is_broken: bool = False) -> Element:
@@ -99,7 +120,6 @@ def _add(parent: Element, tag: str, text: str = "", *, is_broken: bool = False) 
 
 
 def _add_row(parent: Element, tag: str, cells: list[str]) -> None:
-    """Add a row of a table with cells of this tag."""
     row = _add(parent, "tr", is_broken=cells[-1] in BROKEN)
     for cell in cells:
         _add(row, tag, cell)

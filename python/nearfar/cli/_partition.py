@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Any
 
 import typer
 
@@ -11,7 +11,7 @@ import nearfar as nf
 from nearfar._base import check, formats
 from nearfar._reduce.default_radii import Choice
 from nearfar.cli import _options as options
-from nearfar.cli._options import option
+from nearfar.cli._groups import option
 from nearfar.cli._output import check_target, count, metres, note_rows, radii_rows, show
 from nearfar.cli._scenes import SceneOptions, open_scene
 from nearfar.cli._viewpoint import choose
@@ -39,10 +39,8 @@ def partition(
     scene: options.Input,
     zones: options.ZoneOptions,
     file: SceneOptions,
-    output: Annotated[Path | None, option("-o --output", "FILE", "Also write the JSON document to a file.")] = None,
-    max_triangles: Annotated[
-        int | None, option("--max-triangles", "N", "Exit with status 1 if more than N triangles stay geometry.")
-    ] = None,
+    output: Path | None = option(None, "FILE", "Also write the JSON document to a file.", "-o --output"),
+    max_triangles: int | None = option(None, "N", "Exit with status 1 if more than N triangles stay geometry."),
     as_json: options.Json = False,
 ) -> None:
     """Count the triangles that stay geometry, at these radii and along the load curve."""
@@ -73,7 +71,7 @@ def describe(scene: nf.Scene, source: str, center: options.Point, radii: Choice)
     """Return the document of a partition; schema "partition"."""
     parts = nf.partition(scene, center=center, r1=radii.r1, r2=radii.r2)
     curve = nf.load_curve(scene, center=center)
-    return formats.header("partition", VERSION, origin=[float(value) for value in scene.origin]) | {
+    return formats.header("partition", VERSION, origin=scene.origin.tolist()) | {
         "source": source,
         "notes": list(scene.report.notes),
         "center": list(center),
@@ -86,5 +84,4 @@ def describe(scene: nf.Scene, source: str, center: options.Point, radii: Choice)
 
 
 def curve_points(curve: nf.LoadCurve) -> list[dict[str, float | int]]:
-    """Return the load curve at `CURVE_RADII`."""
     return [{"radius": radius, "triangles": int(curve.count(radius))} for radius in CURVE_RADII]

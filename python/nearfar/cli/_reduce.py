@@ -3,19 +3,29 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Any, Literal
 
 import numpy as np
 import typer
 from numpy.typing import NDArray
 
 import nearfar as nf
-from nearfar._base import check, files, formats
+from nearfar._base import files, formats
 from nearfar._reduce import default_radii, findings
-from nearfar.cli import _options as options, _pictures, _report_page, _viewpoint
+from nearfar.cli import _options as options, _page, _pictures, _viewpoint
+from nearfar.cli._groups import choice
 from nearfar.cli._methods import render_all
-from nearfar.cli._options import option
-from nearfar.cli._output import Clock, bytes_text, metres, note_rows, radii_rows, show, triangles_text
+from nearfar.cli._output import (
+    Clock,
+    bytes_text,
+    count,
+    metres,
+    note_rows,
+    radii_rows,
+    reduction_texts,
+    show,
+    triangles_text,
+)
 from nearfar.cli._partition import curve_points
 from nearfar.cli._render import camera
 from nearfar.cli._scenes import PARTS, SceneOptions, open_scene
@@ -30,10 +40,9 @@ def reduce(
     output: options.Folder,
     zones: options.MapOptions,
     with_range: options.WithRange = False,
-    equirectangular: Annotated[
-        str | None,
-        option("--equirectangular", "exr|png", "Also write the map as one picture, far-equirectangular.exr or .png."),
-    ] = None,
+    equirectangular: Literal["exr", "png"] | None = choice(
+        None, "Also write the map as one picture, far-equirectangular.exr or .png."
+    ),
     picture: options.PictureOptions,
     backend: options.Backend = None,
     file: SceneOptions,
@@ -44,9 +53,6 @@ def reduce(
     The pictures show the truth, the conventional and the continuous method for a user beside the centre.
     `nearfar render`, `nearfar compare` and `nearfar.ReducedScene.load` read the folder.
     """
-    if equirectangular is not None:
-        check.choice("--equirectangular", equirectangular, ("exr", "png"))
-    options.check_backend(backend)
     clock, loading = Clock(), file.loading
     output.parent.mkdir(parents=True, exist_ok=True)
     with files.atomic_folder(output, marker="reduced.json") as folder:
@@ -55,20 +61,20 @@ def reduce(
         with clock.step("place"):
             place = _viewpoint.choose(loaded, scene, zones.point)
             radii = zones.choose_radii(loaded, place)
-            inner, outer = radii.r1, radii.r2
-            stand = _viewpoint.stand(loaded, place, inner, outer)
+            r1, r2 = radii.r1, radii.r2
+            stand = _viewpoint.stand(loaded, place, r1, r2)
         view = camera(stand.user, stand.target, 90.0, picture.pixels)
         with clock.step("load curve"):
             curve = nf.load_curve(loaded, center=place.eye)
-        reduction = {"center": place.eye, "r1": inner, "r2": outer, "face_size": zones.texels, "backend": backend}
+        reduction = {"center": place.eye, "r1": r1, "r2": r2, "face_size": zones.face_size, "backend": backend}
         reduction |= {"samples": picture.samples, "channels": ("color", "range") if with_range else ("color",)}
-        pictures_of: dict[str, Any] = {"samples": picture.samples, "channels": ("color",)}
-        rendered = render_all(loaded, view, clock, pictures=pictures_of, reduction=reduction)
+        settings: dict[str, Any] = {"samples": picture.samples, "channels": ("color",)}
+        rendered = render_all(loaded, view, clock, pictures=settings, reduction=reduction)
         frames, reduced = rendered.frames, rendered.reduced
-        wide = default_radii.PUBLISHED * outer
-        if radii.is_by_ground and wide > inner:
+        published_r1 = default_radii.PUBLISHED * r2
+        if radii.is_by_ground and published_r1 > r1:
             with clock.step("published radii"):
-                frames["published"] = reduced.with_r1(wide).render(view, **pictures_of)
+                frames["published"] = reduced.with_r1(published_r1).render(view, **settings)
         with clock.step("files"):
             reduced.save(folder)
             if equirectangular is not None and reduced.env is not None:
@@ -76,11 +82,9 @@ def reduce(
         with clock.step("pictures"):
             pictures = {name: frame.to_image() for name, frame in frames.items()}
             _pictures.save_pictures(folder, pictures)
-            plotted = _pictures.save_curve(folder, curve, outer)
-        margin = nf.fold_margin(stand.user, center=place.eye, r1=inner, r2=outer)
-        document = formats.header(
-            "report", VERSION, origin=[float(value) for value in loaded.origin], color_space="sRGB"
-        ) | {
+            has_plot = _pictures.save_curve(folder, curve, r2)
+        margin = nf.fold_margin(stand.user, center=place.eye, r1=r1, r2=r2)
+        document = formats.header("report", VERSION, origin=loaded.origin.tolist(), color_space="sRGB") | {
             "source": scene,
             **{name: getattr(loading, name) for name in ("up", "on_invalid", "scale", "blend")},
             "parts": {name: value for name in PARTS if (value := getattr(loading, name)) is not None},
@@ -94,21 +98,20 @@ def reduce(
             "center": list(place.eye),
             "user": list(stand.user),
             "target": list(stand.target),
-            "r1": inner,
-            "r2": outer,
+            "r1": r1,
+            "r2": r2,
             "radii_reason": radii.reason,
-            "face_size": zones.texels,
+            "face_size": zones.face_size,
             "samples": picture.samples,
             "size": list(picture.pixels),
             "load_curve": curve_points(curve),
-            "findings": [
-                *findings.of_reduction(reduced.stats, outer),
-                *findings.of_view(crosses=stand.crosses, fold_margin=margin, r2=outer),
-            ],
+            "findings": findings.of_reduction(reduced.stats, r2)
+            + findings.of_view(crosses=stand.crosses, fold_margin=margin, r2=r2),
             "files": sorted([*(path.name for path in folder.iterdir()), "report.json", "report.md"]),
         }
-        _report_page.save(folder, document)
-    if not plotted:
+        formats.write_json(folder / "report.json", document)
+        (folder / "report.md").write_text(_markdown(document), encoding="utf-8")
+    if not has_plot:
         typer.echo("nearfar: left load_curve.png out, because matplotlib is not installed", err=True)
     show(document, _rows(document, output), title=scene, as_json=as_json)
 
@@ -120,6 +123,38 @@ DEMO = {"scene": "city", "output": Path("out/demo")}
 def _difference(reference: NDArray[np.uint8], test: NDArray[np.uint8]) -> dict[str, float | int]:
     pixels, share, rmse = visible_difference(reference, test)
     return {"pixels": pixels, "share": round(share, 6), "rmse": round(rmse, 6)}
+
+
+def _markdown(document: dict[str, Any]) -> str:
+    share = 100.0 * document["triangles_left"] / max(document["triangles"], 1)
+    differences = [
+        [name, count(value["pixels"]), f"{100 * value['share']:.2f} %", f"{value['rmse']:.4f}"]
+        for name, value in document["pictures"].items()
+    ]
+    notes = "".join(f"- {note}\n" for note in document["notes"])
+    return _page.fill(
+        "reduce.md",
+        source=document["source"],
+        unit_note=f"Note: {document['unit_note']}.\n\n" if document["unit_note"] else "",
+        share=f"{share:.3g}",
+        findings="".join(f"**Note:** {note}.\n\n" for note in document["findings"]),
+        differences=_page.table(["picture", "pixels that differ from the truth", "share", "RMSE"], *differences),
+        published=_on_published(document),
+        load_curve=_page.table(*_page.load_curve_rows(document)),
+        plot="![load curve](load_curve.png)\n\n" if "load_curve.png" in document["files"] else "",
+        times=_page.table(*_page.time_rows(document)),
+        notes=f"\nNot drawn as in the file:\n\n{notes}" if notes else "",
+        generator=document["generator"],
+        **reduction_texts(document),
+    )
+
+
+def _on_published(document: dict[str, Any]) -> str:
+    if "published" not in document["pictures"]:
+        return ""
+    r1, published_r1 = document["r1"], default_radii.PUBLISHED * document["r2"]
+    ratio = f"The last picture has r1 = {published_r1:g} m, the published ratio to r2"
+    return f"{ratio}: it shears the ground more than {r1:g} m.\n\n"
 
 
 def _rows(document: dict[str, Any], output: Path) -> list[tuple[str, str]]:

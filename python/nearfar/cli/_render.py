@@ -3,46 +3,30 @@
 from __future__ import annotations
 
 import math
-import time
-from dataclasses import asdict, dataclass
-from functools import cached_property
+from dataclasses import dataclass
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Any, Literal
 
 import nearfar as nf
-from nearfar._base import check, formats
+from nearfar._base import check, files, formats
 from nearfar._reduce import findings
-from nearfar.cli import _headset, _options as options, _source, _viewpoint
-from nearfar.cli._groups import Options
+from nearfar.cli import _options as options, _source, _viewpoint
+from nearfar.cli._groups import Options, choice, option
 from nearfar.cli._methods import METHODS, morph_of
-from nearfar.cli._options import option
-from nearfar.cli._output import bytes_text, check_target, metres, note_rows, show
+from nearfar.cli._output import Clock, bytes_text, check_target, metres, note_rows, show
 from nearfar.cli._scenes import SceneOptions, is_reduced, open_scene
 
 VERSION = 1
 
+MAX_STRETCH = 0.03
+"""Greatest relative difference of aspect ratios that is not reported."""
+
 
 @dataclass(frozen=True, kw_only=True)
-class ViewOptions(Options):
+class ViewOptions(options.EyeOptions):
     """A user's view, and the pixels of its picture."""
 
-    eye: Annotated[
-        str | None,
-        option("--eye", "X,Y,Z", "User's eye U in metres. By default over open ground or before an object."),
-    ] = None
-    target: Annotated[
-        str | None,
-        option(
-            "--target", "X,Y,Z", "Point to look at, metres. By default the longest open view or the boundary at r2."
-        ),
-    ] = None
-    fov: Annotated[
-        float | None, option("--fov", "DEGREES", "Horizontal field of view, 90 by default; a headset has its own.")
-    ] = None
-    size: Annotated[
-        str | None,
-        option("--size", "WxH", "Pixels, 1280x720 by default; for a headset those of an eye, by default its own."),
-    ] = None
+    fov: float | None = option(None, "DEGREES", "Horizontal field of view, 90 by default; a headset has its own.")
     samples: options.Samples = 4
 
     def __post_init__(self) -> None:
@@ -51,54 +35,40 @@ class ViewOptions(Options):
 
     @property
     def degrees(self) -> float:
-        """Horizontal field of view without a headset."""
         return 90.0 if self.fov is None else self.fov
-
-    @cached_property
-    def user(self) -> options.Point | None:
-        """The eye; None for the default."""
-        return options.read_point("--eye", self.eye)
-
-    @cached_property
-    def aim(self) -> options.Point | None:
-        """The point to look at; None for the default."""
-        return options.read_point("--target", self.target)
 
 
 @dataclass(frozen=True, kw_only=True)
 class HeadsetOptions(Options):
     """A headset and its lens."""
 
-    hmd: Annotated[
-        str | None,
-        option("--hmd", "NAME", "Render both eyes of a headset, a name or a .json file; --eye is then the head."),
-    ] = None
-    lens: Annotated[
-        str, option("--lens", "own|generic", "Lens that --hmd warps for: the headset's, if known, or a generic one.")
-    ] = "own"
+    hmd: str | None = option(
+        None, "NAME", "Render both eyes of a headset, a name or a .json file; --eye is then the head."
+    )
+    lens: Literal["own", "generic"] = choice(
+        "own", "Lens of --hmd to warp for: the headset's, if known, or a generic one."
+    )
 
     def device(self, fov: float | None) -> nf.Hmd | None:
-        """Return the headset; None without one. `fov` must then be None."""
-        if self.hmd is not None:
-            return _headset.headset(self.hmd, self.lens, fov)
-        if self.lens != "own":
-            raise ValueError(f"--lens: expected it with --hmd only, got {check.shortened(self.lens)}")
-        return None
+        """Return the headset, with the generic lens if requested; None without --hmd. With it `fov` must be None."""
+        if self.hmd is None:
+            if self.lens != "own":
+                raise ValueError(f"lens: expected it with --hmd only, got {check.shortened(self.lens)}")
+            return None
+        if fov is not None:
+            raise ValueError(f"fov: expected none with --hmd, which has fields of view of its own, got {fov:g}")
+        device = options.headset(self.hmd)
+        return device if self.lens == "own" else device.with_lens()
 
 
 def render(
     *,
     scene: options.SceneOrFolder,
-    output: Annotated[Path, option("-o --output", "FILE", "Picture to write, .png or .exr.")],
+    output: Path = option(..., "FILE", "Picture to write, .png or .exr.", "-o --output"),
     view: ViewOptions,
-    method: Annotated[
-        str | None,
-        option(
-            "--method",
-            "truth|continuous|conventional",
-            "Full scene, or a method of near-far reduction. By default truth, for a folder continuous.",
-        ),
-    ] = None,
+    method: Literal["truth", "continuous", "conventional"] | None = choice(
+        None, "Full scene, or a method of near-far reduction. By default truth, for a folder continuous."
+    ),
     headset: HeadsetOptions,
     zones: options.MapOptions,
     backend: options.Backend = None,
@@ -111,69 +81,58 @@ def render(
     headset's lens, FILE_left_warped.png and FILE_right_warped.png.
     """
     device = headset.device(view.fov)
-    options.check_backend(backend)
-    if method is not None and method != "truth" and method not in METHODS:
-        raise ValueError(f"--method: expected truth, continuous or conventional, got {check.shortened(method)}")
-    pixels, user, aim, middle = _headset.pixels_of(view.size, device), view.user, view.aim, zones.point
-    targets = {"side_by_side": output} if device is None else _headset.targets_of(output, device)
+    pixels, user, aim, center = view.pixels(device), view.user, view.aim, zones.point
+    targets = {"side_by_side": output} if device is None else _targets_of(output, device)
     for path in targets.values():
         check_target(path, ".png", *((".exr",) if device is None else ()))
     saved = None
     if is_reduced(scene):
         if method == "truth":
-            raise ValueError("--method: expected continuous or conventional with a folder, whose far geometry is gone")
-        _source.refuse("which has its own", **asdict(zones))
+            raise ValueError("method: expected continuous or conventional with a folder, whose far geometry is gone")
+        zones.refuse("with a folder as -i, which has its own")
         saved = nf.ReducedScene.load(scene)
         method = method or ("conventional" if saved.morph == "none" else "continuous")
-        loaded, middle = saved.scene, saved.center
+        loaded, center = saved.scene, saved.center
     else:
         method = method or "truth"
+        if method == "truth":
+            zones.refuse("with --method truth (the default), which shows the full scene")
         loaded = open_scene(scene, file.loading)
-    stand = None
-    place = _viewpoint.choose(loaded, scene, user if method == "truth" else middle)
-    if method == "truth":
-        seen = (place.eye, aim or place.target)
-    else:
-        radii = saved or zones.choose_radii(loaded, place)
-        inner, outer = radii.r1, radii.r2
-        stand = _source.view_of(scene) if saved is not None and user is None and aim is None else None
-        stand = stand or _viewpoint.stand(loaded, place, inner, outer, fov=view.degrees, user=user, target=aim)
-        seen = (stand.user, stand.target)
-    lacks: list[str] = [] if device is None else _headset.stretching(pixels, device)
-    shot = camera(*seen, view.degrees, pixels)
-    started = time.perf_counter()
+    notes = [] if device is None else _stretching(pixels, device)
+    is_exr = output.suffix.lower() == ".exr"
     source: nf.Scene | nf.ReducedScene = loaded
     channels: tuple[str, ...] = ("color",)
-    if stand is None:
-        channels = ("color", "range", "object_id") if output.suffix.lower() == ".exr" else channels
+    clock = Clock()
+    place = _viewpoint.choose(loaded, scene, user if method == "truth" else center)
+    if method == "truth":
+        shot = camera(place.eye, aim or place.target, view.degrees, pixels)
+        channels = ("color", "range", "object_id") if is_exr else channels
     else:
-        if saved is None:
-            reduced = nf.reduce(
-                loaded,
-                center=place.eye,
-                r1=inner,
-                r2=outer,
-                face_size=zones.texels,
-                morph=METHODS[method],
-                backend=options.check_backend(backend),
-            )
-        else:
-            reduced = saved.with_morph(morph_of(method, saved))
-        margin = nf.fold_margin(shot.position, center=place.eye, r1=inner, r2=outer)
-        lacks += findings.of_reduction(reduced.stats, outer) + findings.of_view(
-            crosses=stand.crosses or saved is not None,
-            fold_margin=margin if method == "continuous" else math.inf,
-            r2=outer,
-        )
+        radii = saved or zones.choose_radii(loaded, place)
+        r1, r2 = radii.r1, radii.r2
+        stand = _source.view_of(scene) if saved is not None and user is None and aim is None else None
+        stand = stand or _viewpoint.stand(loaded, place, r1, r2, fov=view.degrees, user=user, target=aim)
+        shot = camera(stand.user, stand.target, view.degrees, pixels)
+        with clock.step("reduce"):
+            if saved is None:
+                radii_and_map: dict[str, Any] = {"r1": r1, "r2": r2, "face_size": zones.face_size, "backend": backend}
+                reduced = nf.reduce(loaded, center=place.eye, morph=METHODS[method], **radii_and_map)
+            else:
+                reduced = saved.with_morph(morph_of(method, saved))
         source = reduced
-    asked: dict[str, Any] = {"samples": view.samples, "channels": channels, "backend": backend}
+        margin = nf.fold_margin(shot.position, center=place.eye, r1=r1, r2=r2) if method == "continuous" else math.inf
+        notes += findings.of_reduction(reduced.stats, r2)
+        notes += findings.of_view(crosses=stand.crosses or saved is not None, fold_margin=margin, r2=r2)
+    settings = nf.RenderSettings(samples=view.samples, channels=channels, backend=backend)
     result: nf.Frame | nf.StereoFrame
-    if device is None:
-        result = nf.render(source, shot, **asked)
-    else:
-        result = nf.render_eyes(source, device, shot.position, orientation=shot.orientation, size=pixels, **asked)
-    seconds = time.perf_counter() - started
-    _headset.save(result, targets)
+    with clock.step("render"):
+        if device is None:
+            result = nf.render(source, shot, settings=settings)
+        else:
+            result = nf.render_eyes(
+                source, device, shot.position, orientation=shot.orientation, size=pixels, settings=settings
+            )
+    _save(result, targets)
     document = formats.header("render", VERSION, color_space="sRGB" if output.suffix == ".png" else "linear") | {
         "source": scene,
         "notes": list(loaded.report.notes),
@@ -181,17 +140,17 @@ def render(
         "bytes": output.stat().st_size,
         "method": method,
         "eye": list(shot.position),
-        "findings": lacks,
+        "findings": notes,
         "size": list(pixels),
         "samples": view.samples,
-        "seconds": round(seconds, 3),
+        "seconds": round(sum(clock.seconds.values()), 3),
     }
     rows = [
         ("eye" if device is None else "head", metres(shot.position)),
         ("picture", f"{pixels[0]} × {pixels[1]}, {method}" + ("" if device is None else ", for each eye")),
         *((name.replace("_", " "), str(path)) for name, path in targets.items() if path != output),
         ("file" if device is None else "side by side", f"{output}, {bytes_text(document['bytes'])}"),
-        ("rendered in", f"{seconds:.2f} s"),
+        ("rendered in", f"{document['seconds']:.2f} s"),
         *note_rows(document),
     ]
     if device is not None:
@@ -208,3 +167,33 @@ def render(
 def camera(eye: options.Point, target: options.Point, fov: float, size: tuple[int, int]) -> nf.Camera:
     """Make a camera at an eye that looks at a target; `fov` in degrees."""
     return nf.Camera.look_at(eye, target, fov=nf.Fov.symmetric(fov, size[0] / size[1]), size=size)
+
+
+def _stretching(pixels: tuple[int, int], device: nf.Hmd) -> list[str]:
+    """Report a headset's pictures whose aspect ratio differs from the headset's."""
+    width, height = device.render_size
+    if abs(pixels[0] * height / (pixels[1] * width) - 1.0) <= MAX_STRETCH:
+        return []
+    fitting = f"{round(pixels[1] * width / height)}x{pixels[1]}"
+    return [f"the picture is stretched: an eye has {width} × {height} pixels, and {fitting} would keep its shape"]
+
+
+def _targets_of(output: Path, device: nf.Hmd) -> dict[str, Path]:
+    """Return the files of a headset's pictures by content."""
+    names = ["left", "right", *(("left_warped", "right_warped") if device.lens else ())]
+    return {"side_by_side": output} | {name: output.with_stem(f"{output.stem}_{name}") for name in names}
+
+
+def _save(result: nf.Frame | nf.StereoFrame, targets: dict[str, Path]) -> None:
+    """Write the picture, or the pictures of both eyes, to files by content."""
+    result.save(targets["side_by_side"])
+    if isinstance(result, nf.Frame):
+        return
+    result.left.save(targets["left"])
+    result.right.save(targets["right"])
+    if result.hmd is not None and result.hmd.lens is not None:
+        from PIL import Image
+
+        for name, picture in zip(("left_warped", "right_warped"), result.warped(), strict=True):
+            with files.atomic_file(targets[name]) as temporary:
+                Image.fromarray(picture).save(temporary, format="PNG")

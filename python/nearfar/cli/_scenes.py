@@ -5,29 +5,24 @@ from __future__ import annotations
 import difflib
 import inspect
 import math
-from collections.abc import Iterator
-from contextlib import contextmanager
 from dataclasses import dataclass, fields
 from functools import cached_property
 from pathlib import Path
-from typing import Annotated
+from typing import Literal
 
 import typer
 
 import nearfar as nf
 from nearfar._base import check, files
 from nearfar._reduce import folder
-from nearfar.cli._groups import Options
-from nearfar.cli._options import option, read_numbers
+from nearfar.cli._groups import Options, choice, option
+from nearfar.cli._options import read_numbers
 
 PROCEDURAL = ("city", "room", "factory", "forest", "beams", "spheres", "landscape", "world", "asteroids")
 """Names of the procedural scenes."""
 
 MIDDLE = ((-500.0, -math.inf, -500.0), (500.0, math.inf, 500.0))
 """Part of a world for commands that need a scene: a square kilometre around its town."""
-
-LOADING = tuple(field.name for field in fields(nf.LoadOptions))
-"""Names of the options for loading."""
 
 PARTS = ("error", "triangles", "origin", "lod", "height")
 """Options for loading that select a part of a tileset or a city, and its place."""
@@ -40,80 +35,56 @@ _REASONS = {"up": "which stands upright already", "scale": "which is in metres a
 class FileOptions(Options):
     """Options for loading the file of a world."""
 
-    up: Annotated[str, option("--up", "AXIS", "Axis of the file that points up: x, y, z, -x, -y or -z.")] = "y"
-    scale: Annotated[
-        float | None, option("--scale", "METRES", "Metres in a unit of the file, 0.001 for millimetres.")
-    ] = None
-    on_invalid: Annotated[
-        str, option("--on-invalid", "raise|drop", "Stop at vertices that are not finite, or drop their faces.")
-    ] = "raise"
-    max_bytes: Annotated[
-        int | None,
-        option(
-            "--max-bytes",
-            "BYTES",
-            "Bytes that the file may unpack to; by default 100 times its size, at least 256 MiB, at most 16 GiB.",
-        ),
-    ] = None
+    up: str = option("y", "AXIS", "Axis of the file that points up: x, y, z, -x, -y or -z.")
+    scale: float | None = option(None, "METRES", "Metres in a unit of the file, 0.001 for millimetres.")
+    on_invalid: Literal["raise", "drop"] = choice("raise", "Stop at vertices that are not finite, or drop their faces.")
+    max_bytes: int | None = option(
+        None,
+        "BYTES",
+        "Bytes that the file may unpack to; by default 100 times its size, at least 256 MiB, at most 16 GiB.",
+    )
 
     @cached_property
     def loading(self) -> nf.LoadOptions:
-        """The options for loading; ValueError that names the option."""
+        """The options for loading."""
         values = {field.name: getattr(self, field.name) for field in fields(self)}
         if values.get("origin") is not None:
             expected = "longitude,latitude,height such as 139.767,35.681,40"
             values["origin"] = read_numbers("--origin", values["origin"], expected, 3)
-        with _options_named():
-            return nf.LoadOptions(**values)
+        return nf.LoadOptions(**values)
 
 
 @dataclass(frozen=True, kw_only=True)
 class ServedOptions(FileOptions):
     """Options for loading the files of scenes that are served."""
 
-    blend: Annotated[
-        str,
-        option(
-            "--blend", "opaque|cutout", "Draw materials that blend opaque, or cut them out where alpha is below 1/2."
-        ),
-    ] = "opaque"
+    blend: Literal["opaque", "cutout"] = choice(
+        "opaque", "Draw materials that blend opaque, or cut them out where alpha is below 1/2."
+    )
 
 
 @dataclass(frozen=True, kw_only=True)
 class SceneOptions(ServedOptions):
     """Options for loading the file of a scene, or a part of a tileset or a city."""
 
-    error: Annotated[
-        float | None,
-        option("--error", "METRES", "Greatest geometric error of a tileset's tiles. By default all detail is read."),
-    ] = None
-    triangles: Annotated[
-        int | None,
-        option(
-            "--triangles", "N", "Greatest number of triangles of a tileset; tiles with great errors are refined first."
-        ),
-    ] = None
-    origin: Annotated[
-        str | None,
-        option(
-            "--origin",
-            "LON,LAT,HEIGHT",
-            "Longitude and latitude in degrees and height in metres of (0, 0, 0) for a tileset on the Earth. By "
-            "default its middle.",
-        ),
-    ] = None
-    lod: Annotated[
-        str | None,
-        option(
-            "--lod", "LEVEL", "Greatest level of detail of CityJSON, such as 2.2; by default each object's highest."
-        ),
-    ] = None
-    height: Annotated[
-        str | None,
-        option(
-            "--height", "NAME", "Property of GeoJSON's or GeoParquet's footprints that states their height in metres."
-        ),
-    ] = None
+    error: float | None = option(
+        None, "METRES", "Greatest geometric error of a tileset's tiles. By default all detail is read."
+    )
+    triangles: int | None = option(
+        None, "N", "Greatest number of triangles of a tileset; tiles with great errors are refined first."
+    )
+    origin: str | None = option(
+        None,
+        "LON,LAT,HEIGHT",
+        "Longitude and latitude in degrees and height in metres of (0, 0, 0) for a tileset on the Earth. By "
+        "default its middle.",
+    )
+    lod: str | None = option(
+        None, "LEVEL", "Greatest level of detail of CityJSON, such as 2.2; by default each object's highest."
+    )
+    height: str | None = option(
+        None, "NAME", "Property of GeoJSON's or GeoParquet's footprints that states their height in metres."
+    )
 
 
 def is_reduced(text: str) -> bool:
@@ -133,17 +104,16 @@ def open_scene(text: str, loading: nf.LoadOptions) -> nf.Scene:
     Names of procedural scenes take precedence over files and folders: `./room` refers to a file.
     """
     if is_procedural(text):
-        made = make_procedural(text, loading)
-        if isinstance(made, nf.datasets.Asteroids):
-            return made.scene()
-        return made.query(MIDDLE) if isinstance(made, nf.datasets.World) else made
+        procedural = make_procedural(text, loading)
+        if isinstance(procedural, nf.datasets.Asteroids):
+            return procedural.scene()
+        return procedural.query(MIDDLE) if isinstance(procedural, nf.datasets.World) else procedural
     if Path(text).is_dir():
         kind = "a reduced scene" if is_reduced(text) else f"no {folder.DOCUMENT}"
         if all((Path(text) / name).is_file() for name in ("manifest.json", "tileset.json")):
             kind = "a bundle, which nearfar.stream.open reads"
         raise ValueError(f"{text}: expected a scene file, got a folder with {kind}")
-    with _options_named():
-        scene = nf.Scene.load(text, loading)
+    scene = nf.Scene.load(text, loading)
     if scene.report.unit_note:
         typer.echo(f"nearfar: {text}: {scene.report.unit_note}", err=True)
     return scene
@@ -153,8 +123,7 @@ def open_world(text: str, loading: nf.LoadOptions) -> nf.SceneSource:
     """Open the world given by `-i`, which may be larger than memory."""
     if is_procedural(text):
         return make_procedural(text, loading)
-    with _options_named():
-        return nf.open_source(text, loading)
+    return nf.open_source(text, loading)
 
 
 def make_procedural(text: str, loading: nf.LoadOptions) -> nf.Scene | nf.datasets.World | nf.datasets.Asteroids:
@@ -165,36 +134,20 @@ def make_procedural(text: str, loading: nf.LoadOptions) -> nf.Scene | nf.dataset
         if field.name not in ("on_invalid", "blend") and value != field.default:
             expected = "none" if field.default is None else field.default
             reason, got = _REASONS.get(field.name, "which is no file"), check.shortened(value)
-            raise ValueError(f"{_flag(field.name)}: expected {expected} with {name}, {reason}, got {got}")
+            flag = f"--{field.name.replace('_', '-')}"
+            raise ValueError(f"{flag}: expected {expected} with {name}, {reason}, got {got}")
     maker = getattr(nf.datasets, name)
     defaults = {k: p.default for k, p in inspect.signature(maker).parameters.items() if type(p.default) is int}
-    chosen: dict[str, int] = {}
+    arguments: dict[str, int] = {}
     for item in filter(None, settings.split(",")):
         key, _, value = item.partition("=")
         if key not in defaults:
-            near = difflib.get_close_matches(key, defaults, 1)
-            hint = f" (did you mean {near[0]}?)" if near else ""
+            similar = difflib.get_close_matches(key, defaults, 1)
+            hint = f" (did you mean {similar[0]}?)" if similar else ""
             raise ValueError(f"{name}: expected settings from {', '.join(defaults)}, got {check.shortened(key)}{hint}")
         try:
-            chosen[key] = int(value)
+            arguments[key] = int(value)
         except ValueError:
             raise ValueError(f"{name}: expected a whole number for {key}, got {check.shortened(value)}") from None
-    made: nf.Scene | nf.datasets.World | nf.datasets.Asteroids = maker(**chosen)
-    return made
-
-
-def _flag(name: str) -> str:
-    """Return the option of a field."""
-    return f"--{name.replace('_', '-')}"
-
-
-@contextmanager
-def _options_named() -> Iterator[None]:
-    """Name the option in errors that name a field."""
-    try:
-        yield
-    except ValueError as error:
-        name, colon, rest = str(error).partition(":")
-        if name not in LOADING:
-            raise
-        raise ValueError(f"{_flag(name)}{colon}{rest}") from None
+    procedural: nf.Scene | nf.datasets.World | nf.datasets.Asteroids = maker(**arguments)
+    return procedural

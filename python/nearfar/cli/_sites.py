@@ -7,15 +7,15 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Any
 
 import typer
 
 import nearfar as nf
 from nearfar._base import cache, check
 from nearfar._base.remote import is_url
-from nearfar._trace.viewpoint import Viewpoint
-from nearfar.cli._options import RingOptions, option
+from nearfar.cli._groups import option
+from nearfar.cli._options import RingOptions
 from nearfar.cli._scenes import is_procedural, open_scene
 from nearfar.cli._viewpoint import choose
 from nearfar.serve._scene import LoadedScene
@@ -26,21 +26,17 @@ from nearfar.serve._site import CACHE_BYTES, Site
 class RegionOptions(RingOptions):
     """Regions that are made on request, and the size of their cache."""
 
-    grid: Annotated[
-        float, option("--grid", "METRES", "Spacing of the grid to which the centres of scenes' regions move.")
-    ] = 2.0
-    cache_bytes: Annotated[
-        int, option("--cache-bytes", "BYTES", "Bytes on disk for the regions of each scene; 0 keeps none.")
-    ] = CACHE_BYTES
+    grid: float = option(2.0, "METRES", "Spacing of the grid to which the centres of scenes' regions move.")
+    cache_bytes: int = option(CACHE_BYTES, "BYTES", "Bytes on disk for the regions of each scene; 0 keeps none.")
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        check.integer("--cache-bytes", self.cache_bytes, 0, 1 << 62)
+        check.integer("cache_bytes", self.cache_bytes, 0, 1 << 62)
 
     @property
     def settings(self) -> dict[str, Any]:
         """Arguments of `LoadedScene`."""
-        return {"grid": self.grid, "radii": self.metres, "face_size": self.texels, "samples": self.samples}
+        return {"grid": self.grid, "radii": self.metres, "face_size": self.face_size, "samples": self.samples}
 
 
 def read(
@@ -49,9 +45,9 @@ def read(
     """Return sites by name, with an empty name for a single one, and the scenes that are being loaded."""
     named = [_split_source(source) for source in sources]
     names = [name for name, _ in named]
-    twice = next((name for name in names if names.count(name) > 1), None)
-    if twice is not None:
-        raise ValueError(f"SOURCE: expected different names, got {twice!r} twice: write NAME=SOURCE")
+    repeated = next((name for name in names if names.count(name) > 1), None)
+    if repeated is not None:
+        raise ValueError(f"SOURCE: expected different names, got {repeated!r} twice: write NAME=SOURCE")
     sites, scenes = {}, []
     for name, text in named:
         if _is_folder(text):
@@ -69,17 +65,17 @@ def loaded(scene: LoadedScene) -> str:
     return f"{scene.title} is loaded: {scene.wait().triangle_count:,} triangles"
 
 
-def tell_of(scenes: Sequence[LoadedScene]) -> None:
+def print_when_loaded(scenes: Sequence[LoadedScene]) -> None:
     """Print for each scene when it is loaded or why it cannot be, in background threads."""
 
-    def tell(scene: LoadedScene) -> None:
+    def print_result(scene: LoadedScene) -> None:
         try:
             typer.echo(loaded(scene))
         except ValueError as error:
             typer.echo(f"nearfar: {error}", err=True)
 
     for scene in scenes:
-        threading.Thread(target=tell, args=(scene,), daemon=True).start()
+        threading.Thread(target=print_result, args=(scene,), daemon=True).start()
 
 
 def _split_source(source: str) -> tuple[str, str]:
@@ -95,7 +91,7 @@ def _is_folder(text: str) -> bool:
 
 
 def _scene(text: str, loading: nf.LoadOptions, regions: RegionOptions) -> LoadedScene:
-    start = partial(_start, text)
+    start = partial(choose, source=text)
     if not is_procedural(text):
         # Report a missing file now, and not at a client's first request.
         Path(text).stat()
@@ -103,7 +99,3 @@ def _scene(text: str, loading: nf.LoadOptions, regions: RegionOptions) -> Loaded
     load = partial(open_scene, text, loading)
     source = cache.key("procedural", nf.__version__, text)
     return LoadedScene(load, title=text, source=source, start=start, **regions.settings)
-
-
-def _start(text: str, scene: nf.Scene) -> Viewpoint:
-    return choose(scene, text)

@@ -12,13 +12,6 @@ from nearfar.cli._scenes import PARTS, open_scene
 from nearfar.cli._viewpoint import Stand
 
 
-def refuse(reason: str, **given: object) -> None:
-    """Raise ValueError for options that do not fit a folder, given by name with underscores; None means absent."""
-    for name, value in given.items():
-        if value is not None:
-            raise ValueError(f"--{name.replace('_', '-')}: expected none with a folder as -i, {reason}")
-
-
 def report_of(folder: str) -> dict[str, Any]:
     """Return the report of `nearfar reduce` beside a reduced scene; empty if there is none."""
     path = Path(folder) / "report.json"
@@ -65,5 +58,5 @@ def _stated(report: dict[str, Any], loading: nf.LoadOptions) -> nf.LoadOptions:
     stated = {name: report.get(name) for name in ("up", "scale", "on_invalid", "blend")}
     if isinstance(parts, dict):
         stated |= {name: parts.get(name) for name in PARTS if getattr(loading, name) is None}
-    known: dict[str, Any] = {name: value for name, value in stated.items() if value is not None}
-    return replace(loading, **known)
+    options: dict[str, Any] = {name: value for name, value in stated.items() if value is not None}
+    return replace(loading, **options)

@@ -3,49 +3,69 @@
 from __future__ import annotations
 
 import math
-import time
 from dataclasses import dataclass
-from functools import cached_property
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Any, Literal
 
 import typer
 
 import nearfar as nf
 from nearfar._base import check, files, formats
-from nearfar.cli import _headset, _options as options, _page, _pictures, _source, _stereo_page, _viewpoint
-from nearfar.cli._groups import Options
-from nearfar.cli._options import option
-from nearfar.cli._output import Clock, count, metres, note_rows, show
+from nearfar.cli import _options as options, _page, _pictures, _source, _viewpoint
+from nearfar.cli._groups import Options, choice, option
+from nearfar.cli._output import Clock, count, metres, note_rows, rounded, show
 from nearfar.cli._scenes import SceneOptions, is_reduced, open_scene
 from nearfar.stereo._differences import EyeDifference, compare_eye
+from nearfar.stereo._settings import Assembly, Cull
 
 VERSION = 1
 NEAR = 0.1
 """Near plane, metres."""
+
+SIDES = ("left", "right")
+AXES: tuple[Literal["horizontal", "vertical"], ...] = ("horizontal", "vertical")
+
+DEPTHS = (1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0, 128.0, 1000.0, math.inf)
+"""Depths of the listed errors, metres."""
+
+CAPTIONS = {
+    "side_by_side.png": "Left and right eye",
+    "anaglyph.png": "Both eyes, for red–cyan glasses",
+    "center.png": "The shared picture; pixels that no eye looks up are black",
+    "differences.png": "Difference from plain stereo, and (1 − SSIM) × 10, of both eyes",
+    "error.png": "Error against depth",
+}
+"""Captions of the pictures."""
+
+_PIXELS = {
+    "left": "left eye, own surfaces",
+    "right": "right eye, own surfaces",
+    "center": "shared, drawn",
+    "discarded": "shared, not looked up",
+}
+_TRIANGLES = {
+    "left": "the left eye",
+    "right": "the right eye",
+    "center": "the shared picture",
+    "thrice": "all three, across the plane",
+    "plain": "plain stereo, both eyes",
+}
 
 
 @dataclass(frozen=True, kw_only=True)
 class RigOptions(Options):
     """A headset and its mono plane."""
 
-    hmd: Annotated[str, option("--hmd", "NAME", "Headset, a name or a .json file.")] = "VIVE"
-    mono_plane: Annotated[
-        float | None,
-        option("--mono-plane", "METRES", "Distance from which on both eyes share a picture. By default 8."),
-    ] = None
-    max_error: Annotated[
-        float | None,
-        option(
-            "--max-error",
-            "PIXELS",
-            "Greatest error of the shared picture; chooses the nearest mono plane within it, instead of --mono-plane.",
-        ),
-    ] = None
-    zone_end: Annotated[
-        float | None,
-        option("--zone-end", "METRES", "Bend lines smoothly from the mono plane to here, instead of at the plane."),
-    ] = None
+    hmd: str = option("VIVE", "NAME", "Headset, a name or a .json file.")
+    mono_plane: float | None = option(None, "METRES", "Distance from which on both eyes share a picture. By default 8.")
+    max_error: float | None = option(
+        None,
+        "PIXELS",
+        "Greatest error of the shared picture; chooses the nearest mono plane within it, instead of --mono-plane.",
+    )
+    zone_end: float | None = option(
+        None, "METRES", "Bend lines smoothly from the mono plane to here, instead of at the plane."
+    )
 
     def make(self, device: nf.Hmd, size: tuple[int, int]) -> nf.stereo.HybridRig:
         """Return the rig of a headset with eyes of this size."""
@@ -55,27 +75,10 @@ class RigOptions(Options):
 
 
 @dataclass(frozen=True, kw_only=True)
-class ViewOptions(Options):
+class ViewOptions(options.EyeOptions):
     """Place and direction of the head, and the pixels of its pictures."""
 
-    eye: Annotated[
-        str | None, option("--eye", "X,Y,Z", "Head in metres. By default over open ground or before an object.")
-    ] = None
-    target: Annotated[
-        str | None, option("--target", "X,Y,Z", "Point to look at, metres. By default the longest open view.")
-    ] = None
-    size: Annotated[str | None, option("--size", "WxH", "Pixels of an eye. By default the headset's.")] = None
-    samples: options.Samples = 1
-
-    @cached_property
-    def head(self) -> options.Point | None:
-        """The head; None for the default."""
-        return options.read_point("--eye", self.eye)
-
-    @cached_property
-    def aim(self) -> options.Point | None:
-        """The point to look at; None for the default."""
-        return options.read_point("--target", self.target)
+    samples: options.Samples = 4
 
 
 def stereo(
@@ -84,26 +87,16 @@ def stereo(
     output: options.Folder,
     rig: RigOptions,
     view: ViewOptions,
-    assembly: Annotated[
-        str, option("--assembly", "bilinear|resolved", "How each eye reads the shared picture.")
-    ] = "bilinear",
-    cull: Annotated[
-        str, option("--cull", "frustum|discard|occlusion", "Which parts of the shared picture are not drawn.")
-    ] = "occlusion",
+    assembly: Assembly = choice("bilinear", "How each eye reads the shared picture."),
+    cull: Cull = choice("occlusion", "Which parts of the shared picture are not drawn."),
     backend: options.Backend = None,
     file: SceneOptions,
     as_json: options.Json = False,
 ) -> None:
     """Render near geometry for each eye of a headset and all else once, and compare with plain stereo."""
-    renderer = options.check_backend(backend)
-    looks: dict[str, Any] = {
-        "assembly": check.choice("--assembly", assembly, ("bilinear", "resolved")),
-        "cull": check.choice("--cull", cull, ("frustum", "discard", "occlusion")),
-        "near": NEAR,
-    }
-    device, clock, head, aim = options.headset(rig.hmd), Clock(), view.head, view.aim
-    pixels = _headset.pixels_of(view.size, device)
-    made = rig.make(device, pixels)
+    device, clock, head = options.headset(rig.hmd), Clock(), view.user
+    pixels = view.pixels(device)
+    hybrid_rig = rig.make(device, pixels)
     output.parent.mkdir(parents=True, exist_ok=True)
     with files.atomic_folder(output, marker="stereo.json") as folder:
         with clock.step("scene"):
@@ -114,59 +107,56 @@ def stereo(
             else:
                 source = loaded = open_scene(scene, file.loading)
             place = _viewpoint.choose(loaded, scene, head)
-            stand = _source.view_of(scene) if is_reduced(scene) and (view.head, aim) == (None, None) else None
-        where, towards = (place.eye, aim or place.target) if stand is None else (stand.user, stand.target)
-        way = nf.Camera.look_at(where, towards, fov=made.center_fov, size=(1, 1)).orientation
-        settings: dict[str, Any] = {"samples": view.samples, "channels": ("color",), "backend": renderer}
+            has_view = is_reduced(scene) and view.user is None and view.aim is None
+            saved_view = _source.view_of(scene) if has_view else None
+        eye, target = (saved_view.user, saved_view.target) if saved_view else (place.eye, view.aim or place.target)
+        orientation = nf.Camera.look_at(eye, target, fov=hybrid_rig.center_fov, size=(1, 1)).orientation
+        settings: dict[str, Any] = {"samples": view.samples, "channels": ("color",), "backend": backend}
         # The first picture builds the scene's trees, which both methods need; it is not timed.
-        nf.render(source, nf.Camera(where, way, fov=made.center_fov, size=(8, 8)), **settings | {"samples": 1})
-        hybrid, hybrid_seconds = _timed(lambda: made.render(source, where, way, **looks, **settings))
-        ahead = made.clip(where, way, near=NEAR)
-        plain, plain_seconds = _timed(
-            lambda: nf.render_eyes(source, device, where, orientation=way, size=pixels, clip=ahead, **settings)
-        )
+        small = nf.Camera(eye, orientation, fov=hybrid_rig.center_fov, size=(8, 8))
+        nf.render(source, small, **settings | {"samples": 1})
+        with clock.step("hybrid"):
+            hybrid = hybrid_rig.render(source, eye, orientation, assembly=assembly, cull=cull, near=NEAR, **settings)
+        clip = hybrid_rig.clip(eye, orientation, near=NEAR)
+        with clock.step("plain"):
+            plain = nf.render_eyes(source, device, eye, orientation=orientation, size=pixels, clip=clip, **settings)
         with clock.step("measures"):
-            compared = {side: compare_eye(getattr(plain, side), getattr(hybrid, side)) for side in SIDES}
+            differences = {side: compare_eye(getattr(plain, side), getattr(hybrid, side)) for side in SIDES}
         with clock.step("pictures"):
-            plotted = _pictures.save_eyes(folder, hybrid, plain, compared, made)
-        clock.seconds |= {"hybrid": round(hybrid_seconds, 3), "plain": round(plain_seconds, 3)}
-        counted = made.triangles(source, where, way, near=NEAR) if isinstance(source, nf.Scene) else None
+            has_plot = _pictures.save_eyes(folder, hybrid, plain, differences, hybrid_rig)
+        triangles = None
+        if isinstance(source, nf.Scene):
+            triangles = hybrid_rig.triangles(source, eye, orientation, near=NEAR)
         document = formats.header("stereo", VERSION, color_space="sRGB") | {
             "source": scene,
             "notes": list(loaded.report.notes),
-            "findings": _findings(source, made, hybrid, counted),
+            "findings": _findings(source, hybrid_rig, hybrid, triangles),
             "hmd": device.name,
-            "head": list(where),
-            "target": list(towards),
+            "head": list(eye),
+            "target": list(target),
             "size": list(pixels),
             "samples": view.samples,
-            "mono_plane": made.planes[0],
-            "zone_end": made.planes[1] if made.has_zone else None,
+            "mono_plane": hybrid_rig.planes[0],
+            "zone_end": hybrid_rig.planes[1] if hybrid_rig.has_zone else None,
             "assembly": assembly,
             "cull": cull,
-            "error": {name: round(made.max_error(axis=name), 4) for name in ("horizontal", "vertical", "both")},
-            "eyes": {side: _measures(compared[side]) for side in SIDES},
+            "error": {name: round(hybrid_rig.max_error(axis=name), 4) for name in ("horizontal", "vertical", "both")},
+            "eyes": {side: _measures(differences[side]) for side in SIDES},
             "pixels": dict(hybrid.stats["pixels"]),
-            "triangles": counted,
+            "triangles": triangles,
             "stages": {name: round(seconds, 4) for name, seconds in hybrid.stats["seconds"].items()},
             "seconds": clock.seconds,
             "files": sorted([path.name for path in folder.iterdir()] + ["stereo.json", "report.html", "report.md"]),
         }
-        _page.save(folder, "stereo.json", document, _stereo_page.page(document, made))
-    if not plotted:
+        _report(document, hybrid_rig).save(folder, "stereo.json")
+    if not has_plot:
         typer.echo("nearfar: left plots out, because matplotlib is not installed", err=True)
     show(document, _rows(document, output), title=scene, as_json=as_json)
 
 
-SIDES = ("left", "right")
-
-
 def _measures(difference: EyeDifference) -> dict[str, float | None]:
     """Return rounded measures for the report; None for an infinite one."""
-    return {
-        "ssim": round(difference.ssim, 6),
-        "psnr": round(difference.psnr, 4) if math.isfinite(difference.psnr) else None,
-    }
+    return {"ssim": rounded(difference.ssim), "psnr": rounded(difference.psnr, 4)}
 
 
 def _plane(device: nf.Hmd, size: tuple[int, int], mono_plane: float | None, max_error: float | None) -> float:
@@ -189,30 +179,24 @@ def _with_zone(rig: nf.stereo.HybridRig, end: float) -> nf.stereo.HybridRig:
     return rig.with_plane((plane, end))
 
 
-def _timed(draw: Any) -> tuple[nf.StereoFrame, float]:
-    started = time.perf_counter()
-    frame: nf.StereoFrame = draw()
-    return frame, time.perf_counter() - started
-
-
 def _findings(
     source: nf.Scene | nf.ReducedScene,
     rig: nf.stereo.HybridRig,
     frame: nf.StereoFrame,
-    counted: dict[str, int] | None,
+    triangles: dict[str, int] | None,
 ) -> list[str]:
     """Report pictures that gain nothing from a shared one."""
-    found, plane = [], rig.planes[1]
+    findings, plane = [], rig.planes[1]
     if frame.center is None:
-        found.append("nothing lies beyond the mono plane, so the picture is plain stereo")
+        findings.append("nothing lies beyond the mono plane, so the picture is plain stereo")
     elif "left" not in frame.stats["seconds"]:
-        found.append("nothing lies before the mono plane, so both eyes share the whole picture")
-    elif counted is not None and counted["left"] + counted["right"] + counted["center"] > counted["plain"]:
-        found.append("three pictures draw more triangles than two: a nearer plane would save geometry")
+        findings.append("nothing lies before the mono plane, so both eyes share the whole picture")
+    elif triangles and triangles["left"] + triangles["right"] + triangles["center"] > triangles["plain"]:
+        findings.append("three pictures draw more triangles than two: a nearer plane would save geometry")
     if isinstance(source, nf.ReducedScene) and plane >= source.r2:
-        shares = f"the mono plane, {plane:g} m, lies beyond r2 = {source.r2:g} m"
-        found.append(f"{shares}: only the map is shared, which saves nothing")
-    return found
+        place = f"the mono plane, {plane:g} m, lies beyond r2 = {source.r2:g} m"
+        findings.append(f"{place}: only the map is shared, which saves nothing")
+    return findings
 
 
 def _rows(document: dict[str, Any], output: Path) -> list[tuple[str, str]]:
@@ -222,7 +206,7 @@ def _rows(document: dict[str, Any], output: Path) -> list[tuple[str, str]]:
     return [
         ("headset", f"{document['hmd']}, {document['size'][0]} × {document['size'][1]} pixels an eye"),
         ("head", metres(document["head"])),
-        ("mono plane", _stereo_page.plane_of(document)),
+        ("mono plane", _plane_text(document)),
         ("greatest error", f"{document['error']['horizontal']:.3g} pixels to the side"),
         *((f"SSIM, {side} eye", f"{eyes[side]['ssim']:.5f}, PSNR {_decibels(eyes[side]['psnr'])}") for side in SIDES),
         *([("shared pixels drawn", f"{count(pixels['center'])} of {count(total)}")] if total else []),
@@ -234,3 +218,57 @@ def _rows(document: dict[str, Any], output: Path) -> list[tuple[str, str]]:
 
 def _decibels(value: float | None) -> str:
     return "infinite" if value is None else f"{value:.2f} dB"
+
+
+def _plane_text(document: dict[str, Any]) -> str:
+    """Describe the position of the mono plane."""
+    end = document["zone_end"]
+    return f"{document['mono_plane']:g} m" + ("" if end is None else f", lines bend up to {end:g} m")
+
+
+def _report(document: dict[str, Any], rig: nf.stereo.HybridRig) -> _page.Page:
+    eyes, pixels, seconds = document["eyes"], document["pixels"], document["seconds"]
+    tables = {
+        "Against plain stereo": [
+            ["measure", "left", "right"],
+            ["SSIM", *(f"{eyes[side]['ssim']:.5f}" for side in eyes)],
+            ["PSNR, dB", *("∞" if eyes[side]["psnr"] is None else f"{eyes[side]['psnr']:.2f}" for side in eyes)],
+        ],
+        "Greatest error by depth": [
+            ["depth", "to the side, pixels", "upwards, pixels"],
+            *(
+                ["∞" if math.isinf(depth) else f"{depth:g} m", *(f"{rig.max_error(depth, axis):.2f}" for axis in AXES)]
+                for depth in DEPTHS
+            ),
+        ],
+        "Pixels": [
+            ["picture", "pixels"],
+            *([_PIXELS[name], count(pixels[name])] for name in _PIXELS if name in pixels),
+        ],
+        "Time": [
+            ["stage", "seconds"],
+            *([name, f"{value:.3f}"] for name, value in document["stages"].items()),
+            ["hybrid, all", f"{seconds['hybrid']:.3f}"],
+            ["plain stereo", f"{seconds['plain']:.3f}"],
+        ],
+    }
+    if document["triangles"]:
+        tables["Triangles"] = [
+            ["drawn for", "triangles"],
+            *([_TRIANGLES[name], count(document["triangles"][name])] for name in _TRIANGLES),
+        ]
+    tables |= _page.notes_table(document)
+    width, height = document["size"]
+    summary = [
+        *(f"Note: {finding}." for finding in document["findings"]),
+        *_page.paragraphs(
+            "stereo.md",
+            hmd=document["hmd"],
+            width=width,
+            height=height,
+            head=metres(document["head"]),
+            plane=_plane_text(document),
+            assembly=document["assembly"],
+        ),
+    ]
+    return _page.Page(document, f"Hybrid mono-stereo of {document['source']}", summary, CAPTIONS, tables)

@@ -2,25 +2,23 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields
-from functools import cached_property
-from typing import Annotated, Any
+from dataclasses import dataclass
+from typing import Any
 
 from nearfar._base import check
-from nearfar.cli._groups import Options
-from nearfar.cli._options import option
+from nearfar.cli._groups import Options, option
 
 BROKEN = 3
 """Exit status of a comparison with an unmet or unchecked threshold; 1 is an error, 2 a wrong command line."""
 
-OPTIONS = {
-    "--min-psnr": ("psnr", True),
-    "--min-ssim": ("ssim", True),
-    "--max-tear": ("tear", False),
-    "--max-discontinuity": ("discontinuity", False),
-    "--max-boundary-discontinuity": ("boundary", False),
+MEASURES = {
+    "min_psnr": "psnr",
+    "min_ssim": "ssim",
+    "max_tear": "tear",
+    "max_discontinuity": "discontinuity",
+    "max_boundary_discontinuity": "boundary",
 }
-"""Measure of each option, and whether the limit is a lower bound."""
+"""Measure of each limit."""
 
 UNMEASURED = {
     "tear": "no pixel of the picture has neighbours on both sides of the boundary at r2",
@@ -30,59 +28,45 @@ UNMEASURED = {
 """Reasons why a measure is missing."""
 
 
-@dataclass(frozen=True)
-class Threshold:
-    """Threshold for a measure of the continuous picture."""
+@dataclass(frozen=True, kw_only=True)
+class LimitOptions(Options):
+    """Limits of the measures of the continuous picture."""
 
-    option: str
-    limit: float
+    min_psnr: float | None = option(None, "DB", "Least PSNR in decibels; exit status 3 below it.")
+    min_ssim: float | None = option(None, "VALUE", "Least SSIM; exit status 3 below it.")
+    max_tear: float | None = option(None, "PIXELS", "Greatest mean tear along the boundary; exit status 3 above it.")
+    max_discontinuity: float | None = option(None, "VALUE", "Greatest mean discontinuity; exit status 3 above it.")
+    max_boundary_discontinuity: float | None = option(
+        None, "VALUE", "Greatest mean discontinuity along the boundary; exit status 3 above it."
+    )
 
-    def check(self, values: dict[str, Any]) -> dict[str, Any]:
-        """Compare a value with the limit; a missing measure does not meet it.
+    def __post_init__(self) -> None:
+        for name in self.given():
+            limit = getattr(self, name)
+            match name:
+                case "min_psnr":
+                    check.number(name, limit)
+                case "min_ssim":
+                    check.in_range(name, limit, -1.0, 1.0)
+                case _:
+                    check.at_least_zero(name, limit)
+
+    def results(self, values: dict[str, Any]) -> list[dict[str, Any]]:
+        """Compare measures with the given limits; a missing measure does not meet its limit.
 
         Only PSNR may be None and meet it: it is infinite for equal pictures.
         """
-        measure, least = OPTIONS[self.option]
-        value = values[measure]
-        kept = measure == "psnr" if value is None else bool(value >= self.limit if least else value <= self.limit)
-        return {
-            "option": self.option,
-            "measure": measure,
-            "limit": self.limit,
-            "value": value,
-            "measured": value is not None or measure == "psnr",
-            "kept": kept,
-        }
-
-
-@dataclass(frozen=True, kw_only=True)
-class LimitOptions(Options):
-    """Limits of the measures."""
-
-    min_psnr: Annotated[float | None, option("--min-psnr", "DB", "Least PSNR in decibels; exit status 3 below it.")] = (
-        None
-    )
-    min_ssim: Annotated[float | None, option("--min-ssim", "VALUE", "Least SSIM; exit status 3 below it.")] = None
-    max_tear: Annotated[
-        float | None, option("--max-tear", "PIXELS", "Greatest mean tear along the boundary; exit status 3 above it.")
-    ] = None
-    max_discontinuity: Annotated[
-        float | None, option("--max-discontinuity", "VALUE", "Greatest mean discontinuity; exit status 3 above it.")
-    ] = None
-    max_boundary_discontinuity: Annotated[
-        float | None,
-        option(
-            "--max-boundary-discontinuity",
-            "VALUE",
-            "Greatest mean discontinuity along the boundary; exit status 3 above it.",
-        ),
-    ] = None
-
-    @cached_property
-    def thresholds(self) -> list[Threshold]:
-        """The given limits."""
-        limits = {f"--{field.name.replace('_', '-')}": getattr(self, field.name) for field in fields(self)}
-        return [Threshold(name, check.number(name, limit)) for name, limit in limits.items() if limit is not None]
+        results = []
+        for name in self.given():
+            measure, limit = MEASURES[name], getattr(self, name)
+            value = values[measure]
+            is_measured = value is not None or measure == "psnr"
+            is_met = is_measured
+            if value is not None:
+                is_met = bool(value >= limit if name.startswith("min") else value <= limit)
+            option_and_measure = {"option": f"--{name.replace('_', '-')}", "measure": measure, "limit": limit}
+            results.append(option_and_measure | {"value": value, "measured": is_measured, "kept": is_met})
+        return results
 
 
 def sentence(checked: dict[str, Any]) -> str:

@@ -10,7 +10,7 @@ from typing import Annotated
 import typer
 
 import nearfar as nf
-from nearfar.cli._options import option
+from nearfar.cli._groups import flag, option
 from nearfar.serve._server import Server
 
 
@@ -22,12 +22,9 @@ def view(
             show_default=False,
         ),
     ],
-    port: Annotated[int, option("--port", "NUMBER", "Port on 127.0.0.1; 0 for any that is free.")] = 0,
+    port: int = option(0, "NUMBER", "Port on 127.0.0.1; 0 for any that is free."),
     browser: Annotated[bool, typer.Option(help="Open the page in the browser.")] = True,
-    write: Annotated[
-        bool,
-        typer.Option("--write", help="Write the page into the folder for any web server instead, and serve nothing."),
-    ] = False,
+    write: bool = flag("--write", "Write the page into the folder for any web server instead, and serve nothing."),
 ) -> None:
     """Show a bundle, a reduced scene or a tree of orthoviews in the browser. Ctrl-C ends it."""
     if write:

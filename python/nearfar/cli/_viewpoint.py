@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import nearfar as nf
@@ -10,17 +11,12 @@ from nearfar._trace import crossing, viewpoint
 from nearfar._trace.viewpoint import Viewpoint
 from nearfar.cli._options import Point
 
-
-def _from_origin() -> tuple[Point, Point]:
-    """Return eye and target of scenes whose viewer stands at the origin."""
-    return (0.0, 1.7, 0.0), (0.0, 1.7, -10.0)
-
-
-KNOWN = {
+KNOWN: dict[str, Callable[[], tuple[Point, Point]]] = {
     "city": nf.datasets.street_view,
     "room": nf.datasets.room_view,
     "factory": nf.datasets.factory_view,
-    **dict.fromkeys(("beams", "spheres", "landscape"), _from_origin),
+    # Their viewer stands at the origin.
+    **dict.fromkeys(("beams", "spheres", "landscape"), lambda: ((0.0, 1.7, 0.0), (0.0, 1.7, -10.0))),
 }
 """Functions that return eye and target, by name of the procedural scene."""
 
@@ -54,13 +50,13 @@ def stand(
     distance: float | None = None,
 ) -> Stand:
     """Choose a user's position and view so that the boundary is in the picture; given values are kept."""
-    away = default_radii.aside(r1, r2) if distance is None else distance
+    distance = default_radii.user_distance(r1, r2) if distance is None else distance
     if user is None and target is None:
-        chosen, forward, crosses = crossing.choose(scene, place, away, r1, r2, fov=fov)
-        return Stand(chosen, place.middle or viewpoint.ahead(chosen, forward), crosses)
+        user, forward, crosses = crossing.choose(scene, place, distance, r1, r2, fov=fov)
+        return Stand(user, place.middle or viewpoint.ahead(user, forward), crosses)
     if user is None:
-        user = viewpoint.beside(scene, place, away)[0]
+        user = viewpoint.beside(scene, place, distance)[0]
     if target is not None:
         return Stand(user, target, True)
-    found = crossing.look(scene, user, place.eye, r1, r2, fov=fov)
-    return Stand(user, place.middle or viewpoint.ahead(user, found or place.forward), found is not None)
+    direction = crossing.look(scene, user, place.eye, r1, r2, fov=fov)
+    return Stand(user, place.middle or viewpoint.ahead(user, direction or place.forward), direction is not None)

@@ -1,7 +1,8 @@
-"""Rendering of frames that stay on the graphics device."""
+"""Frames that stay on the graphics device, and the time of the same picture on the CPU and on an adapter."""
 
 from __future__ import annotations
 
+import time
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Unpack
@@ -17,7 +18,10 @@ from nearfar._render.channels import CHANNELS, missing
 from nearfar._render.frame import Frame
 from nearfar._render.renderable import Renderable
 from nearfar._render.renderer import Renderer
-from nearfar._render.settings import RenderKeywords, RenderSettings
+from nearfar._render.settings import RenderKeywords, RenderSettings, require_defaults
+
+ROUNDS = 3
+"""Number of timed pictures, after one that is not timed."""
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -99,3 +103,48 @@ def render(
             )
         core = _core.gpu_keep(job)
     return DeviceFrame(core, camera, check.vector("origin", view.drawn.origin), renderer.channels)
+
+
+def measure(
+    source: Renderable, camera: Camera, *, settings: RenderSettings | None = None, **keywords: Unpack[RenderKeywords]
+) -> dict[str, float]:
+    """Time a picture on the CPU and on the selected adapter; from then on "auto" uses the faster one.
+
+    Parameters
+    ----------
+    source
+        A scene or a reduced scene. The result is used for this object, as long as it exists, and for pictures with the
+        same channels and samples; scenes derived from it have to be measured separately.
+    camera
+        A typical view, of the size of later pictures.
+    settings
+        Samples, channels, limits and levels, as `nearfar.RenderSettings`; the backend stays None.
+    keywords
+        Fields of `settings`, which they replace.
+
+    Returns
+    -------
+    dict
+        Seconds per picture on the "cpu" and on the "gpu": the least of three each, taken alternately, after a first
+        picture that uploads the scene to the adapter and builds the tracer's trees.
+
+    Raises
+    ------
+    ValueError, TypeError
+        Arguments out of range.
+    DeviceError
+        If no adapter can be used.
+    """
+    chosen = gather(RenderSettings, settings, keywords)
+    require_defaults(chosen, "nearfar.gpu.measure", "backend")
+    renderer, device = Renderer(source, chosen), backends.open_device()
+    shot = renderer.shot([camera])
+    timings: dict[str, list[float]] = {"cpu": [], "gpu": []}
+    for _ in range(ROUNDS + 1):
+        for backend, seconds in timings.items():
+            started = time.perf_counter()
+            renderer.frames(shot, None, device if backend == "gpu" else None)
+            seconds.append(time.perf_counter() - started)
+    least_seconds = {backend: min(seconds[1:]) for backend, seconds in timings.items()}
+    backends.remember(source, renderer.work, device.label, least_seconds["gpu"] < least_seconds["cpu"])
+    return least_seconds

@@ -10,11 +10,12 @@ from numpy.typing import ArrayLike, NDArray
 from nearfar import _core
 from nearfar._base import check, progress
 from nearfar._camera.camera import Camera
+from nearfar._cubemap.lookup import channel_rows, directions_of
 from nearfar._morph import kernel_arguments
 from nearfar._render import backend as backends
 from nearfar.gpu._frames import DeviceFrame
 from nearfar.metrics._discontinuity import EPSILON, truth_view
-from nearfar.metrics._result import Similarity
+from nearfar.metrics._window import Similarity
 
 WINDOWS = ("gaussian", "uniform")
 """Windows of `ssim` on the device."""
@@ -74,17 +75,13 @@ def ssim(
         check.instance(name, frame, DeviceFrame).require("color")
     full = check.flag("full", full)
     cores = reference._core, test._core
-    mean, flat = _core.gpu_similarity(*cores, window=window, size=taps, sigma=deviation, full=full)
+    mean, values = _core.gpu_similarity(*cores, window=window, size=taps, sigma=deviation, full=full)
     width, height = reference.camera.size
-    return Similarity(mean, None if flat is None else flat.reshape(height, width))
+    return Similarity(mean, None if values is None else values.reshape(height, width))
 
 
 def discontinuity(
-    frame: DeviceFrame,
-    truth_camera: Camera | None = None,
-    *,
-    epsilon: float = EPSILON,
-    min_distance: float = 1.0,
+    frame: DeviceFrame, truth_camera: Camera | None = None, *, epsilon: float = EPSILON, min_distance: float = 1.0
 ) -> NDArray[np.float32]:
     """Measure the discontinuity of a frame on the device as `nearfar.metrics.discontinuity` does for a frame in memory.
 
@@ -118,7 +115,7 @@ def discontinuity(
     check.instance("frame", frame, DeviceFrame).require("position")
     camera = truth_view(frame.camera, truth_camera)
     with progress.bar("measuring discontinuity") as report:
-        flat = _core.gpu_discontinuity(
+        values = _core.gpu_discontinuity(
             frame._core,
             camera=camera._core,
             epsilon=check.positive("epsilon", epsilon),
@@ -126,7 +123,7 @@ def discontinuity(
             report=report,
         )
     width, height = frame.camera.size
-    return flat.reshape(height, width)
+    return values.reshape(height, width)
 
 
 def morph(
@@ -168,19 +165,14 @@ def morph(
     ----------
     Popescu, Lee, Choi, Fahmy (2022), Eq. 1–3; CloVR (2024), Alg. 1.
     """
-    place = kernel_arguments(user, center, r1, r2, kind, strength)
+    arguments = kernel_arguments(user, center, r1, r2, kind, strength)
     rows = check.array("points", _single("points", points, "nearfar.morph"))
-    shown = np.empty_like(rows)
-    _core.gpu_morph(backends.open_device(), rows, shown, **place)
-    return shown
+    morphed = np.empty_like(rows)
+    _core.gpu_morph(backends.open_device(), rows, morphed, **arguments)
+    return morphed
 
 
-def cube_lookup(
-    faces: ArrayLike,
-    directions: ArrayLike,
-    *,
-    filter: str = "nearest",  # noqa: A002
-) -> NDArray[np.float32]:
+def cube_lookup(faces: ArrayLike, directions: ArrayLike, *, filter: str = "nearest") -> NDArray[np.float32]:  # noqa: A002
     """Look up values of a cube map along directions, as `nearfar.cube_lookup` does, on the device.
 
     Parameters
@@ -206,21 +198,17 @@ def cube_lookup(
         Faces larger than a kernel can read at a time, or a device that was lost or has no memory left.
     """
     check.choice("filter", filter, FILTERS)
-    maps = np.require(_single("faces", faces, "nearfar.cube_lookup"), None, ["C", "A"])
-    if maps.ndim not in (3, 4) or maps.shape[0] != 6 or maps.shape[1] != maps.shape[2] or maps.shape[1] == 0:
-        raise ValueError(f"faces: expected shape (6, S, S) or (6, S, S, C), got {maps.shape}")
-    along = np.require(_single("directions", directions, "nearfar.cube_lookup"), None, ["C", "A"])
-    if along.ndim == 0 or along.shape[-1] != 3:
-        raise ValueError(f"directions: expected shape (..., 3), got {along.shape}")
-    rows, deep = along.reshape(-1, 3), maps.reshape(*maps.shape[:3], -1) if maps.ndim == 4 else maps[..., None]
-    values = np.empty((len(rows), deep.shape[3]), np.float32)
-    _core.gpu_cube_lookup(backends.open_device(), (np.ascontiguousarray(deep), values), rows, filter)
-    return values.reshape(along.shape[:-1] + maps.shape[3:])
+    maps = _single("faces", faces, "nearfar.cube_lookup")
+    texels = channel_rows(maps)
+    rows, shape = directions_of(_single("directions", directions, "nearfar.cube_lookup"))
+    values = np.empty((len(rows), texels.shape[3]), np.float32)
+    _core.gpu_cube_lookup(backends.open_device(), (texels, values), rows, filter)
+    return values.reshape(shape + maps.shape[3:])
 
 
-def _single(name: str, values: ArrayLike, other: str) -> NDArray[Any]:
+def _single(name: str, values: ArrayLike, alternative: str) -> NDArray[Any]:
     """Return an array of float32 in native byte order; TypeError for others, because a conversion could lose digits."""
     array = check.plain(name, values)
     if array.dtype.newbyteorder("=") != np.float32:
-        raise TypeError(f"{name}: expected float32, got {array.dtype}; {other} takes other numbers")
+        raise TypeError(f"{name}: expected float32, got {array.dtype}; {alternative} takes other numbers")
     return array.astype(np.float32, copy=False)

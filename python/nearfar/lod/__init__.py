@@ -4,14 +4,13 @@ from nearfar.lod._export import export
 from nearfar.lod._levels import Level, Levels
 from nearfar.lod._measure.fit import Curve4PL, fit_4pl
 from nearfar.lod._measure.measure import measure
-from nearfar.lod._measure.samples import Samples
 from nearfar.lod._measure.settings import MeasureSettings
+from nearfar.lod._measure.statistic import Samples
 from nearfar.lod._model import LodModel
 from nearfar.lod._place import place
-from nearfar.lod._select.budget import Spent
 from nearfar.lod._select.rules import LodRules
 from nearfar.lod._select.select import Selector, select
-from nearfar.lod._select.selection import Selection
+from nearfar.lod._select.selection import Selection, Spent
 from nearfar.lod._select.size import acuity, distortion, panel_magnification, reference_solid_angle
 from nearfar.lod._select.switches import Switches, switches
 from nearfar.lod._select.threshold import LodThreshold

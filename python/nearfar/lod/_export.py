@@ -36,12 +36,7 @@ _IDENTITY = np.eye(4)
 
 
 def write(
-    model: MeasuredLevels,
-    path: Path,
-    *,
-    view: Hmd | Camera | Fov,
-    threshold: LodThreshold,
-    all_levels: bool,
+    model: MeasuredLevels, path: Path, *, view: Hmd | Camera | Fov, threshold: LodThreshold, all_levels: bool
 ) -> None:
     """Write a model; `LodModel.export` documents the files."""
     sizes = switches(model, view=view, threshold=threshold)
@@ -62,19 +57,21 @@ def _glb_of(model: MeasuredLevels, sizes: Switches, document: dict[str, Any]) ->
     # Imported here: only files need an imaging library.
     from nearfar._scene import glb
 
-    geometry = _geometry(model)
+    if model.levels is None:
+        raise ValueError(f"model: expected one with the geometry of its levels, got {model.name!r} without")
     # Surfaces of all levels in one scene, and a mesh for each level.
-    core, levels = _core.with_surfaces(empty_core(), [level.scene._core for level in geometry])
-    names = [model.name, *(f"{model.name}_lod{number}" for number in range(1, len(levels)))]
-    everywhere = np.tile(_IDENTITY[None, :3], (len(levels), 1, 1))
-    objects = np.arange(len(levels), dtype=np.int32)
-    whole = _core.with_instances(core, levels, everywhere, objects, len(levels))
-    encoder = glb.Encoder(whole, names, kept_of([model])["undrawn"])
-    nodes = [encoder.place(number) for number in range(len(levels))]
-    _link(encoder.nodes, nodes, sizes)
-    listed = [{name: getattr(level, name) for name in MEASURED} for level in geometry]
-    _extras(encoder.nodes[nodes[0]])[OURS] = document | {"geometry": listed, "frame": geometry.frame.tolist()}
-    return encoder.finish(nodes[:1], **_used(nodes))
+    core, meshes = _core.with_surfaces(empty_core(), [level.scene._core for level in model.levels])
+    count = len(meshes)
+    names = [model.name, *(f"{model.name}_lod{number}" for number in range(1, count))]
+    placements = np.tile(_IDENTITY[None, :3], (count, 1, 1))
+    combined = _core.with_instances(core, meshes, placements, np.arange(count, dtype=np.int32), count)
+    encoder = glb.Encoder(combined, names, kept_of([model])["undrawn"])
+    nodes = [encoder.place(number) for number in range(count)]
+    extensions = _link(encoder.nodes, nodes, sizes)
+    geometry = [{name: getattr(level, name) for name in MEASURED} for level in model.levels]
+    extras = encoder.nodes[nodes[0]].setdefault("extras", {})
+    extras[OURS] = document | {"geometry": geometry, "frame": model.levels.frame.tolist()}
+    return encoder.finish(nodes[:1], **extensions)
 
 
 def read(target: Path) -> dict[str, Any]:
@@ -83,29 +80,24 @@ def read(target: Path) -> dict[str, Any]:
 
     data = target.read_bytes()
     with formats.guarded(target, "model of levels"):
-        return _fields(glb.Decoder(data, Names(1)), target)
-
-
-def _fields(decoder: glb.Decoder, path: Path) -> dict[str, Any]:
-    nodes = decoder.document["nodes"]
-    finest = nodes[decoder.document["scenes"][0]["nodes"][0]]
-    document = finest["extras"][OURS]
-    fields = _file.fields(document, path)
-    chain = [finest, *(nodes[number] for number in finest.get("extensions", {}).get(EXTENSION, {"ids": []})["ids"])]
-    surfaces, undrawn = decoder.surfaces, decoder.undrawn
-    geometry = document["geometry"]
-    if not len(chain) == len(geometry) == len(fields["triangles"]):
-        raise ValueError(f"expected {len(fields['triangles'])} levels, got {len(chain)} nodes")
-    name = fields["name"]
-    levels = [
-        Level(
-            scene=_scene(decoder.mesh(node), surfaces, undrawn, name),
-            note=str(level["note"]),
-            **{name: check.number(name, level[name]) for name in MEASURED[:3]},
-        )
-        for node, level in zip(chain, geometry, strict=True)
-    ]
-    return fields | {"levels": Levels(levels, name=name, frame=document["frame"])}
+        decoder = glb.Decoder(data, Names(1))
+        nodes = decoder.document["nodes"]
+        finest = nodes[decoder.document["scenes"][0]["nodes"][0]]
+        document = finest["extras"][OURS]
+        fields, geometry = _file.fields(document, target), document["geometry"]
+        chain = [finest, *(nodes[number] for number in finest.get("extensions", {}).get(EXTENSION, {"ids": []})["ids"])]
+        if not len(chain) == len(geometry) == len(fields["triangles"]):
+            raise ValueError(f"expected {len(fields['triangles'])} levels, got {len(chain)} nodes")
+        name = fields["name"]
+        levels = [
+            Level(
+                scene=_scene(decoder.mesh(node), decoder.surfaces, decoder.undrawn, name),
+                note=str(level["note"]),
+                **{field: check.number(field, level[field]) for field in MEASURED[:3]},
+            )
+            for node, level in zip(chain, geometry, strict=True)
+        ]
+        return fields | {"levels": Levels(levels, name=name, frame=document["frame"])}
 
 
 def _scene(mesh: _core.Mesh, surfaces: dict[str, Any], undrawn: Mapping[int, GltfMaterial], name: str) -> Scene:
@@ -157,7 +149,7 @@ def export(
     """
     from nearfar._scene import glb
 
-    least_score, all_levels = threshold_of(threshold, k, d), check.flag("all_levels", all_levels)
+    limit, all_levels = threshold_of(threshold, k, d), check.flag("all_levels", all_levels)
     reference_solid_angle(view)  # rejects anything but a view, also for scenes without levels
     core, table, target = core_of(scene), scene._table, check.path("path", path)
     if target.suffix.lower() != ".glb":
@@ -165,49 +157,49 @@ def export(
     if table is None:
         _save(target, glb.encode(core, scene.object_names, scene._undrawn))
         return
-    sizes = [switches(model, view=view, threshold=least_score) for model in table.models]
-    chosen = table.row_of >= 0
-    placements, numbers = _core.placements_of(core, chosen)
-    rest = core.without_objects(chosen)
-    written = [
-        np.arange(len(size.is_ever_shown)) if all_levels else np.flatnonzero(size.is_ever_shown) for size in sizes
-    ]
+    sizes = [switches(model, view=view, threshold=limit) for model in table.models]
+    has_levels = table.row_of >= 0
+    placements, numbers = _core.placements_of(core, has_levels)
+    unleveled_scene = core.without_objects(has_levels)
+    written = [np.flatnonzero(size.is_ever_shown | all_levels) for size in sizes]
     sizes = [size.of_levels(levels) for size, levels in zip(sizes, written, strict=True)]
     # Objects without levels come first, then each object's levels, one static instance for each.
-    chosen_rows = zip(table.row_of[numbers].tolist(), table.model_of[numbers].tolist(), strict=True)
-    rows = [[table.meshes[row][level] for level in written[model]] for row, model in chosen_rows]
+    rows_and_models = zip(table.row_of[numbers].tolist(), table.model_of[numbers].tolist(), strict=True)
+    rows = [[table.meshes[row][level] for level in written[model]] for row, model in rows_and_models]
     counts = np.array([len(row) for row in rows], np.int64)
     meshes = [mesh for row in rows for mesh in row]
-    whole = _core.with_instances(
-        rest, meshes, np.repeat(placements, counts, axis=0), np.repeat(numbers, counts).astype(np.int32), len(meshes)
+    objects = np.repeat(numbers, counts).astype(np.int32)
+    combined = _core.with_instances(
+        unleveled_scene, meshes, np.repeat(placements, counts, axis=0), objects, len(meshes)
     )
-    encoder = glb.Encoder(whole, scene.object_names, scene._undrawn)
-    _save(target, _encode_scene(encoder, whole, rest, counts, [sizes[m] for m in table.model_of[numbers]]))
+    encoder = glb.Encoder(combined, scene.object_names, scene._undrawn)
+    _save(
+        target, _encode_scene(encoder, combined, unleveled_scene, counts, [sizes[m] for m in table.model_of[numbers]])
+    )
 
 
 def _encode_scene(
-    encoder: glb.Encoder, whole: _core.Scene, rest: _core.Scene, counts: NDArray[np.int64], sizes: list[Switches]
+    encoder: glb.Encoder, combined: _core.Scene, others: _core.Scene, counts: NDArray[np.int64], sizes: list[Switches]
 ) -> bytes:
-    standing = rest.instance_count - len(rest.moving_objects())
-    leveled = int(counts.sum())
-    has_faces = np.diff(whole.triangle_offsets()) > 0
-    others = [*range(standing), *range(standing + leveled, whole.instance_count)]
-    roots = [encoder.place(number) for number in others if has_faces[number]]
+    static_count = others.instance_count - len(others.moving_objects())
+    leveled_count = int(counts.sum())
+    has_faces = np.diff(combined.triangle_offsets()) > 0
+    unleveled = [*range(static_count), *range(static_count + leveled_count, combined.instance_count)]
+    roots = [encoder.place(number) for number in unleveled if has_faces[number]]
     tops = list(roots)
-    used: dict[str, Any] = {}
-    start = standing
+    extensions: dict[str, Any] = {}
+    start = static_count
     for count, switch in zip(counts.tolist(), sizes, strict=True):
         nodes = [encoder.place(number) for number in range(start, start + count)]
         for level, node in enumerate(nodes[1:], 1):
             encoder.nodes[node]["name"] += f"_lod{level}"
-        _link(encoder.nodes, nodes, switch)
-        used |= _used(nodes)
+        extensions |= _link(encoder.nodes, nodes, switch)
         roots.append(nodes[0])
         tops += nodes
         start += count
     for node in tops:
-        _move(encoder.nodes[node], whole.origin)
-    return encoder.finish(roots, **used)
+        _move(encoder.nodes[node], combined.origin)
+    return encoder.finish(roots, **extensions)
 
 
 def engine_levels(model: MeasuredLevels, sizes: Switches) -> list[dict[str, Any]]:
@@ -224,17 +216,13 @@ def engine_levels(model: MeasuredLevels, sizes: Switches) -> list[dict[str, Any]
     ]
 
 
-def _geometry(model: MeasuredLevels) -> Levels:
-    if model.levels is None:
-        raise ValueError(f"model: expected one with the geometry of its levels, got {model.name!r} without")
-    return model.levels
-
-
-def _link(nodes: list[dict[str, Any]], chain: list[int], sizes: Switches) -> None:
-    """Link nodes as levels of the first node."""
-    if len(chain) > 1:
-        nodes[chain[0]]["extensions"] = {EXTENSION: {"ids": chain[1:]}}
-        _extras(nodes[chain[0]])[COVERAGE] = sizes.coverages()
+def _link(nodes: list[dict[str, Any]], chain: list[int], sizes: Switches) -> dict[str, Any]:
+    """Link nodes as levels of the first node; return the field of the document that lists the extension, if used."""
+    if len(chain) == 1:
+        return {}
+    nodes[chain[0]]["extensions"] = {EXTENSION: {"ids": chain[1:]}}
+    nodes[chain[0]].setdefault("extras", {})[COVERAGE] = sizes.coverages()
+    return {"extensionsUsed": [EXTENSION]}
 
 
 def _move(node: dict[str, Any], origin: tuple[float, float, float]) -> None:
@@ -242,15 +230,6 @@ def _move(node: dict[str, Any], origin: tuple[float, float, float]) -> None:
     if any(origin):
         matrix = node.setdefault("matrix", _IDENTITY.ravel().tolist())
         matrix[12:15] = [value + shift for value, shift in zip(matrix[12:15], origin, strict=True)]
-
-
-def _extras(node: dict[str, Any]) -> dict[str, Any]:
-    extras: dict[str, Any] = node.setdefault("extras", {})
-    return extras
-
-
-def _used(chain: list[int]) -> dict[str, Any]:
-    return {"extensionsUsed": [EXTENSION]} if len(chain) > 1 else {}
 
 
 def _save(path: Path, data: bytes) -> None:

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from nearfar._base import check, formats
 from nearfar.lod._measure.fit import Curve4PL
-from nearfar.lod._measure.samples import Samples
+from nearfar.lod._measure.statistic import Samples
 from nearfar.lod._measured_levels import MeasuredLevels
 
 NAME, VERSION = "lod", 2
@@ -59,40 +59,28 @@ def _rows(values: NDArray[Any]) -> Any:
 
 
 def read(path: Path) -> dict[str, Any]:
-    """Read the fields of a model; FormatError if the file is damaged or too new, OSError if it is missing."""
+    """Read the fields of a model, which `LodModel` checks; FormatError or OSError as `fields` and `read_json`."""
     return fields(formats.read_json(path, NAME, VERSION), path)
 
 
 def fields(document: dict[str, Any], path: Path) -> dict[str, Any]:
-    """Decode a model's fields from the result of `document`; FormatError with the file's name for anything else."""
+    """Decode a model's fields from the result of `document`; FormatError for another or a damaged document."""
     formats.check(document, NAME, VERSION, path)
     with formats.guarded(path):
         return _fields(document)
 
 
 def _fields(document: dict[str, Any]) -> dict[str, Any]:
-    levels = document["levels"]
-    least, most = (check.at_least_zero("sigma", value) for value in document["sigma"])
-    pixel = document["pixel"]
-    samples = document["samples"]
+    levels, samples = document["levels"], document["samples"]
     if not levels or levels[0]["curve"] is not None:
         raise ValueError("levels: expected the base first, which has no curve")
-    if least > most:
-        raise ValueError(f"sigma: expected the least first, got {least} and {most}")
-    if not isinstance(document["name"], str) or not isinstance(document["measured"], dict):
-        raise TypeError("name, measured: expected text and an object")
-    triangles = [check.integer("triangles", level["triangles"], 1, 2**62) for level in levels]
-    return {
-        "name": document["name"],
-        "center": np.array(check.vector("center", document["center"])),
-        "radius": check.positive("radius", document["radius"]),
-        "sigma": (least, most),
-        "pixel": None if pixel is None else check.positive("pixel", pixel),
-        "triangles": np.array(triangles),
-        "errors": np.array([check.number("error", level["error"]) for level in levels]),
+    least, greatest = (check.at_least_zero("sigma", value) for value in document["sigma"])
+    return {name: document[name] for name in ("name", "center", "radius", "pixel", "measured")} | {
+        "sigma": (least, greatest),
+        "triangles": [check.integer("triangles", level["triangles"], 1, 2**62) for level in levels],
+        "errors": [check.number("error", level["error"]) for level in levels],
         "curves": _curves([level["curve"] for level in levels[1:]]),
-        "samples": None if samples is None else _read_samples(samples, len(levels)),
-        "measured": document["measured"],
+        "samples": None if samples is None else _read_samples(samples),
     }
 
 
@@ -105,17 +93,15 @@ def _curves(curves: list[dict[str, Any]]) -> Curve4PL:
     return Curve4PL(**numbers, status=np.array(statuses, dtype=np.str_), reason=np.array(reasons, dtype=np.str_))
 
 
-def _read_samples(samples: dict[str, Any], levels: int) -> Samples:
+def _read_samples(samples: dict[str, Any]) -> Samples:
     sigma, score = _array("sigma", samples["sigma"], 1), _array("score", samples["score"], 2)
-    if score.shape != (levels, len(sigma)):
-        raise ValueError(f"samples: expected scores of {levels} levels at {len(sigma)} sizes, got {score.shape}")
     if not (np.isfinite(sigma) & (sigma > 0)).all():
         raise ValueError("samples: expected sizes above 0")
     if samples["views"] is None:
         return Samples(sigma, score)
     views = _array("views", samples["views"], 3, np.float32)
     if views.shape[:2] != score.shape:
-        raise ValueError(f"samples: expected views of {levels} levels at {len(sigma)} sizes, got {views.shape}")
+        raise ValueError(f"samples: expected views of {len(score)} levels at {len(sigma)} sizes, got {views.shape}")
     return Samples(sigma, score, views)
 
 

@@ -14,7 +14,7 @@ from nearfar._base import check
 from nearfar.lod._levels import Levels, level_numbers
 from nearfar.lod._measure import statistic
 from nearfar.lod._measure.fit import Curve4PL
-from nearfar.lod._measure.samples import Samples
+from nearfar.lod._measure.statistic import Samples
 
 
 @dataclass(frozen=True, eq=False, kw_only=True, repr=False)
@@ -86,6 +86,11 @@ class MeasuredLevels:
             return self
         mean = replace(samples, score=statistic.of_views(samples.views, "mean"))
         return replace(self, curves=statistic.curves_through(mean))
+
+    @cached_property
+    def curve_rows(self) -> NDArray[np.float64]:
+        """Parameters a, b, c and d of each level's curve except level 0's, (K − 1, 4); NaN where there is none."""
+        return np.column_stack([np.asarray(parameter, np.float64) for parameter in self.curves])
 
     def of_levels(self, numbers: ArrayLike) -> Self:
         """Return the model with some of its levels, by ascending numbers (N,) that start with 0."""

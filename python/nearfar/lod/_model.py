@@ -75,7 +75,8 @@ class LodModel(MeasuredLevels):
         """
         source = check.path("path", path)
         read = _export.read if source.suffix.lower() == ".glb" else _file.read
-        return cls(**read(source))
+        with formats.guarded(source):
+            return cls(**read(source))
 
     def export(
         self,
@@ -114,9 +115,8 @@ class LodModel(MeasuredLevels):
         ----------
         Khronos Group: glTF 2.0, extension MSFT_lod.
         """
-        target, least_score = check.path("path", path), threshold_of(threshold, k, d)
-        whole = check.flag("all_levels", all_levels)
-        _export.write(self, target, view=view, threshold=least_score, all_levels=whole)
+        target, limit = check.path("path", path), threshold_of(threshold, k, d)
+        _export.write(self, target, view=view, threshold=limit, all_levels=check.flag("all_levels", all_levels))
 
     def refit(self, percentile: float | Mean) -> LodModel:
         """Return the model with curves through another percentile of the same views, or their mean, without rendering.
@@ -139,12 +139,12 @@ class LodModel(MeasuredLevels):
         ValueError, TypeError
             An invalid percentile, or a model without the scores of single views, `samples.views`.
         """
-        chosen = statistic.check_percentile(percentile)
+        percentile = statistic.check_percentile(percentile)
         if self.samples is None or self.samples.views is None:
             raise ValueError(f"model: expected the scores of single views in samples.views, got none in {self.name!r}")
-        samples = replace(self.samples, score=statistic.of_views(self.samples.views, chosen))
-        before = self.measured.get("chosen_by", self.measured.get("percentile"))
-        measured = self.measured | {"percentile": chosen, "chosen_by": before}
+        samples = replace(self.samples, score=statistic.of_views(self.samples.views, percentile))
+        chosen_by = self.measured.get("chosen_by", self.measured.get("percentile"))
+        measured = self.measured | {"percentile": percentile, "chosen_by": chosen_by}
         return replace(self, curves=statistic.curves_through(samples), samples=samples, measured=measured)
 
     def selector(self, mode: Mode) -> Selector:
@@ -173,36 +173,35 @@ class LodModel(MeasuredLevels):
         ----------
         Liebisch (2021): Figure 3.3.
         """
-        sigma = self._drawn_sizes(256)
-        curves = self.curves(sigma) if len(self.curves) else np.empty((0, 256))
+        sigma, curves, labels = self._curve_lines(256)
         scores = None if self.samples is None else (self.samples.sigma, self.samples.score[1:])
-        return plot.score_curves(ax, sigma, curves, [f"{count:,}" for count in self.triangles[1:]], scores)
+        return plot.score_curves(ax, sigma, curves, labels, scores)
 
     @card.repr_html
     def _repr_html_(self) -> str:
         """Table of the levels and plot of their curves, for notebooks."""
-        sigma = self._drawn_sizes(128)
-        curves = self.curves(sigma) if len(self.curves) else np.empty((0, 128))
-        dots = (
-            [None] * len(curves) if self.samples is None else [(self.samples.sigma, s) for s in self.samples.score[1:]]
-        )
-        labels = [f"{count:,}" for count in self.triangles[1:]]
+        sigma, curves, labels = self._curve_lines(128)
+        samples = self.samples
+        dots = [None] * len(curves) if samples is None else [(samples.sigma, score) for score in samples.score[1:]]
         lines = [card.Line(sigma, y, label, dot) for y, label, dot in zip(curves, labels, dots, strict=True)]
         header, rows = self._rows()
-        drawn = [card.plot(lines, "solid angle, sr", "SSIM")] if lines else []
+        plots = [card.plot(lines, "solid angle, sr", "SSIM")] if lines else []
         title = f"LodModel {self.name}, radius {self.radius:.4g} m"
-        return card.page(title, (), *drawn, card.table(rows, header))
+        return card.page(title, (), *plots, card.table(rows, header))
 
-    def _drawn_sizes(self, count: int) -> NDArray[np.float64]:
-        """Sizes for drawing curves: the measured range, or six decades if it has no lower end."""
+    def _curve_lines(self, count: int) -> tuple[NDArray[np.float64], NDArray[np.float64], list[str]]:
+        """Sizes in the measured range, or in six decades if it has no lower end; the curves there; their labels."""
         low, high = self.sigma
-        return np.geomspace(low if low > 0 else 1e-6 * high, high, count)
+        sigma = np.geomspace(low if low > 0 else 1e-6 * high, high, count)
+        return sigma, self._scores_at(sigma), [f"{count:,}" for count in self.triangles[1:]]
+
+    def _scores_at(self, sigma: NDArray[np.float64]) -> NDArray[np.float64]:
+        return self.curves(sigma) if len(self.curves) else np.empty((0, len(sigma)))
 
     def _rows(self) -> tuple[list[str], list[list[str]]]:
         """Header and rows of the table of levels, as text."""
         low, high = self.sigma
-        ends = self.curves(np.array([high, low])) if len(self.curves) else np.empty((0, 2))
-        scores = [(1.0, 1.0), *map(tuple, ends.tolist())]
+        scores = [(1.0, 1.0), *map(tuple, self._scores_at(np.array([high, low])).tolist())]
         status = ["", *self.curves.status.tolist()]
         header = ["level", "triangles", "error m", f"{high:.3g} sr", f"{low:.3g} sr", "curve"]
         columns = zip(self.triangles.tolist(), self.errors.tolist(), scores, status, strict=True)

@@ -68,15 +68,15 @@ def place(
         raise ValueError(f"model_index: expected one for each of {count} transforms, got shape {index.shape}")
     if count and not 0 <= index.min() <= index.max() < len(row):
         raise ValueError(f"model_index: expected 0 to {len(row) - 1}, got {index.min()} to {index.max()}")
-    listed = None if names is None else names_of("names", names)
-    if listed is not None and len(listed) != count:
-        raise ValueError(f"names: expected {count}, one for each transform, got {len(listed)}")
-    known = Names(count if listed is None else listed)
+    given_names = None if names is None else names_of("names", names)
+    if given_names is not None and len(given_names) != count:
+        raise ValueError(f"names: expected {count}, one for each transform, got {len(given_names)}")
+    object_names = Names(count if given_names is None else given_names)
     movers = [dynamic] if isinstance(dynamic, str) else check.items("dynamic", dynamic, str, "names of objects")
-    known.flags("dynamic", movers)  # rejects unknown names
-    new = check_levels(known, range(count), [row[number] for number in index.tolist()], frames, in_place=False)
+    object_names.flags("dynamic", movers)  # rejects unknown names
+    new = check_levels(object_names, range(count), [row[number] for number in index.tolist()], frames, in_place=False)
     core, rest, table = with_levels(empty_core(_origin(frames)), np.zeros((0, 3, 4)), None, count, new)
-    return Scene(core, known, frames=frames, rest=rest, table=table, **kept_of(new.models)).with_dynamic(movers)
+    return Scene(core, object_names, frames=frames, rest=rest, table=table, **kept_of(new.models)).with_dynamic(movers)
 
 
 def _origin(frames: NDArray[np.float64]) -> tuple[float, float, float]:

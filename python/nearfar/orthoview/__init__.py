@@ -5,12 +5,11 @@ from __future__ import annotations
 from nearfar.orthoview._build import build
 from nearfar.orthoview._cut import OrthoCut
 from nearfar.orthoview._flight import Flight
-from nearfar.orthoview._motion_blur import motion_blur
 from nearfar.orthoview._prefetch import PrefetchQueue
 from nearfar.orthoview._resolution import size_for
 from nearfar.orthoview._settings import FlightSettings, ViewSettings
 from nearfar.orthoview._simulate import FlightLog, simulate
-from nearfar.orthoview._steady import Steady
+from nearfar.orthoview._steady import Steady, motion_blur
 from nearfar.orthoview._tree import OrthoTree, open  # noqa: A004 - the name of the public face
 
 __all__ = [

@@ -32,23 +32,9 @@ NAME = "{level}.{x}.{y}.{z}.subtree"
 CLASS, PROPERTY = "tile", "box"
 """Names of the metadata's class and property."""
 
-SCHEMA: dict[str, Any] = {
-    "id": "nearfar",
-    "classes": {
-        CLASS: {
-            "properties": {
-                PROPERTY: {
-                    "type": "SCALAR",
-                    "componentType": "FLOAT64",
-                    "array": True,
-                    "count": 12,
-                    "required": True,
-                    "semantic": "TILE_BOUNDING_BOX",
-                }
-            }
-        }
-    },
-}
+_BOX_TYPE = {"type": "SCALAR", "componentType": "FLOAT64", "array": True, "count": 12}
+_BOX_PROPERTY = {**_BOX_TYPE, "required": True, "semantic": "TILE_BOUNDING_BOX"}
+SCHEMA: dict[str, Any] = {"id": "nearfar", "classes": {CLASS: {"properties": {PROPERTY: _BOX_PROPERTY}}}}
 """Schema of the metadata."""
 
 _HEADER = struct.Struct("<4sIQQ")
@@ -57,47 +43,34 @@ _TO_Z_UP = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]])
 
 def subtree_levels(levels: int) -> int:
     """Return the levels of a subtree: the lowest subtrees, which are most files, get as many levels as possible."""
-    return max(_LEVELS, key=lambda own: (levels - 1) % own)
+    return max(_LEVELS, key=lambda count: (levels - 1) % count)
 
 
 def write(folder: Path, levels: int, leaves: NDArray[np.int64], box_of: Callable[[Place], Floats]) -> Floats:
-    """Write all subtrees of a tree, from the leaves up.
+    """Write all subtrees of a tree, from the leaves up; return the bounding box (2, 3) of all leaves.
 
-    Parameters
-    ----------
-    folder
-        Folder of the subtree files.
-    levels
-        Number of levels of the tree.
-    leaves
-        The leaves (N, 3) that have content, each once; at least one.
-    box_of
-        Returns the bounding box (2, 3) of a leaf's content, world, metres; called once for each leaf.
-
-    Returns
-    -------
-    NDArray
-        Bounding box (2, 3) of all leaves.
+    `leaves` are those (N, 3) that have content, each once; at least one. `box_of`, which is called once for each of
+    them, returns the bounding box (2, 3) of a leaf's content, world, metres.
     """
-    below: NDArray[np.int64] = leaves
+    cells: NDArray[np.int64] = leaves
     boxes: Floats | None = None
-    own = subtree_levels(levels)
-    for first in range((levels - 1) // own * own, -1, -own):
-        depth = min(levels - 1 - first, own)
-        roots = below >> depth
-        numbers = morton(below - (roots << depth), depth)
+    levels_of_subtree = subtree_levels(levels)
+    for first_level in range((levels - 1) // levels_of_subtree * levels_of_subtree, -1, -levels_of_subtree):
+        depth = min(levels - 1 - first_level, levels_of_subtree)
+        roots = cells >> depth
+        numbers = morton(cells - (roots << depth), depth)
         order = np.lexsort((numbers, *roots.T[::-1]))
         starts = np.flatnonzero(np.diff(roots[order], axis=0, prepend=-1).any(axis=1))
         of_roots = np.empty((len(starts), 2, 3))
-        for at, rows in enumerate(np.split(order, starts[1:])):
-            inner = np.array([box_of(_place(row)) for row in below[rows]]) if boxes is None else boxes[rows]
-            data, of_roots[at] = _encoded(numbers[rows], depth, own, inner, has_content=boxes is None)
+        for number, rows in enumerate(np.split(order, starts[1:])):
+            inner = np.array([box_of(_place(row)) for row in cells[rows]]) if boxes is None else boxes[rows]
+            data, of_roots[number] = _encode(numbers[rows], depth, levels_of_subtree, inner, has_content=boxes is None)
             x, y, z = _place(roots[rows[0]])
-            files.write(folder / NAME.format(level=first, x=x, y=y, z=z), data)
-        below, boxes = roots[order[starts]], of_roots
+            files.write(folder / NAME.format(level=first_level, x=x, y=y, z=z), data)
+        cells, boxes = roots[order[starts]], of_roots
     assert boxes is not None
-    whole: Floats = boxes[0]
-    return whole
+    root_box: Floats = boxes[0]
+    return root_box
 
 
 def morton(cells: NDArray[np.int64], bits: int) -> NDArray[np.int64]:
@@ -111,9 +84,9 @@ def morton(cells: NDArray[np.int64], bits: int) -> NDArray[np.int64]:
 
 def volume(box: Floats) -> list[float]:
     """Convert a box (2, 3) of the world, y up, to a tileset's, z up: the centre, then half of each edge."""
-    turned = box @ _TO_Z_UP.T
-    half = np.abs(turned[1] - turned[0]) / 2
-    return [*turned.mean(axis=0).tolist(), *np.diag(half).ravel().tolist()]
+    z_up = box @ _TO_Z_UP.T
+    half_edges = np.abs(z_up[1] - z_up[0]) / 2
+    return [*z_up.mean(axis=0).tolist(), *np.diag(half_edges).ravel().tolist()]
 
 
 def _place(row: NDArray[np.int64]) -> Place:
@@ -121,7 +94,7 @@ def _place(row: NDArray[np.int64]) -> Place:
     return x, y, z
 
 
-def _encoded(
+def _encode(
     numbers: NDArray[np.int64], depth: int, levels: int, boxes: Floats, *, has_content: bool
 ) -> tuple[bytes, Floats]:
     """Encode a subtree; also return the bounding box of its content.
@@ -182,7 +155,7 @@ class _Views:
 
     def encoded(self, document: dict[str, Any]) -> bytes:
         """Encode the subtree's file."""
-        whole = {"buffers": [{"byteLength": len(self._data)}], "bufferViews": self._views, **document}
-        text = json.dumps(whole, separators=(",", ":")).encode()
+        complete = {"buffers": [{"byteLength": len(self._data)}], "bufferViews": self._views, **document}
+        text = json.dumps(complete, separators=(",", ":")).encode()
         text += b" " * (-len(text) % 8)
         return _HEADER.pack(b"subt", 1, len(text), len(self._data)) + text + self._data

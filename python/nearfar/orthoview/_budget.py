@@ -11,27 +11,27 @@ import numpy as np
 from nearfar import _core
 from nearfar._camera.camera import Camera
 from nearfar.orthoview._cut import Cutter, OrthoCut, Settings
-from nearfar.orthoview._views import ViewKey, Views
+from nearfar.orthoview._layout import ViewKey
+from nearfar.orthoview._views import Views
 
-MAX = 64.0
+MAX_ERROR_FACTOR = 64.0
 """Greatest factor by which a budget may raise the given error."""
 
-STEPS = 12
+BISECTIONS = 12
 """Bisection steps for the error's logarithm: the last step is 0.1 %."""
 
-TRIES = 10
+MAX_CUTS = 10
 """Maximum number of cuts tried: a view's number of splats is known only once it is read."""
 
-CLOSE = 0.98
+MIN_FILL = 0.98
 """Share of the budget from which a continuous cut is accepted: where levels blend, counts are estimates at first."""
 
-
-FINEST = 1.002
+ERROR_RATIO = 1.002
 """Ratio of two errors below which the search between them ends."""
 
 
 @dataclass(frozen=True)
-class Fitted:
+class Fit:
     """A cut and its splats."""
 
     cut: OrthoCut
@@ -52,20 +52,12 @@ class Fitted:
 
 
 class Fitter:
-    """Chooses the splats of pictures.
-
-    Parameters
-    ----------
-    cutter
-        Cuts the tree.
-    views
-        Reads its views.
-    """
+    """Chooses the splats of pictures."""
 
     def __init__(self, cutter: Cutter, views: Views) -> None:
         self._cutter, self._views = cutter, views
 
-    def fit(self, camera: Camera, settings: Settings) -> Fitted:
+    def fit(self, camera: Camera, settings: Settings) -> Fit:
         """Find the cut of the least error, not below the settings' error, whose splats fit the budget.
 
         If even the greatest error exceeds the budget, views are left out: those of farther cells first, the third
@@ -74,42 +66,43 @@ class Fitter:
         budget = settings.budget
         if budget is None:
             return self._fit_at(camera, settings)
-        low, high, best = settings.error_px, settings.error_px * MAX, None
-        error = self._least(camera, settings, budget)
-        for _ in range(TRIES):
-            found = replace(settings, error_px=error)
-            were_known = all(map(self._views.is_counted, self._cutter.whole(camera, found).keys()))
-            fitted = self._fit_at(camera, found)
+        low, high, best = settings.error_px, settings.error_px * MAX_ERROR_FACTOR, None
+        error = self._least_error(camera, settings, budget)
+        for _ in range(MAX_CUTS):
+            candidate = replace(settings, error_px=error)
+            were_known = all(map(self._views.is_counted, self._cutter.complete_cut(camera, candidate).keys()))
+            fitted = self._fit_at(camera, candidate)
             is_within = fitted.count <= budget
             best = fitted if is_within else best
             low, high = (low, error) if is_within else (error, high)
             if not settings.continuous:
                 if were_known:
                     break
-                error = self._least(camera, settings, budget)
+                error = self._least_error(camera, settings, budget)
                 continue
-            if (is_within and (fitted.count >= CLOSE * budget or error == settings.error_px)) or high <= low * FINEST:
+            is_filled = fitted.count >= MIN_FILL * budget or error == settings.error_px
+            if (is_within and is_filled) or high <= low * ERROR_RATIO:
                 break
             # The number of splats falls with the square of the error.
-            error *= math.sqrt(max(fitted.count, 1) / budget) * FINEST
+            error *= math.sqrt(max(fitted.count, 1) / budget) * ERROR_RATIO
             if not low < error < high:
                 error = math.sqrt(low * high)
-        return best or _without_some(fitted, budget)
+        return best or _drop_views(fitted, budget)
 
-    def _fit_at(self, camera: Camera, settings: Settings) -> Fitted:
-        cut = self._cutter.whole(camera, settings)
+    def _fit_at(self, camera: Camera, settings: Settings) -> Fit:
+        cut = self._cutter.complete_cut(camera, settings)
         layers: list[Sequence[_core.OrthoSplats]] = list(self._views.layers(cut.keys()))
         if settings.continuous:
             rule = self._cutter.rule(camera, settings)
             layers = list(_core.blend_orthoviews(_kernel_views(cut, cut.keys(), layers), rule))
-        return Fitted(cut, settings.error_px, layers)
+        return Fit(cut, settings.error_px, layers)
 
-    def _least(self, camera: Camera, settings: Settings, aim: int) -> float:
+    def _least_error(self, camera: Camera, settings: Settings, aim: int) -> float:
         """Least error at which at most `aim` splats are expected."""
-        low, high = math.log(settings.error_px), math.log(settings.error_px * MAX)
+        low, high = math.log(settings.error_px), math.log(settings.error_px * MAX_ERROR_FACTOR)
         if self._expected(camera, settings) <= aim:
             return settings.error_px
-        for _ in range(STEPS):
+        for _ in range(BISECTIONS):
             middle = (low + high) / 2
             is_enough = self._expected(camera, replace(settings, error_px=math.exp(middle))) <= aim
             low, high = (low, middle) if is_enough else (middle, high)
@@ -117,14 +110,14 @@ class Fitter:
 
     def _expected(self, camera: Camera, settings: Settings) -> float:
         """Estimate the number of splats of a cut from the counts of views that are known so far."""
-        cut = self._cutter.whole(camera, settings)
+        cut = self._cutter.complete_cut(camera, settings)
         keys = cut.keys()
         if not settings.continuous:
             return sum(map(self._views.expected, keys))
         rule = self._cutter.rule(camera, settings)
-        kept = [self._views.cached_layers(key) for key in keys]
-        share = _core.expected_orthoviews(_kernel_views(cut, keys, kept), rule)
-        return share + sum(self._views.expected(key) for key, layers in zip(keys, kept, strict=True) if not layers)
+        cached = [self._views.cached_layers(key) for key in keys]
+        count = _core.expected_orthoviews(_kernel_views(cut, keys, cached), rule)
+        return count + sum(self._views.expected(key) for key, layers in zip(keys, cached, strict=True) if not layers)
 
 
 def _kernel_views(
@@ -132,16 +125,16 @@ def _kernel_views(
 ) -> list[tuple[Sequence[_core.OrthoSplats], int, tuple[int, int, int], int, bool]]:
     """Views that have layers, in the form that the core takes."""
     rows = zip(keys, layers, cut.parts(), strict=True)
-    return [(own, level, place, direction, part) for (level, place, direction), own, part in rows if own]
+    return [(splats, level, place, n, is_partial) for (level, place, n), splats, is_partial in rows if splats]
 
 
-def _without_some(fitted: Fitted, budget: int) -> Fitted:
+def _drop_views(fitted: Fit, budget: int) -> Fit:
     """Keep the first views of all cells, then the second ones and so on, while the budget lasts."""
     ranks = np.argwhere(fitted.cut.directions >= 0)[:, 1]
-    left, kept = budget, []
+    remaining, numbers = budget, []
     for number in np.argsort(ranks, kind="stable").tolist():
-        left -= sum(layer.count for layer in fitted.layers[number])
-        if left < 0:
+        remaining -= sum(layer.count for layer in fitted.layers[number])
+        if remaining < 0:
             break
-        kept.append(number)
-    return replace(fitted, layers=[fitted.layers[number] for number in sorted(kept)])
+        numbers.append(number)
+    return replace(fitted, layers=[fitted.layers[number] for number in sorted(numbers)])

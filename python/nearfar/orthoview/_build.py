@@ -14,10 +14,9 @@ from nearfar._base.cluster import client_of
 from nearfar._base.settings import gather
 from nearfar._source.protocol import SceneSource, bounds_of, source_of
 from nearfar.orthoview import _on_cluster, _store
-from nearfar.orthoview._directions import directions_of
 from nearfar.orthoview._disocclusion import choose_directions
 from nearfar.orthoview._files import Local
-from nearfar.orthoview._grid import Grid
+from nearfar.orthoview._grid import Grid, directions_of
 from nearfar.orthoview._layout import FOLDER, Layout, check_zarr
 from nearfar.orthoview._leaves import Leaves
 from nearfar.orthoview._settings import ViewKeywords, ViewSettings
@@ -119,12 +118,12 @@ def build(
     )
     _store.begin(target, layout)
     with locks.hold(target / FOLDER / "lock", f"another build writes into {target}"):
-        outcome = _built(world, target, layout, cluster)
-        _store.end(target, failed=outcome.failed, done=outcome.counts)
+        outcome = _build(world, target, layout, cluster)
+        _store.finish(target, failed=outcome.failed, done=outcome.counts)
     return OrthoTree(target)
 
 
-def _built(source: SceneSource, target: Path, layout: Layout, cluster: Any) -> Outcome:
+def _build(source: SceneSource, target: Path, layout: Layout, cluster: Any) -> Outcome:
     if cluster is None:
         with progress.bar("orthoviews") as report:
             return Leaves(source, target, layout).run(report)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import threading
 from collections import OrderedDict
-from collections.abc import Callable, Container, Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -12,7 +12,8 @@ from numpy.typing import NDArray
 
 from nearfar._base.errors import UnusableError
 from nearfar.orthoview import _shard
-from nearfar.orthoview._files import Files
+from nearfar.orthoview._files import ByteRange, Files
+from nearfar.orthoview._grid import Place
 from nearfar.orthoview._layout import Key, Layout
 
 MAX_INDEXES = 2048
@@ -25,43 +26,14 @@ class Generation:
 
     folder: str
     """Path below the store with a trailing slash; empty for the store itself."""
-    shards: Container[str] | None
-    """Paths of its shards below the folder; None if unknown, so that each is looked up in the folder."""
-    geometry: Container[str] | None
-    """Paths of its geometry files, likewise."""
-
-
-@dataclass(frozen=True)
-class In:
-    """Container of the paths that satisfy a predicate."""
-
-    has: Callable[[str], bool]
-
-    def __contains__(self, path: object) -> bool:
-        return isinstance(path, str) and self.has(path)
-
-
-@dataclass(frozen=True)
-class _Found:
-    """Byte range of a chunk in a file."""
-
-    file: str
-    first: int
-    length: int
+    has_shard: Callable[[str], bool] | None
+    """Whether it has a shard, by path below the folder; None if unknown, so that each is looked up in the folder."""
+    has_geometry: Callable[[str], bool] | None
+    """Whether it has a geometry file, likewise."""
 
 
 class Chunks:
-    """Reads chunks of a store; thread-safe.
-
-    Parameters
-    ----------
-    files
-        Files of the store.
-    layout
-        Layout of the tree.
-    generations
-        Generations, the newest one first.
-    """
+    """Reads chunks of a store, whose newest generation is the first one; thread-safe."""
 
     def __init__(self, files: Files, layout: Layout, generations: Sequence[Generation]) -> None:
         self._files, self._layout, self._generations = files, layout, generations
@@ -75,74 +47,73 @@ class Chunks:
     def read(self, keys: Sequence[Key]) -> list[bytes | None]:
         """Read chunks; None for missing ones.
 
-        Raises
-        ------
-        UnusableError
-            A shard that ends too early, or whose index is damaged.
-        OSError
-            A shard that cannot be read.
+        Raises UnusableError for a shard that ends too early or whose index is damaged, OSError for one that cannot be
+        read.
         """
-        found = self._locate(keys)
-        there = {key: place for key, place in zip(keys, found, strict=True) if place is not None}
-        parts = self._files.parts([(place.file, place.first, place.length) for place in there.values()])
-        chunks = {
-            key: _shard.complete(place.file, part or b"", place.first, place.length)
-            for (key, place), part in zip(there.items(), parts, strict=True)
-        }
-        return [chunks.get(key) for key in keys]
+        ranges = self._locate(keys)
+        parts = iter(self._files.read_parts([found for found in ranges if found is not None]))
+        return [None if found is None else _shard.check_complete(next(parts), found) for found in ranges]
+
+    def read_views(
+        self, level: int, place: Place, directions: Iterable[int] | None = None
+    ) -> dict[tuple[int, str], bytes]:
+        """Read the chunks of a cell's views by direction number (default all) and channel, without missing ones."""
+        keys = self._layout.keys(level, place, directions)
+        chunks = zip(keys, self.read([*keys.values()]), strict=True)
+        return {pair: chunk for pair, chunk in chunks if chunk}
 
     def geometry(self, name: str) -> bytes | None:
         """Read a geometry file; None if it does not exist, or if an update removed it."""
         for generation in self._generations:
-            if generation.geometry is None or name in generation.geometry:
-                content = self._files.whole(generation.folder + name)
-                if content is None and generation.geometry is not None:
+            if generation.has_geometry is None or generation.has_geometry(name):
+                content = self._files.read(generation.folder + name)
+                if content is None and generation.has_geometry is not None:
                     raise UnusableError(f"{generation.folder}{name}: the file is gone")
                 return content or None
         return None
 
     def has_geometry(self, name: str) -> bool:
         """Whether any generation has, or may have, a geometry file."""
-        return any(generation.geometry is None or name in generation.geometry for generation in self._generations)
+        checks = (generation.has_geometry for generation in self._generations)
+        return any(has_geometry is None or has_geometry(name) for has_geometry in checks)
 
     def lengths(self, keys: Sequence[Key]) -> list[int]:
         """Lengths of chunks, bytes; 0 for missing ones."""
-        return [0 if place is None else place.length for place in self._locate(keys)]
+        return [0 if found is None else found[2] for found in self._locate(keys)]
 
-    def _locate(self, keys: Sequence[Key]) -> list[_Found | None]:
+    def _locate(self, keys: Sequence[Key]) -> list[ByteRange | None]:
+        """Byte ranges of chunks in files; None for missing ones."""
         with self._lock:
             return self._look_up(keys)
 
-    def _look_up(self, keys: Sequence[Key]) -> list[_Found | None]:
-        found: dict[Key, _Found | None] = {}
+    def _look_up(self, keys: Sequence[Key]) -> list[ByteRange | None]:
+        ranges: dict[Key, ByteRange | None] = {}
         for generation in self._generations:
-            missing = {key: self._shard(generation, key) for key in keys if key not in found}
-            self._load({name: self._layout.shard_side(key[0]) for key, name in missing.items() if name})
-            for key, name in missing.items():
+            files = {key: self._shard(generation, key) for key in keys if key not in ranges}
+            self._load({name: self._layout.shard_side(key[0]) for key, name in files.items() if name})
+            for key, name in files.items():
                 index = self._indexes[name] if name else None
-                if name and index is None and generation.shards is not None:
+                if name and index is None and generation.has_shard is not None:
                     raise UnusableError(f"{name}: the shard is gone")
                 if name is None or index is None:
                     continue
                 first, length = (int(number) for number in index[self._layout.shard_of(*key[:2])[1]])
                 if first != _shard.ABSENT:
-                    found[key] = _Found(name, first, length) if length else None
+                    ranges[key] = ByteRange(name, first, length) if length else None
         while len(self._indexes) > MAX_INDEXES:
             self._indexes.popitem(last=False)
-        return [found.get(key) for key in keys]
+        return [ranges.get(key) for key in keys]
 
     def _shard(self, generation: Generation, key: Key) -> str | None:
-        level, place, array = key
-        path = self._layout.shard_path(array, self._layout.shard_of(level, place)[0]).as_posix()
-        return generation.folder + path if generation.shards is None or path in generation.shards else None
+        path = self._layout.shard_path(key)
+        return generation.folder + path if generation.has_shard is None or generation.has_shard(path) else None
 
     def _load(self, sides: dict[str, int]) -> None:
         """Read the shard indexes that are not cached, in one batch of requests."""
-        wanted = {name: side for name, side in sides.items() if name not in self._indexes}
-        for name in sides.keys() - wanted.keys():
+        uncached = {name: side for name, side in sides.items() if name not in self._indexes}
+        for name in sides.keys() - uncached.keys():
             self._indexes.move_to_end(name)
-        parts: Iterable[bytes | None] = self._files.parts(
-            [(name, -_shard.index_length(side), _shard.index_length(side)) for name, side in wanted.items()]
-        )
-        for (name, side), end in zip(wanted.items(), parts, strict=True):
-            self._indexes[name] = None if end is None else _shard.index_of(f"{self._files.place}/{name}", end, side)
+        lengths = {name: _shard.index_length(side) for name, side in uncached.items()}
+        parts = self._files.read_parts([ByteRange(name, -length, length) for name, length in lengths.items()])
+        for (name, side), end in zip(uncached.items(), parts, strict=True):
+            self._indexes[name] = None if end is None else _shard.index_of(f"{self._files.address}/{name}", end, side)

@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-from collections import OrderedDict
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from itertools import chain
-from typing import Protocol
 
 from nearfar._camera.camera import Camera
+from nearfar.orthoview._cut import GEOMETRY, Part, kind
 from nearfar.orthoview._meter import Received
-from nearfar.orthoview._parts import GEOMETRY, Part, kind
 from nearfar.orthoview._pilot import Plan
+from nearfar.orthoview._recent import Recent
 from nearfar.stream._link import Link
 from nearfar.stream._transport import Transport
 
@@ -19,21 +18,15 @@ AT_ONCE = 16
 """Concurrent requests of a client: two threads with eight views each."""
 
 
-class Planner(Protocol):
-    """Plans the parts that a client needs at the viewer's position, given the parts received until a time."""
-
-    def __call__(
-        self, camera: Camera, time: float, received: Received, busy: bool, held: Callable[[Part], bool]
-    ) -> Plan:
-        """Return the plan for a frame."""
+Planner = Callable[[Camera, float, Received, bool, Callable[[Part], bool]], Plan]
+"""Plans a frame's parts: from the camera, the time in seconds, what has been received until then, whether requests were
+outstanding since the frame before, and whether a part has been received."""
 
 
 @dataclass
 class Course:
     """Measures of a client, frame by frame."""
 
-    stalled: list[bool] = field(default_factory=list)
-    """Whether a frame lacks a part of its cut."""
     missing: list[int] = field(default_factory=list)
     """Number of parts that each frame lacks."""
     wanted: list[int] = field(default_factory=list)
@@ -46,89 +39,65 @@ class Course:
 
 
 class Client:
-    """Fetches the parts that a planner wants over a link.
-
-    Parameters
-    ----------
-    planner
-        Plans the parts to fetch.
-    sizes
-        Returns the sizes of parts, bytes.
-    link
-        The link to the store.
-    cache_bytes
-        Size of the cache, bytes.
-    """
+    """Fetches the parts that a planner wants over a link; `sizes` returns their sizes in bytes."""
 
     def __init__(
         self, planner: Planner, sizes: Callable[[Sequence[Part]], list[int]], link: Link, cache_bytes: int, seed: int
     ) -> None:
         self._planner, self._sizes, self._cache_bytes = planner, sizes, cache_bytes
         self._transport = Transport(link, seed=seed, at_once=AT_ONCE)
-        self._held: OrderedDict[Part, int] = OrderedDict()
-        self._asked: dict[str, tuple[Part, int]] = {}
-        self._awaited: set[Part] = set()
+        self._cache: Recent[Part, int] = Recent(int)
+        """Bytes of the parts received."""
+        self._requests: dict[str, tuple[Part, int]] = {}
+        self._outstanding: set[Part] = set()
         self._queue: list[Part] = []
-        self._bytes = 0
         self._received = Received()
         self.course = Course()
 
     def frame(self, camera: Camera, time: float) -> None:
         """Advance to a frame."""
-        busy = bool(self._awaited)
+        had_requests = bool(self._outstanding)
         self._advance(time)
-        plan = self._planner(camera, time, self._received, busy, self._held.__contains__)
+        plan = self._planner(camera, time, self._received, had_requests, self._cache.__contains__)
         wanted = list(chain(*plan.wanted.values()))
-        missing = [part for part in wanted if part not in self._held]
+        missing = [part for part in wanted if part not in self._cache]
         course = self.course
-        course.stalled.append(bool(missing))
         course.missing.append(len(missing))
         course.wanted.append(len(wanted))
         course.error_px.append(plan.error_px)
         course.received.append(self._received.bytes)
         for part in wanted:
-            if part in self._held:
-                self._held.move_to_end(part)
-        self._trim({*plan.order, *wanted})
-        self._queue = [part for part in plan.order if part not in self._held and part not in self._awaited]
-        self._queue.reverse()
-        self._ask()
+            self._cache.get(part, 0)
+        self._cache.trim({*plan.order, *wanted}, self._cache_bytes)
+        self._queue = [part for part in plan.order[::-1] if part not in self._cache and part not in self._outstanding]
+        self._request()
 
     def _advance(self, time: float) -> None:
         """Receive what arrives until a time; each request slot that becomes free is used at once."""
         while (moment := self._transport.next_time()) <= time:
             for name in self._transport.advance(moment):
-                self._take(name)
-            self._ask()
+                self._receive(name)
+            self._request()
         self._transport.advance(time)
 
-    def _ask(self) -> None:
+    def _request(self) -> None:
         count = min(self._transport.free, len(self._queue))
         if not count:
             return
         parts = [self._queue.pop() for _ in range(count)]
         for part, size in zip(parts, self._sizes(parts), strict=True):
-            name = str(len(self._asked))
-            self._asked[name] = part, size
-            self._awaited.add(part)
+            name = str(len(self._requests))
+            self._requests[name] = part, size
+            self._outstanding.add(part)
             self.course.asked += size
             self._transport.ask(name, size)
 
-    def _take(self, name: str) -> None:
-        part, size = self._asked[name]
-        self._awaited.discard(part)
-        self._held[part] = size
-        self._bytes += size
-        own = self._received
+    def _receive(self, name: str) -> None:
+        part, size = self._requests[name]
+        self._outstanding.discard(part)
+        self._cache.put(part, size)
+        before = self._received
         if kind(part) == GEOMETRY:
-            self._received = Received(own.views, own.view_bytes, own.leaves + 1, own.leaf_bytes + size)
+            self._received = Received(before.views, before.view_bytes, before.leaves + 1, before.leaf_bytes + size)
         else:
-            self._received = Received(own.views + 1, own.view_bytes + size, own.leaves, own.leaf_bytes)
-
-    def _trim(self, needed: set[Part]) -> None:
-        if self._bytes <= self._cache_bytes:
-            return
-        for part in [part for part in self._held if part not in needed]:
-            self._bytes -= self._held.pop(part)
-            if self._bytes <= self._cache_bytes:
-                return
+            self._received = Received(before.views + 1, before.view_bytes + size, before.leaves, before.leaf_bytes)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from functools import partial
 from typing import Any
 
@@ -12,10 +12,10 @@ from numpy.typing import NDArray
 from nearfar import _core
 from nearfar._base.errors import UnusableError
 from nearfar.orthoview import _webp
-from nearfar.orthoview._directions import Direction
+from nearfar.orthoview._grid import Direction
 from nearfar.orthoview._layout import BEHIND, CHANNELS, COMPRESSION, CONNECTION_BITS, Layout
 
-CONNECTED = (4.0, 0.5, 0.7)
+CONNECTION_LIMITS = (4.0, 0.5, 0.7)
 """Thresholds for connected pixels: τ₁ in pixels (a plane at up to 70° from across the view), τ₂ = cos 60° between a
 normal and the vector to the neighbour, τ₃ = cos 46° between normals."""
 
@@ -23,7 +23,7 @@ Encoded = dict[tuple[int, str], bytes]
 """Compressed chunks of a cell by direction number and channel; empty views have none."""
 
 
-HIDDEN = 0.01
+MIN_UNSEEN_SHARE = 0.01
 """Least share of a view's pixels that only its second layer, and no first layer of any view, must show to be kept."""
 
 
@@ -31,19 +31,20 @@ def drop_unneeded_layers(views: _core.OrthoViews, layout: Layout) -> _core.Ortho
     """Drop second layers that show little that no first layer shows."""
     if layout.layers == 1:
         return views
-    return views.keep_behind([share > HIDDEN for share in views.unseen()])
+    return views.keep_behind([unseen_share > MIN_UNSEEN_SHARE for unseen_share in views.unseen()])
 
 
-def encoded(views: _core.OrthoViews, layout: Layout) -> Encoded:
-    """Compress both layers of a cell's views."""
-    first, second = _encoded(views, layout), views.second_layer()
-    if second is None:
-        return first
-    behind = _encoded(second, layout)
-    return first | {(number, BEHIND + channel): chunk for (number, channel), chunk in behind.items()}
+def encode(views: _core.OrthoViews | None, layout: Layout) -> Encoded:
+    """Compress both layers of a cell's views; an empty cell has none."""
+    if views is None:
+        return {}
+    second = views.second_layer()
+    behind = {} if second is None else _encode_layer(second, layout)
+    named = {(number, BEHIND + channel): chunk for (number, channel), chunk in behind.items()}
+    return _encode_layer(views, layout) | named
 
 
-def _encoded(views: _core.OrthoViews, layout: Layout) -> Encoded:
+def _encode_layer(views: _core.OrthoViews, layout: Layout) -> Encoded:
     from numcodecs.zstd import Zstd
 
     from nearfar._base import side_by_side  # imported here: its threads import `logging`
@@ -51,35 +52,30 @@ def _encoded(views: _core.OrthoViews, layout: Layout) -> Encoded:
     compressor = Zstd(**COMPRESSION)
     of_channel = {
         "color": views.colors(),
-        "depth": views.depths().astype(layout.dtype("depth")) << CONNECTION_BITS | views.connected(CONNECTED),
-        "normal": _packed(views.normals(), layout.normal_bits),
+        "depth": views.depths().astype(layout.dtype("depth")) << CONNECTION_BITS | views.connected(CONNECTION_LIMITS),
+        "normal": _pack_normals(views.normals(), layout.normal_bits),
     }
-    shown = [number for number, is_empty in enumerate(views.empty()) if not is_empty]
-    pairs = [(number, channel) for number in shown for channel in CHANNELS]
-    seen = views.depths()[..., 0] > 0
+    non_empty = [number for number, is_empty in enumerate(views.empty()) if not is_empty]
+    pairs = [(number, channel) for number in non_empty for channel in CHANNELS]
+    has_surface = views.depths()[..., 0] > 0
 
     def chunk(number: int, channel: str) -> bytes:
         values = np.ascontiguousarray(of_channel[channel][number])
         if channel == "color" and layout.color == "webp":
-            return _summed(_webp.encode(values, layout.quality, seen[number]))
+            return _with_checksum(_webp.encode(values, layout.quality, has_surface[number]))
         return bytes(compressor.encode(values))
 
     return dict(zip(pairs, side_by_side.results([partial(chunk, *pair) for pair in pairs]), strict=True))
 
 
-def settled(views: _core.OrthoViews, chunks: Encoded, layout: Layout) -> _core.OrthoViews:
-    """Return the views as readers decode them. Parents are composed of these, as in a build that resumes."""
-    return views if layout.quality is None else both(chunks, layout)
-
-
-def _summed(data: bytes) -> bytes:
+def _with_checksum(data: bytes) -> bytes:
     """Append the CRC32C of the bytes, as Zarr's codec `crc32c` does."""
     import google_crc32c
 
     return data + int(google_crc32c.value(data)).to_bytes(4, "little")
 
 
-def _unsummed(chunk: bytes) -> bytes:
+def _without_checksum(chunk: bytes) -> bytes:
     import google_crc32c
 
     data = chunk[:-4]
@@ -88,26 +84,27 @@ def _unsummed(chunk: bytes) -> bytes:
     return data
 
 
-def both(chunks: Mapping[tuple[int, str], bytes], layout: Layout) -> _core.OrthoViews:
-    """Decode both layers of a cell's views."""
-    first = decoded(chunks, layout)[0]
-    behind = {(n, name.removeprefix(BEHIND)): chunk for (n, name), chunk in chunks.items() if name.startswith(BEHIND)}
-    return _core.OrthoViews.with_behind(first, decoded(behind, layout)[0]) if behind else first
+def split_layers(chunks: Encoded) -> list[Encoded]:
+    """Split chunks into those of the first layer and, if there are any, those of the second one, under equal keys."""
+    first = {pair: chunk for pair, chunk in chunks.items() if not pair[1].startswith(BEHIND)}
+    second = {(n, name.removeprefix(BEHIND)): chunks[n, name] for n, name in chunks if name.startswith(BEHIND)}
+    return [first, second] if second else [first]
 
 
-def decoded(
-    chunks: Mapping[tuple[int, str], bytes], layout: Layout, numbers: Sequence[int] | None = None
+def decode_cell(chunks: Encoded, layout: Layout) -> _core.OrthoViews | None:
+    """Decode both layers of a cell's views; None for an empty cell."""
+    if not chunks:
+        return None
+    first, *second = (decode(layer, layout)[0] for layer in split_layers(chunks))
+    return _core.OrthoViews.with_behind(first, *second) if second else first
+
+
+def decode(
+    chunks: Encoded, layout: Layout, numbers: Sequence[int] | None = None
 ) -> tuple[_core.OrthoViews, NDArray[np.uint8]]:
     """Decode the first layer of a cell's views, and the connections (D, size, size, 1) of their pixels.
 
-    Parameters
-    ----------
-    chunks
-        Chunks by direction number and channel; missing ones show nothing.
-    layout
-        Layout of the tree.
-    numbers
-        Direction numbers; by default all.
+    Missing chunks show nothing. `numbers` are those of the views' directions; by default all.
     """
     from numcodecs.zstd import Zstd
 
@@ -115,14 +112,14 @@ def decoded(
     compressor, arrays = Zstd(), {}
     for channel in CHANNELS:
         shape = (layout.size, layout.size, layout.values(channel))
-        whole = np.zeros((len(numbers), *shape), layout.dtype(channel))
-        for at, number in enumerate(numbers):
+        values = np.zeros((len(numbers), *shape), layout.dtype(channel))
+        for row, number in enumerate(numbers):
             if (number, channel) in chunks:
                 if channel == "color" and layout.color == "webp":
-                    whole[at] = _webp.decode(_unsummed(chunks[number, channel]), layout.size)
+                    values[row] = _webp.decode(_without_checksum(chunks[number, channel]), layout.size)
                     continue
-                _decompress(compressor, chunks[number, channel], whole[at])
-        arrays[channel] = whole
+                _decompress(compressor, chunks[number, channel], values[row])
+        arrays[channel] = values
     arrays["color"][arrays["depth"][..., 0] == 0] = 0  # lossy colours also fill pixels that show nothing
     directions = tuple(layout.directions[number] for number in numbers)
     return _from_stored(arrays["color"], arrays["depth"], arrays["normal"], layout, directions)
@@ -149,11 +146,11 @@ def _from_stored(
     """Unpack views and connections from a store's arrays (D, size, size, values)."""
     depths = (depth >> CONNECTION_BITS).astype(np.uint16)
     bits = (depth & ((1 << CONNECTION_BITS) - 1)).astype(np.uint8)
-    normals = _unpacked(normal, layout.normal_bits)
+    normals = _unpack_normals(normal, layout.normal_bits)
     return _core.OrthoViews.from_arrays(directions, layout.format, color, depths, normals), bits
 
 
-def _packed(normals: NDArray[np.uint16], bits: int) -> NDArray[np.uint8]:
+def _pack_normals(normals: NDArray[np.uint16], bits: int) -> NDArray[np.uint8]:
     """Pack two 8-bit numbers into two bytes, or two 12-bit numbers into three."""
     if bits == 16:
         return normals.astype(np.uint8)
@@ -161,7 +158,7 @@ def _packed(normals: NDArray[np.uint16], bits: int) -> NDArray[np.uint8]:
     return np.stack([x >> 4, (x & 15) << 4 | y >> 8, y & 255], axis=-1).astype(np.uint8)
 
 
-def _unpacked(packed: NDArray[np.uint8], bits: int) -> NDArray[np.uint16]:
+def _unpack_normals(packed: NDArray[np.uint8], bits: int) -> NDArray[np.uint16]:
     numbers = packed.astype(np.uint16)
     if bits == 16:
         return numbers

@@ -1,4 +1,4 @@
-"""Copies a store's newest generation into a new store, which is plain Zarr."""
+"""Copies a store's newest generation into a new store, which is plain Zarr; compares stores with their records."""
 
 from __future__ import annotations
 
@@ -13,14 +13,13 @@ from typing import Any
 from nearfar._base import files, formats, progress
 from nearfar._base.errors import FormatError
 from nearfar.orthoview import _store
-from nearfar.orthoview._chunks import Chunks
 from nearfar.orthoview._files import Files, Local
 from nearfar.orthoview._geometry_store import FOLDER as GEOMETRY, IMAGES, names
 from nearfar.orthoview._grid import Place, depth_first
 from nearfar.orthoview._layout import FOLDER, Layout
 from nearfar.orthoview._presence import Presence
 from nearfar.orthoview._shard import ShardWriter
-from nearfar.orthoview._subtree import Described, Held, record_of, size_and_hash, write_record
+from nearfar.orthoview._subtree import Described, record_of, size_and_hash, write_record
 
 
 def compact(store: Files, attributes: dict[str, Any], target: Path) -> None:
@@ -35,10 +34,10 @@ def compact(store: Files, attributes: dict[str, Any], target: Path) -> None:
             report(done, len(subtrees))
             copy.write(subtree, shards)
         copy.images()
-        _store.end_compact(folder, attributes)
+        _store.finish(folder, failed={}, done=attributes["done"])
 
 
-_AT_ONCE = 64
+_BATCH = 64
 """Number of chunks read at once."""
 
 Subtree = tuple[int, Place]
@@ -48,38 +47,36 @@ Subtree = tuple[int, Place]
 class _Copy:
     def __init__(self, store: Files, layout: Layout, newest: int, folder: Path) -> None:
         self._store, self._layout, self._folder = store, layout, folder
-        listed = _store.Listed(store, layout)
-        self._chunks = Chunks(store, layout, _store.recorded_generations(store, layout, newest, listed))
+        self._chunks, self._read_cells = _store.open_generation(store, layout, newest)
         self._records = list(_store.recorded(store, newest))
-        self._known = {path: known for recorded in self._records for path, known in recorded.shards.items()}
+        self._size_and_digest = {path: known for recorded in self._records for path, known in recorded.shards.items()}
         self._geometry = self._newest_geometry()
-        self._cells = _store.cells_of(store, layout, newest, listed)
 
     def subtrees(self) -> dict[Subtree, dict[str, tuple[int, str] | None]]:
         """Shards of all subtrees by path, with size and hash if no update changed them, else None."""
-        found: defaultdict[Subtree, dict[str, tuple[int, str] | None]] = defaultdict(dict)
+        subtrees: defaultdict[Subtree, dict[str, tuple[int, str] | None]] = defaultdict(dict)
         for recorded in self._records:
             for path, known in recorded.shards.items():
-                found[self._subtree_of(path)][path] = None if recorded.folder else known
+                subtrees[self._subtree_of(path)][path] = None if recorded.folder else known
             if not recorded.folder and recorded.name and not recorded.shards:  # an empty subtree
                 tier, *place = map(int, recorded.name.split("_"))
-                found.setdefault((tier, (place[0], place[1], place[2])), {})
+                subtrees.setdefault((tier, (place[0], place[1], place[2])), {})
         for path in self._geometry:
             if path.endswith(".glb"):
                 x, y, z = (int(number) >> self._layout.subtree for number in path[:-4].split("/")[-3:])
-                found.setdefault((0, (x, y, z)), {})
-        return dict(sorted(found.items()))
+                subtrees.setdefault((0, (x, y, z)), {})
+        return dict(sorted(subtrees.items()))
 
     def _newest_geometry(self) -> dict[str, str]:
         """Map the names of geometry files in the copy to their paths below the store."""
-        found: dict[str, str] = {}
+        sources: dict[str, str] = {}
         for recorded in self._records:
             for path, (size, digest) in recorded.geometry.items():
-                found.pop(path, None)
+                sources.pop(path, None)
                 if size:
-                    found[path] = recorded.folder + path
-                    self._known[recorded.folder + path] = size, digest
-        return found
+                    sources[path] = recorded.folder + path
+                    self._size_and_digest[recorded.folder + path] = size, digest
+        return sources
 
     def _subtree_of(self, path: str) -> Subtree:
         level, _, _, _, x, y, z, *_ = PurePosixPath(path).parts
@@ -87,30 +84,22 @@ class _Copy:
 
     def write(self, subtree: Subtree, shards: dict[str, tuple[int, str] | None]) -> None:
         """Write a subtree's shards and its record."""
-        held, presence = Held(), Presence(self._layout, subtree[0])
+        presence = Presence(self._layout, subtree[0])
         written: dict[str, tuple[int, str]] = {}
         for path, known in sorted(shards.items()):
             level, array = int(path.partition("/")[0]), "/".join(path.split("/")[:3])
-            places = self._places(level, subtree[1])
-            keys = [(level, place, array) for place in places]
-            with formats.guarded(self._store.place, "orthoviews"):
-                for place, length in zip(places, self._chunks.lengths(keys), strict=True):
-                    held.add(level, place, length)
-                    presence.add(level, place, array, length)
+            keys = [(level, place, array) for place in self._places(level, subtree[1])]
+            with formats.guarded(self._store.address, "orthoviews"):
+                for key, length in zip(keys, self._chunks.lengths(keys), strict=True):
+                    presence.add(key, length)
                 if known is None:
-                    known = self._merged(path, level, keys)
+                    known = self._merge(path, level, keys)
                 else:
                     self._copy(path, path)
             if known is not None:
                 written[path] = known
-        write_record(
-            record_of(self._folder, *subtree),
-            written,
-            self._leaves(subtree),
-            held,
-            presence,
-            self._cells(*subtree).guests,
-        )
+        record, guests = record_of(self._folder, *subtree), self._read_cells(*subtree).guests
+        write_record(record, written, self._leaves(subtree), presence, guests)
 
     def _leaves(self, subtree: Subtree) -> Described:
         """Copy the geometry of a subtree's leaves; return sizes and hashes."""
@@ -132,15 +121,15 @@ class _Copy:
     def _places(self, level: int, shard: Place) -> list[Place]:
         """Places of a shard's cells within the world, depth first."""
         side, counts = self._layout.shard_side(level), self._layout.grid.counts_at(level)
-        first = [number * side for number in shard]
-        places = (tuple(a + b for a, b in zip(first, within, strict=True)) for within in depth_first(side))
+        corner = [number * side for number in shard]
+        places = (tuple(a + b for a, b in zip(corner, within, strict=True)) for within in depth_first(side))
         return [(x, y, z) for x, y, z in places if x < counts[0] and y < counts[1] and z < counts[2]]
 
-    def _merged(self, path: str, level: int, keys: list[tuple[int, Place, str]]) -> tuple[int, str] | None:
+    def _merge(self, path: str, level: int, keys: list[tuple[int, Place, str]]) -> tuple[int, str] | None:
         """Write a shard of the newest chunks; None if there are none."""
         writer, is_empty = ShardWriter(self._folder / path, self._layout.shard_side(level)), True
-        for first in range(0, len(keys), _AT_ONCE):
-            batch = keys[first : first + _AT_ONCE]
+        for start in range(0, len(keys), _BATCH):
+            batch = keys[start : start + _BATCH]
             for (_, place, _), chunk in zip(batch, self._chunks.read(batch), strict=True):
                 if chunk is not None:
                     writer.append(self._layout.shard_of(level, place)[1], chunk)
@@ -157,9 +146,30 @@ class _Copy:
                 return
             shutil.copyfile(self._store.folder / source, target)
             return
-        content = self._store.whole(source)
-        if content is None:
-            raise FormatError(f"{self._store.place}/{source}: expected a file that the store refers to, found none")
-        if (len(content), hashlib.sha256(content).hexdigest()) != self._known[source]:
-            raise FormatError(f"{self._store.place}/{source}: damaged: its size or its SHA-256 is not the recorded one")
-        files.write(target, content)
+        files.write(target, _read_checked(self._store, source, *self._size_and_digest[source]))
+
+
+def verify(store: Files, newest: int) -> int:
+    """Check the size and the SHA-256 of all shards and geometry files; return their number."""
+    listed = [
+        (recorded.folder + path, *size_and_digest)
+        for recorded in _store.recorded(store, newest)
+        for path, size_and_digest in (*recorded.shards.items(), *recorded.geometry.items())
+    ]
+    with progress.bar("checking") as report:
+        for done, (name, size, digest) in enumerate(listed, 1):
+            _read_checked(store, name, size, digest)
+            report(done, len(listed))
+    return len(listed)
+
+
+def _read_checked(store: Files, name: str, size: int, digest: str) -> bytes:
+    """Read a file; FormatError if its size or SHA-256 is not the recorded one."""
+    content = store.read(name)
+    if content is None:
+        raise FormatError(f"{store.address}/{name}: damaged orthoviews: the file is gone")
+    if len(content) != size:
+        raise FormatError(f"{store.address}/{name}: damaged orthoviews: expected {size} bytes, got {len(content)}")
+    if hashlib.sha256(content).hexdigest() != digest:
+        raise FormatError(f"{store.address}/{name}: damaged orthoviews: its SHA-256 is not {digest}")
+    return content

@@ -1,11 +1,13 @@
-"""Cuts: the cells of a tree that a viewer sees, their levels and directions, and the leaves drawn as geometry."""
+"""Cuts: the cells of a tree that a viewer sees, their levels and directions, and the leaves drawn as geometry.
+
+The parts of a cut are read separately: views of cells, geometry of leaves, records of subtrees.
+"""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,10 +16,9 @@ from nearfar import _core
 from nearfar._base import check
 from nearfar._camera.camera import Camera
 from nearfar.lod._select.size import ACUITY_LIMIT_DEG, ACUITY_SLOPE
-from nearfar.orthoview._directions import widest
-from nearfar.orthoview._grid import Grid, Place
-from nearfar.orthoview._guests import Guests
-from nearfar.orthoview._layout import Layout
+from nearfar.orthoview._grid import Grid, Place, widest
+from nearfar.orthoview._layout import Layout, ViewKey
+from nearfar.orthoview._owners import Guests
 from nearfar.orthoview._store import Cells
 
 MAX_VIEWS = 8
@@ -90,8 +91,8 @@ class OrthoCut:
         rows = zip(self.level.tolist(), self.place.tolist(), self.directions.tolist(), self.in_picture, strict=True)
         return [
             (level, (x, y, z), direction)
-            for level, (x, y, z), directions, seen in rows
-            if seen or not in_picture
+            for level, (x, y, z), directions, is_visible in rows
+            if is_visible or not in_picture
             for direction in directions
             if direction >= 0
         ]
@@ -100,19 +101,11 @@ class OrthoCut:
         """Places of the leaves that are drawn as geometry; `in_picture` omits those outside the picture."""
         in_picture = check.flag("in_picture", in_picture)
         rows = zip(self.leaves.tolist(), self.leaf_in_picture, strict=True)
-        return [(x, y, z) for (x, y, z), seen in rows if seen or not in_picture]
+        return [(x, y, z) for (x, y, z), is_visible in rows if is_visible or not in_picture]
 
 
 class Cutter:
-    """Cuts a tree; subtrees are read on demand.
-
-    Parameters
-    ----------
-    layout
-        Layout of the tree.
-    read
-        Reads the cells of a subtree by its tier and place.
-    """
+    """Cuts a tree; `read` reads the cells of a subtree, by its tier and place, on demand."""
 
     def __init__(self, layout: Layout, read: Callable[[int, Place], Cells]) -> None:
         grid = layout.grid
@@ -138,8 +131,8 @@ class Cutter:
 
     def with_guests(self, leaves: Sequence[Place]) -> list[Place]:
         """Return leaves and their guests: together their geometry has all triangles that reach into the leaves."""
-        several = [leaf for place in leaves for leaf in (place, *self._guests.get(place, []))]
-        return list(dict.fromkeys(several))
+        leaves_and_guests = [leaf for place in leaves for leaf in (place, *self._guests.get(place, []))]
+        return list(dict.fromkeys(leaves_and_guests))
 
     def learn(self, tier: int, place: Place) -> None:
         """Read a subtree."""
@@ -169,36 +162,28 @@ class Cutter:
             around=around,
             lift_deg=settings.lift_deg,
         )
-        return _cut_of(arrays, unknown, reach, settings.views)
+        return OrthoCut(
+            **{name: arrays[name] for name in ("level", "place", "distance", "in_picture", "partial")},
+            directions=np.ascontiguousarray(arrays["directions"][:, : settings.views]),
+            leaves=arrays["leaf_place"],
+            leaf_distance=arrays["leaf_distance"],
+            leaf_in_picture=arrays["leaf_in_picture"],
+            reach=reach,
+            unknown=[(tier, (x, y, z)) for tier, (x, y, z) in unknown],
+        )
 
-    def whole(self, camera: Camera, settings: Settings, *, around: bool = False) -> OrthoCut:
+    def complete_cut(self, camera: Camera, settings: Settings, *, around: bool = False) -> OrthoCut:
         """Cut with all subtrees that the cut needs; missing ones are read."""
         while True:
-            found = self.cut(camera, settings, around=around)
-            for tier, place in found.unknown:
+            cut = self.cut(camera, settings, around=around)
+            for tier, place in cut.unknown:
                 self.learn(tier, place)
-            if not found.unknown:
-                return found
-
-
-def _cut_of(arrays: dict[str, Any], unknown: list[tuple[int, list[int]]], reach: float, views: int) -> OrthoCut:
-    return OrthoCut(
-        level=arrays["level"],
-        place=arrays["place"],
-        directions=np.ascontiguousarray(arrays["directions"][:, :views]),
-        distance=arrays["distance"],
-        in_picture=arrays["in_picture"],
-        partial=arrays["partial"],
-        leaves=arrays["leaf_place"],
-        leaf_distance=arrays["leaf_distance"],
-        leaf_in_picture=arrays["leaf_in_picture"],
-        reach=reach,
-        unknown=[(tier, (x, y, z)) for tier, (x, y, z) in unknown],
-    )
+            if not cut.unknown:
+                return cut
 
 
 def grid_of(samples: int) -> int:
-    """Return the samples along each axis of a pixel; ValueError unless `samples` is a square of at most MOST_GRID²."""
+    """Return the samples along each axis of a pixel; ValueError unless `samples` is a square of at most `MAX_GRID`²."""
     grid = math.isqrt(samples)
     if grid * grid != samples or grid > MAX_GRID:
         raise ValueError(f"samples: expected 1, 4, 9 … {MAX_GRID**2} for orthoviews, got {samples}")
@@ -207,3 +192,25 @@ def grid_of(samples: int) -> int:
 
 MAX_GRID = 8
 """Greatest number of samples along each axis of a pixel."""
+
+
+Part = ViewKey
+"""Level, place and direction of a view. The direction `GEOMETRY` stands for the geometry of a leaf, `RECORD` for the
+record of a subtree, whose tier and place come first."""
+
+GEOMETRY, RECORD = -1, -2
+
+
+def kind(part: Part) -> int:
+    """Kind of a part: `GEOMETRY`, `RECORD`, or 0 for a view."""
+    return min(part[2], 0)
+
+
+def records_of(cut: OrthoCut) -> list[Part]:
+    """Records of subtrees that a cut lacks."""
+    return [(tier, place, RECORD) for tier, place in cut.unknown]
+
+
+def leaf_parts(leaves: Sequence[Place], cutter: Cutter) -> list[Part]:
+    """Geometry of leaves and of their guests, as parts."""
+    return [(0, place, GEOMETRY) for place in cutter.with_guests(leaves)]

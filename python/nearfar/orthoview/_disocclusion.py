@@ -18,23 +18,22 @@ from nearfar._base import progress
 from nearfar._scene.scene import Scene
 from nearfar._source.protocol import SceneSource
 from nearfar._trace.rays import cast_rays
-from nearfar.orthoview._directions import COUNTS, directions_of
-from nearfar.orthoview._grid import Grid, Place
+from nearfar.orthoview._grid import COUNTS, Grid, Place, directions_of
 from nearfar.orthoview._sampling import leaves
 
-DRAWN = 3
+DRAWN_VIEWS = 3
 """Number of views that a client draws of a cell."""
 
 VIEWERS = 32
 """Number of directions from which the world is viewed."""
 
-LOOKED = 32
+COUNTED_LEAVES = 32
 """Number of sampled leaves whose triangles are counted."""
 
-FEWEST, CELLS = 4, 16
+MIN_LEAVES, MAX_LEAVES = 4, 16
 """Fewest and most leaves whose views are rendered."""
 
-ENOUGH = 1_000_000
+MAX_TRIANGLES = 1_000_000
 """Number of their triangles beyond which only the fewest leaves are taken."""
 
 SIZE = 128
@@ -43,13 +42,13 @@ SIZE = 128
 RAYS = 48
 """Rays along a leaf's side, for each viewer."""
 
-BOUND = 0.035
+GOOD_DISOCCLUSION = 0.035
 """Disocclusion that counts as good enough."""
 
-GAIN = 0.01
+MIN_IMPROVEMENT = 0.01
 """Least improvement of disocclusion that justifies a larger set."""
 
-DEFAULT = 9
+DEFAULT_COUNT = 9
 """Set for a world in which nothing was found."""
 
 _REACH = 2.0
@@ -83,47 +82,37 @@ def choose_directions(source: SceneSource, grid: Grid, *, below: bool = False) -
     """Choose the set of directions for a world by what its views hide.
 
     Leaves are sampled at random, and those with the most triangles are rendered. Leaves that the source cannot return
-    are skipped. The same world and grid give the same choice.
-
-    Parameters
-    ----------
-    source
-        The world.
-    grid
-        Grid of the part that is built.
-    below
-        Whether viewers look up from below as well.
+    are skipped. The same world and grid give the same choice. With `below`, viewers look up from below as well.
     """
     hidden: Counter[int] = Counter()
-    seen = cells = 0
+    visible = cells = 0
     with progress.bar("directions") as report:
-        for done, place in enumerate(_densest(source, grid, lambda found: report(found, LOOKED + CELLS))):
-            report(LOOKED + done, LOOKED + CELLS)
-            part = _queried(source, grid, place)
-            if part is not None:
+        for done, place in enumerate(_densest(source, grid, lambda found: report(found, COUNTED_LEAVES + MAX_LEAVES))):
+            report(COUNTED_LEAVES + done, COUNTED_LEAVES + MAX_LEAVES)
+            if (part := _query(source, grid, place)) is not None:
                 pixels, holes = _count_holes(part, grid, place, COUNTS, SIZE, viewers(below=below))
                 hidden.update(holes)
-                seen, cells = seen + pixels, cells + (pixels > 0)
-    shares = _shares(seen, hidden, COUNTS) if seen else {}
-    return Choice(smallest(shares) if shares else DEFAULT, shares, cells)
+                visible, cells = visible + pixels, cells + (pixels > 0)
+    shares = _shares(visible, hidden, COUNTS) if visible else {}
+    return Choice(smallest(shares) if shares else DEFAULT_COUNT, shares, cells)
 
 
 def _densest(source: SceneSource, grid: Grid, report: Callable[[int], None]) -> list[Place]:
-    """Return the leaves with the most triangles among the first `LOOKED` that are not empty."""
+    """Return the leaves with the most triangles among the first `COUNTED_LEAVES` that are not empty."""
     counts: dict[Place, int] = {}
     for place in leaves(source, grid):
         report(len(counts))
-        part = _queried(source, grid, place)
-        if part is not None:
+        if (part := _query(source, grid, place)) is not None:
             counts[place] = part.triangle_count
-        if len(counts) == LOOKED:
+        if len(counts) == COUNTED_LEAVES:
             break
-    densest = sorted(counts, key=lambda place: -counts[place])[:CELLS]
-    before = np.cumsum([0, *(counts[place] for place in densest)])[:-1]
-    return [place for number, place in enumerate(densest) if number < FEWEST or before[number] < ENOUGH]
+    densest = sorted(counts, key=lambda place: -counts[place])[:MAX_LEAVES]
+    triangles_before = np.cumsum([0, *(counts[place] for place in densest)])[:-1]
+    is_affordable = triangles_before < MAX_TRIANGLES
+    return [place for number, place in enumerate(densest) if number < MIN_LEAVES or is_affordable[number]]
 
 
-def _queried(source: SceneSource, grid: Grid, place: Place) -> Scene | None:
+def _query(source: SceneSource, grid: Grid, place: Place) -> Scene | None:
     """Query the scene of a leaf; None if it is empty or the source fails."""
     try:
         part = source.query(grid.box(0, place))
@@ -133,12 +122,13 @@ def _queried(source: SceneSource, grid: Grid, place: Place) -> Scene | None:
 
 
 def smallest(shares: Mapping[int, float]) -> int:
-    """Return the smallest set that is good enough, or that no larger one improves by `GAIN`."""
-    return next(
-        count
-        for count in sorted(shares)
-        if shares[count] <= BOUND or all(shares[count] - shares[other] < GAIN for other in shares if other > count)
-    )
+    """Return the smallest set that is good enough, or that no larger one improves by `MIN_IMPROVEMENT`."""
+
+    def is_enough(count: int) -> bool:
+        gains = (shares[count] - shares[larger] for larger in shares if larger > count)
+        return shares[count] <= GOOD_DISOCCLUSION or all(gain < MIN_IMPROVEMENT for gain in gains)
+
+    return next(filter(is_enough, sorted(shares)))
 
 
 def disocclusion(
@@ -146,24 +136,14 @@ def disocclusion(
 ) -> dict[int, float]:
     """Return the share of a leaf's visible surface that the views of each set hide, 0 for a leaf that shows nothing.
 
-    Parameters
-    ----------
-    part
-        Scene of the leaf. Moving objects are left out, as in its views.
-    grid, place
-        The leaf.
-    sets
-        Numbers of directions of the sets.
-    size
-        Width and height of the views, pixels; a multiple of 4.
-    below
-        Whether viewers look up from below as well.
+    Moving objects are left out, as in its views. `sets` are numbers of directions; `size` is the width and height of
+    the views in pixels, a multiple of 4. With `below`, viewers look up from below as well.
     """
     return _shares(*_count_holes(part, grid, place, sets, size, viewers(below=below)), sets)
 
 
-def _shares(seen: int, hidden: Mapping[int, int], sets: Sequence[int]) -> dict[int, float]:
-    return {count: hidden[count] / max(seen, 1) for count in sets}
+def _shares(visible: int, hidden: Mapping[int, int], sets: Sequence[int]) -> dict[int, float]:
+    return {count: hidden[count] / max(visible, 1) for count in sets}
 
 
 def viewers(count: int = VIEWERS, *, below: bool = False) -> NDArray[np.float64]:
@@ -172,16 +152,15 @@ def viewers(count: int = VIEWERS, *, below: bool = False) -> NDArray[np.float64]
     A Fibonacci lattice: heights are the middles of equal steps, so the lowest viewers are 1° above the horizon.
     """
     number = np.arange(count)
-    height = (number + 0.5) / count
-    height = 2 * height - 1 if below else height
+    height = (number + 0.5) / count * 2 - 1 if below else (number + 0.5) / count
     azimuth, radius = np.pi * (3 - np.sqrt(5)) * number, np.sqrt(1 - height**2)
     return np.column_stack([radius * np.cos(azimuth), height, radius * np.sin(azimuth)])
 
 
 def nearest(directions: NDArray[np.float64], viewer: NDArray[np.float64]) -> list[int]:
-    """Return the numbers of the `DRAWN` unit vectors nearest to a viewer; of equally near ones the first."""
+    """Return the numbers of the `DRAWN_VIEWS` unit vectors nearest to a viewer; of equally near ones the first."""
     order = np.argsort(-np.round(directions @ viewer, 9), kind="stable")
-    return [int(number) for number in order[:DRAWN]]
+    return [int(number) for number in order[:DRAWN_VIEWS]]
 
 
 def _count_holes(
@@ -194,14 +173,14 @@ def _count_holes(
     if not part.triangle_count:
         return 0, hidden
     views = _Views(part, grid, place, max(sets), size)
-    seen = 0
+    visible = 0
     for viewer, points in zip(looks, _visible(part, grid.box(0, place), looks), strict=True):
-        seen += len(points)
-        taken = {count: nearest(views.toward[:count], viewer) for count in sets}
-        shown = {number: views.show(number, points) for number in set().union(*taken.values())}
-        for count, three in taken.items():
-            hidden[count] += int(np.count_nonzero(~np.any([shown[number] for number in three], axis=0)))
-    return seen, hidden
+        visible += len(points)
+        drawn = {count: nearest(views.toward[:count], viewer) for count in sets}
+        shows = {number: views.show(number, points) for number in set().union(*drawn.values())}
+        for count, numbers in drawn.items():
+            hidden[count] += int(np.count_nonzero(~np.any([shows[number] for number in numbers], axis=0)))
+    return visible, hidden
 
 
 def _visible(part: Scene, box: NDArray[np.float64], looks: NDArray[np.float64]) -> list[NDArray[np.float64]]:
@@ -212,10 +191,10 @@ def _visible(part: Scene, box: NDArray[np.float64], looks: NDArray[np.float64]) 
     starts = np.concatenate([starts for starts, _ in rays])
     toward = np.repeat(looks, counts, axis=0)
     hits = cast_rays(part, starts, -toward)
-    inside = hits.t_hit <= np.concatenate([lengths for _, lengths in rays])
-    points = starts - np.where(inside, hits.t_hit, np.nan).astype(np.float64)[:, None] * toward
-    ends = np.cumsum(counts)[:-1]
-    return [ours[kept] for ours, kept in zip(np.split(points, ends), np.split(inside, ends), strict=True)]
+    is_inside = hits.t_hit <= np.concatenate([lengths for _, lengths in rays])
+    points = starts - np.where(is_inside, hits.t_hit, np.nan).astype(np.float64)[:, None] * toward
+    by_viewer = (np.split(values, np.cumsum(counts)[:-1]) for values in (points, is_inside))
+    return [entries[mask] for entries, mask in zip(*by_viewer, strict=True)]
 
 
 def _rays(box: NDArray[np.float64], viewer: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
@@ -223,8 +202,8 @@ def _rays(box: NDArray[np.float64], viewer: NDArray[np.float64]) -> tuple[NDArra
     right = np.cross([0.0, 1.0, 0.0], viewer)
     right /= np.linalg.norm(right)
     up, center, side = np.cross(viewer, right), box.mean(axis=0), float(box[1, 0] - box[0, 0])
-    across, upwards = (_middles(float(np.abs(axis).sum()) * RAYS) * (side / RAYS) for axis in (right, up))
-    front = (center + side * viewer + upwards[:, None, None] * up + across[:, None] * right).reshape(-1, 3)
+    columns, rows = (_middles(float(np.abs(axis).sum()) * RAYS) * (side / RAYS) for axis in (right, up))
+    front = (center + side * viewer + rows[:, None, None] * up + columns[:, None] * right).reshape(-1, 3)
     with np.errstate(divide="ignore", invalid="ignore"):
         low, high = (front - box[0]) / viewer, (front - box[1]) / viewer
     enter, leave = np.fmin(low, high).max(axis=1), np.fmax(low, high).min(axis=1)
@@ -261,8 +240,8 @@ class _Views:
         column = np.clip(np.floor((offset @ right / width + 0.5) * size), 0, size - 1).astype(np.int64)
         row = np.clip(np.floor((0.5 - offset @ up / height) * size), 0, size - 1).astype(np.int64)
         behind = depth / 2 - offset @ toward
-        first, depths = row * (size + 2) + column, self._depths[number].reshape(-1)
-        beside = (first + down * (size + 2) + across for down in range(3) for across in range(3))
-        error = np.min([np.abs(depths[at] - behind) for at in beside], axis=0, initial=np.inf)
-        shown: NDArray[np.bool_] = error <= _REACH * max(width, height) / size
-        return shown
+        corner, depths = row * (size + 2) + column, self._depths[number].reshape(-1)
+        neighbours = (corner + down * (size + 2) + right_by for down in range(3) for right_by in range(3))
+        error = np.min([np.abs(depths[pixel] - behind) for pixel in neighbours], axis=0, initial=np.inf)
+        is_shown: NDArray[np.bool_] = error <= _REACH * max(width, height) / size
+        return is_shown

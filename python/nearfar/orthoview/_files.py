@@ -2,28 +2,32 @@
 
 from __future__ import annotations
 
-import errno
 import os
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Protocol
+from typing import NamedTuple, Protocol
 
 from nearfar._base import files, remote
 
-Part = tuple[str, int, int]
-"""File name, first byte and length; a negative first byte means the last bytes of the file."""
+
+class ByteRange(NamedTuple):
+    """Part of a file; a negative first byte counts from the file's end."""
+
+    file: str
+    first: int
+    length: int
 
 
 class Files(Protocol):
     """Reader of a store's files."""
 
-    place: str
+    address: str
     """The folder or URL, for messages."""
 
-    def whole(self, name: str) -> bytes | None:
+    def read(self, name: str) -> bytes | None:
         """Bytes of a file; None if it does not exist."""
 
-    def parts(self, wanted: Sequence[Part]) -> list[bytes | None]:
+    def read_parts(self, wanted: Sequence[ByteRange]) -> list[bytes | None]:
         """Parts of files, shorter where a file ends; None for files that do not exist."""
 
 
@@ -37,35 +41,26 @@ class Local:
 
     def __init__(self, path: Path) -> None:
         files.restore(path)
-        self.folder, self.place = path, os.fspath(path)
+        self.folder, self.address = path, os.fspath(path)
 
-    def whole(self, name: str) -> bytes | None:
+    def read(self, name: str) -> bytes | None:
         """Bytes of a file; None if it does not exist."""
         try:
             return (self.folder / name).read_bytes()
         except (FileNotFoundError, NotADirectoryError):
             return None
 
-    def parts(self, wanted: Sequence[Part]) -> list[bytes | None]:
+    def read_parts(self, wanted: Sequence[ByteRange]) -> list[bytes | None]:
         """Read parts of files, one after the other."""
-        return [self._part(*part) for part in wanted]
+        return [self._part(part) for part in wanted]
 
-    def _part(self, name: str, first: int, length: int) -> bytes | None:
+    def _part(self, part: ByteRange) -> bytes | None:
         try:
-            file = os.open(self.folder / name, os.O_RDONLY | getattr(os, "O_BINARY", 0))
+            with (self.folder / part.file).open("rb") as file:
+                file.seek(part.first if part.first >= 0 else max(file.seek(0, os.SEEK_END) + part.first, 0))
+                return file.read(part.length)
         except (FileNotFoundError, NotADirectoryError):
             return None
-        try:
-            if first < 0:
-                first = max(os.lseek(file, 0, os.SEEK_END) + first, 0)
-            os.lseek(file, first, os.SEEK_SET)
-            pieces = []
-            while length and (piece := os.read(file, length)):
-                pieces.append(piece)
-                length -= len(piece)
-            return b"".join(pieces)
-        finally:
-            os.close(file)
 
 
 class Remote:
@@ -73,41 +68,35 @@ class Remote:
 
     def __init__(self, url: str) -> None:
         self._system, self._path = remote.system(url)
-        self.place = url
+        self.address = url
 
-    def whole(self, name: str) -> bytes | None:
+    def read(self, name: str) -> bytes | None:
         """Bytes of a file; None if it does not exist."""
-        with remote.as_os_errors(f"{self.place}/{name}", "read"):
+        with remote.as_os_errors(f"{self.address}/{name}", "read"):
             try:
                 return bytes(self._system.cat_file(f"{self._path}/{name}"))
             except FileNotFoundError:
                 return None
 
-    def parts(self, wanted: Sequence[Part]) -> list[bytes | None]:
+    def read_parts(self, wanted: Sequence[ByteRange]) -> list[bytes | None]:
         """Read parts of files."""
         if not wanted:
             return []
         paths = [f"{self._path}/{name}" for name, _, _ in wanted]
         ends = [None if first < 0 else first + length for _, first, length in wanted]
-        with remote.as_os_errors(self.place, "read"):
-            found = self._system.cat_ranges(paths, [first for _, first, _ in wanted], ends, on_error="return")
-            return [_part_of(data, part) for data, part in zip(found, wanted, strict=True)]
+        with remote.as_os_errors(self.address, "read"):
+            contents = self._system.cat_ranges(paths, [first for _, first, _ in wanted], ends, on_error="return")
+            return [_part_of(data, part) for data, part in zip(contents, wanted, strict=True)]
 
 
-def _part_of(found: bytes | Exception, part: Part) -> bytes | None:
+def _part_of(content: bytes | Exception, part: ByteRange) -> bytes | None:
     """Extract the part from a server's response; some servers send the whole file."""
-    _, first, length = part
-    if isinstance(found, FileNotFoundError):
+    if isinstance(content, FileNotFoundError):
         return None
-    if isinstance(found, Exception):
-        if getattr(found, "status", None) == 416:  # the file ends before the part
+    if isinstance(content, Exception):
+        if getattr(content, "status", None) == 416:  # the file ends before the part
             return b""
-        raise found
-    if len(found) > length:
-        return bytes(found[first:] if first < 0 else found[first : first + length])
-    return bytes(found)
-
-
-def missing(place: str, document: str) -> FileNotFoundError:
-    """Return the error for a place without a store."""
-    return FileNotFoundError(errno.ENOENT, f"no store of orthoviews (no {document})", place)
+        raise content
+    if len(content) > part.length:
+        return bytes(content[part.first :] if part.first < 0 else content[part.first : part.first + part.length])
+    return bytes(content)

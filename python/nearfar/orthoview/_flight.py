@@ -8,7 +8,6 @@ import threading
 import time as clock
 import warnings
 from collections.abc import Callable, Mapping, Sequence
-from types import TracebackType
 from typing import Self, SupportsFloat, SupportsIndex, Unpack
 
 import numpy as np
@@ -25,15 +24,13 @@ from nearfar._render.renderable import Images, Renderable, Report
 from nearfar._render.renderer import Renderer
 from nearfar._render.settings import RenderKeywords, RenderSettings
 from nearfar._scene.scene import Scene
-from nearfar.orthoview._cut import Settings
+from nearfar.orthoview._cut import GEOMETRY, RECORD, Part, Settings, kind
 from nearfar.orthoview._loader import Loader
 from nearfar.orthoview._meter import Received
-from nearfar.orthoview._open import Opened
-from nearfar.orthoview._parts import GEOMETRY, RECORD, Part, kind
 from nearfar.orthoview._pictured import Pictured
 from nearfar.orthoview._pilot import Ahead, Pilot, Plan
 from nearfar.orthoview._standins import Cell, Piece, Shown, StandIns, Wanted
-from nearfar.orthoview._viewer import Parts, Viewer
+from nearfar.orthoview._viewer import Opened, Parts, Viewer
 
 MAX_THREADS = 64
 """Maximum number of reading threads."""
@@ -60,23 +57,23 @@ class Flight(Pictured):
         movers: Scene | None = None,
     ) -> None:
         self._opened = check.instance("opened", opened, Opened, "what OrthoTree.fly passes")
-        own = check.instance("settings", settings, Settings, "what OrthoTree.fly passes")
+        view_settings = check.instance("settings", settings, Settings, "what OrthoTree.fly passes")
         if on_error is not None and not callable(on_error):
             raise TypeError(f"on_error: expected a function or None, got {check.type_and_value(on_error)}")
         count = check.integer("threads", threads, 1, MAX_THREADS)
         self._on_error = on_error
         self._viewer: Viewer = opened.viewer
         self._pilot = Pilot(
-            self._viewer.cutter, own, check.instance("ahead", ahead, Ahead, "what OrthoTree.fly passes")
+            self._viewer.cutter, view_settings, check.instance("ahead", ahead, Ahead, "what OrthoTree.fly passes")
         )
-        self._stand_ins = StandIns(opened.grid, opened.units, self._has, self._drawable, own.views)
+        self._stand_ins = StandIns(opened.grid, opened.units, self._has, self._drawable, view_settings.views)
         self._movers = None if movers is None else check.instance("movers", movers, Scene)
-        self._before: list[Shown] = []
+        self._previous: list[Shown] = []
         self._clipped: dict[Piece, list[_core.OrthoSplats]] = {}
         self._device: _core.GpuDevice | None = None
         """Adapter that draws; threads upload views to it as soon as they arrive."""
         self._lock = threading.RLock()
-        self._busy = False
+        self._had_requests = False
         self._errors: list[Exception] = []
         self._loader = Loader(self._read, self._has, count)
 
@@ -84,9 +81,7 @@ class Flight(Pictured):
         """Return the flight."""
         return self
 
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
+    def __exit__(self, *error: object) -> None:
         """Close the flight."""
         self.close()
 
@@ -102,7 +97,7 @@ class Flight(Pictured):
     @property
     def errors(self) -> tuple[Exception, ...]:
         """Read errors so far: one for each damaged part, and the first one of each outage of the store."""
-        self._hear()
+        self._collect_errors()
         return tuple(self._errors)
 
     @property
@@ -138,10 +133,10 @@ class Flight(Pictured):
         ValueError, TypeError
             A value that is not a camera, or a time that is not finite.
         """
-        own = check.instance("camera", camera, Camera)
-        now = clock.monotonic() if time is None else check.number("time", time)
+        viewer_camera = check.instance("camera", camera, Camera)
+        seconds = clock.monotonic() if time is None else check.number("time", time)
         with self._lock:
-            self._trim(self._plan([own], now))
+            self._trim(self._plan([viewer_camera], seconds))
 
     def render(
         self,
@@ -176,9 +171,9 @@ class Flight(Pictured):
         ValueError, TypeError, DeviceError
             As in `OrthoTree.render`.
         """
-        now = None if time is None else check.number("time", time)
-        chosen = gather(RenderSettings, settings, keywords)
-        renderer = Renderer(_Moment(self, now, self._movers), chosen, argument="flight")
+        seconds = None if time is None else check.number("time", time)
+        render_settings = gather(RenderSettings, settings, keywords)
+        renderer = Renderer(_Moment(self, seconds, self._movers), render_settings, argument="flight")
         (frame,) = renderer.frames(renderer.shot([camera]), None, renderer.device(self))
         return frame
 
@@ -196,20 +191,18 @@ class Flight(Pictured):
     ) -> list[Images]:
         """Draw the pictures of a shot at a time, with moving objects."""
         self._device = device
-        now = clock.monotonic() if time is None else time
+        seconds = clock.monotonic() if time is None else time
         with self._lock:
-            plan = self._plan(shot.cameras, now)
-            each = zip(shot.cameras, (plan.wanted, *plan.beside), strict=True)
-            views = [self._choose_parts(number, camera, wanted) for number, (camera, wanted) in enumerate(each)]
+            plan = self._plan(shot.cameras, seconds)
+            cells = zip(shot.cameras, (plan.wanted, *plan.beside), strict=True)
+            views = [self._choose_parts(number, camera, wanted) for number, (camera, wanted) in enumerate(cells)]
             self._trim(plan)
             parts = [self._parts(shown, movers) for shown in views]
-        self._tell()
-        pictures = [
-            self._viewer.picture(camera, shot, own, report, device)
-            for camera, own in zip(shot.cameras, parts, strict=True)
-        ]
-        for picture in pictures:
-            picture["stats"]["error_px"] = plan.error_px
+        self._report_errors()
+        pictures = []
+        for camera, of_picture in zip(shot.cameras, parts, strict=True):
+            pictures.append(self._viewer.picture(camera, shot, of_picture, report, device))
+            pictures[-1]["stats"]["error_px"] = plan.error_px
         return pictures
 
     def wait(self, seconds: SupportsFloat | None = None) -> bool:
@@ -225,9 +218,9 @@ class Flight(Pictured):
         bool
             False after a timeout, or if a part cannot be read now.
         """
-        longest = None if seconds is None else check.in_range("seconds", seconds, 0.0, 1e9)
-        ends = math.inf if longest is None else clock.monotonic() + longest
-        while self._loader.wait(max(ends - clock.monotonic(), 0.0) if longest is not None else None):
+        limit = None if seconds is None else check.in_range("seconds", seconds, 0.0, 1e9)
+        ends = math.inf if limit is None else clock.monotonic() + limit
+        while self._loader.wait(max(ends - clock.monotonic(), 0.0) if limit is not None else None):
             with self._lock:
                 camera = self._pilot.camera
                 if camera is None:
@@ -236,9 +229,9 @@ class Flight(Pictured):
                 plan = self._pilot.plan(self._has)
                 if all(map(self._has, plan.order)):
                     return True
-                before = self._loader.waiting
+                waiting = self._loader.waiting
                 self._loader.want(plan.order)
-                if not before and not self._loader.waiting:  # the remaining parts are damaged
+                if not waiting and not self._loader.waiting:  # the remaining parts are damaged
                     return False
         return False
 
@@ -259,30 +252,30 @@ class Flight(Pictured):
             if newer is None:
                 return False
             if self._pilot.camera is not None:  # read the subtrees of the current picture before switching
-                newer.viewer.cutter.whole(self._pilot.camera, self._pilot.settings)
+                newer.viewer.cutter.complete_cut(self._pilot.camera, self._pilot.settings)
             self._opened = newer
             self._viewer = newer.viewer
-            self._pilot.take(newer.viewer.cutter)
+            self._pilot.switch_to(newer.viewer.cutter)
             return True
 
     def _plan(self, cameras: Sequence[Camera], time: float) -> Plan:
-        self._pilot.meter.note(time, self._received(), busy=self._busy)
+        self._pilot.meter.note(time, self._received(), had_requests=self._had_requests)
         self._pilot.look(cameras[0], time, cameras[1:])
         plan = self._pilot.plan(self._has)
         self._loader.want(plan.order)
-        self._busy = self._loader.waiting > 0
+        self._had_requests = self._loader.waiting > 0
         return plan
 
     def _choose_parts(self, number: int, camera: Camera, wanted: Wanted) -> Shown:
         """Parts that one of a shot's pictures is drawn from."""
-        while len(self._before) <= number:
-            self._before.append(Shown())
-        shown = self._stand_ins.choose_pieces(wanted, self._before[number], np.array(camera.position))
-        self._before[number] = shown
+        while len(self._previous) <= number:
+            self._previous.append(Shown())
+        shown = self._stand_ins.choose_pieces(wanted, self._previous[number], np.array(camera.position))
+        self._previous[number] = shown
         return shown
 
     def _parts(self, shown: Shown, movers: Scene | None) -> Parts:
-        splats = [one for pieces in shown.cells.values() for piece in pieces for one in self._splats(piece)]
+        splats = [layer for pieces in shown.cells.values() for piece in pieces for layer in self._splats(piece)]
         leaves = {part[1] for parts in shown.leaves.values() for part in parts}
         views = sum(len(pieces) for pieces in shown.cells.values())
         counts: dict[str, float] = {"cells": len(shown.cells), "views": views, "leaves": len(shown.leaves)}
@@ -298,14 +291,14 @@ class Flight(Pictured):
             # Rounded depths may lie beyond the view's own sides, so these do not clip.
             low, high = np.where(low == sides[0], -np.inf, low), np.where(high == sides[1], np.inf, high)
             ends = low.tolist(), high.tolist()
-            self._clipped[piece] = [one.crop_to_box(*ends) for one in self._viewer.views.cached_layers(piece.part)]
+            self._clipped[piece] = [layer.crop_to_box(*ends) for layer in self._viewer.views.cached_layers(piece.part)]
         return self._clipped[piece]
 
     def _trim(self, plan: Plan) -> None:
         """Evict views that no picture uses if memory is short; drop clipped pieces as soon as they are not drawn."""
-        pieces = {piece for shown in self._before for parts in shown.cells.values() for piece in parts}
+        pieces = {piece for shown in self._previous for parts in shown.cells.values() for piece in parts}
         self._clipped = {piece: splats for piece, splats in self._clipped.items() if piece in pieces}
-        needed = {*plan.order, *(part for shown in self._before for part in shown.parts())}
+        needed = {*plan.order, *(part for shown in self._previous for part in shown.parts())}
         self._viewer.views.trim(needed)
         self._viewer.near.trim({place for _, place, direction in needed if direction == GEOMETRY})
 
@@ -318,7 +311,7 @@ class Flight(Pictured):
     def _drawable(self, cell: Cell) -> frozenset[int]:
         level, place = cell
         views = self._viewer.views.of_cell(level, place)
-        return views | {GEOMETRY} if level == 0 and self._viewer.near.keeps(place) else views
+        return views | {GEOMETRY} if level == 0 and self._viewer.near.has_any_version(place) else views
 
     def _read(self, parts: Sequence[Part]) -> None:
         viewer = self._viewer
@@ -329,9 +322,9 @@ class Flight(Pictured):
                 viewer.cutter.learn(tier, place)
         else:
             viewer.views.load(parts)
-            self._bring(parts)
+            self._upload(parts)
 
-    def _bring(self, parts: Sequence[Part]) -> None:
+    def _upload(self, parts: Sequence[Part]) -> None:
         """Upload views to the drawing adapter before a picture shows them."""
         device = self._device
         if device is None:
@@ -344,14 +337,15 @@ class Flight(Pictured):
         views, near = self._viewer.views, self._viewer.near
         return Received(views.reads, views.read_bytes, near.reads, near.read_bytes)
 
-    def _hear(self) -> list[Exception]:
-        news = self._loader.errors()
-        self._errors += news
-        return news
+    def _collect_errors(self) -> list[Exception]:
+        """Add the background errors since the last call to `errors`, and return them."""
+        errors = self._loader.errors()
+        self._errors += errors
+        return errors
 
-    def _tell(self) -> None:
+    def _report_errors(self) -> None:
         """Report background errors to `on_error`, or as warnings."""
-        for error in self._hear():
+        for error in self._collect_errors():
             if self._on_error is not None:
                 self._on_error(error)
             else:

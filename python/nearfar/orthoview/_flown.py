@@ -61,16 +61,8 @@ class FlownTree(ShownTree):
 
         Raises
         ------
-        ValueError
-            Values out of range, or an incomplete tree.
-        TypeError
-            Values of a wrong type.
-        FormatError, OSError
-            Damaged or unreadable documents of the store.
-
-        References
-        ----------
-        Chaudhuri et al. (2009), Image-Based Exploration of Massive Online Environments, section 4.
+        ValueError, TypeError, FormatError, OSError
+            As in `cut`.
         """
         settings = settings_of(views, error_px, geometry, lift_deg=lift_deg)
         margin = None if margin_deg is None else math.radians(check.in_range("margin_deg", margin_deg, 0.0, 180.0))
@@ -114,25 +106,21 @@ class FlownTree(ShownTree):
         ------
         ValueError, TypeError, FormatError, OSError
             As in `cut`.
-
-        References
-        ----------
-        Chaudhuri et al. (2009), Image-Based Exploration of Massive Online Environments, section 4.
         """
         settings = settings_of(views, error_px, geometry, lift_deg=lift_deg)
         eye = check.vector("position", position)
         model = _paper(eye) if camera is None else check.instance("camera", camera, Camera)
         speed = np.zeros(3) if velocity is None else np.array(check.vector("velocity", velocity))
         length = float(np.linalg.norm(speed))
-        here, cutter = _camera_at(model, np.array(eye)), self._viewer.cutter
-        ahead = smallest(cutter.whole(here, settings, around=True), cutter.grid)
+        eye_camera, cutter = _camera_at(model, np.array(eye)), self._viewer.cutter
+        ahead = smallest(cutter.complete_cut(eye_camera, settings, around=True), cutter.grid)
         places = np.array(eye) + offsets(ahead, speed / length if length > MIN_SPEED else None)
         cameras = [_camera_at(model, place) for place in places]
         while True:
-            found = queue(cutter, settings, here, cameras, Outlook([here], None))
-            if not found.unknown:
-                return found
-            for tier, place, _ in found.unknown:
+            parts = queue(cutter, settings, eye_camera, cameras, Outlook([eye_camera], None))
+            if not parts.unknown:
+                return parts
+            for tier, place, _ in parts.unknown:
                 cutter.learn(tier, place)
 
 

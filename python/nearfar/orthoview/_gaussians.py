@@ -6,7 +6,7 @@ A surfel's pixel spans u and v on its tangent plane (docs/orthoview_view.md). Th
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -72,12 +72,7 @@ NO_GAUSSIANS = Gaussians(
 
 def concatenate(parts: list[Gaussians]) -> Gaussians:
     """Concatenate Gaussians of one frame."""
-    return Gaussians(
-        np.concatenate([part.middle for part in parts]),
-        np.concatenate([part.rotation for part in parts]),
-        np.concatenate([part.scale for part in parts]),
-        np.concatenate([part.color for part in parts]),
-    )
+    return Gaussians(*(np.concatenate([getattr(part, field.name) for part in parts]) for field in fields(Gaussians)))
 
 
 @dataclass(frozen=True, eq=False)
@@ -103,16 +98,8 @@ def gaussians_of(
 ) -> Gaussians:
     """Convert the pixels of a view to Gaussians.
 
-    Parameters
-    ----------
-    shown
-        The pixels.
-    axes
-        Rows (3, 3): to the right, up, towards the viewer.
-    pitch
-        Width and height of a pixel, metres.
-    sun
-        Unit vector towards the sun; None for colours without light.
+    The rows of `axes` (3, 3) point to the right, up and towards the viewer. `pitch` is the width and height of a pixel,
+    metres; `sun` a unit vector towards the sun, None for colours without light.
     """
     right, up, toward = axes
     facing = np.maximum(surfaces.normal @ toward, np.float32(MIN_COSINE))
@@ -142,11 +129,16 @@ def shade(color: NDArray[np.uint8], normal: Floats, sun: tuple[float, float, flo
     """Shade albedo (N, 3) with the light of all pictures and the given sun; sRGB in and out."""
     if sun is None:
         return color
-    sky = (0.5 + 0.5 * (normal @ _SKY))[:, None]
-    light = _SKY_COLORS[0] + (_SKY_COLORS[1] - _SKY_COLORS[0]) * sky
-    light = light + _SUN_COLOR * np.maximum(normal @ np.array(sun, np.float32), 0.0)[:, None]
-    linear = (_LINEAR[color] * light).astype(np.float32)
+    linear = (_LINEAR[color] * irradiance(normal, sun)).astype(np.float32)
     return _core.encode_srgb(linear.ravel()).reshape(linear.shape)
+
+
+def irradiance(normal: Floats, sun: tuple[float, float, float]) -> Floats:
+    """Linear RGB (N, 3) that white surfaces reflect in the light of all pictures with the given sun."""
+    sky = (0.5 + 0.5 * (normal @ _SKY))[:, None]
+    sunlight = _SUN_COLOR * np.maximum(normal @ np.array(sun, np.float32), 0.0)[:, None]
+    light: Floats = _SKY_COLORS[0] + (_SKY_COLORS[1] - _SKY_COLORS[0]) * sky + sunlight
+    return light
 
 
 def _quaternions(matrix: Floats) -> tuple[Floats, NDArray[np.int64]]:
@@ -170,14 +162,14 @@ def _quaternion_with_greatest_w(matrix: Floats) -> Floats:
     axis_code = squares.argmax(axis=1)
     # A half turn about axis k negates the two other columns.
     signs = np.array([[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]], np.float32)[axis_code]
-    turned = matrix * signs[:, None, :]
+    rotated = matrix * signs[:, None, :]
     w = 0.5 * np.sqrt(np.maximum(squares.max(axis=1), 1.0))
     factor = 0.25 / w
     return np.stack(
         [
-            (turned[:, 2, 1] - turned[:, 1, 2]) * factor,
-            (turned[:, 0, 2] - turned[:, 2, 0]) * factor,
-            (turned[:, 1, 0] - turned[:, 0, 1]) * factor,
+            (rotated[:, 2, 1] - rotated[:, 1, 2]) * factor,
+            (rotated[:, 0, 2] - rotated[:, 2, 0]) * factor,
+            (rotated[:, 1, 0] - rotated[:, 0, 1]) * factor,
             w,
         ],
         axis=1,

@@ -20,14 +20,14 @@ from nearfar import _core
 from nearfar._base import files, glb
 from nearfar._scene.moving_rows import rows_of
 from nearfar._scene.scene import Scene
-from nearfar._scene.texture_file import encode_texture
+from nearfar._scene.srgb import encode_texture
 from nearfar.orthoview._grid import Grid, Place
-from nearfar.orthoview._owned import owned
+from nearfar.orthoview._owners import owned_mask
 
-STEP = 2.0**-10
+MAX_STEP = 2.0**-10
 """Greatest step of positions, metres: meshes placed once are off by at most half a step, instances by one step."""
 
-SHARE = 2.0**-14
+STEP_SHARE = 2.0**-14
 """Greatest step of positions as a share of a leaf's side."""
 
 _WIDEST = 16383
@@ -48,22 +48,16 @@ IMAGES = "../../../../images"
 
 def step_of(grid: Grid) -> float:
     """Step of positions in the leaves of a grid, a power of two, metres."""
-    _, exponent = math.frexp(min(STEP, SHARE * grid.cell))
+    _, exponent = math.frexp(min(MAX_STEP, STEP_SHARE * grid.cell))
     return max(2.0 ** (exponent - 1), _MIN_STEP)
 
 
 class Images:
-    """Texture files, shared by all leaves and named by a hash of their content.
-
-    Parameters
-    ----------
-    folder
-        Folder of the files; created with the first file.
-    """
+    """Texture files, shared by all leaves and named by a hash of their content; the first one creates the folder."""
 
     def __init__(self, folder: Path) -> None:
         self._folder = folder
-        self._known: set[str] = set()
+        self._written: set[str] = set()
 
     def add(self, texels: NDArray[np.uint8]) -> str:
         """Write a texture (H, W, 4), sRGB with alpha, unless its file exists; return the file's name."""
@@ -71,15 +65,15 @@ class Images:
         # 64 bits of a SHA-256: no two textures share a name by chance.
         name = f"{hashlib.sha256(shape + texels.tobytes()).hexdigest()[:16]}.webp"
         path = self._folder / name
-        if name not in self._known and not path.exists():
+        if name not in self._written and not path.exists():
             self._folder.mkdir(parents=True, exist_ok=True)
             with files.atomic_file(path) as temporary:
-                files.write(temporary, encode_texture(_fitting(texels), QUALITY))
-        self._known.add(name)
+                files.write(temporary, encode_texture(_shrink_to_fit(texels), QUALITY))
+        self._written.add(name)
         return name
 
 
-def _fitting(texels: NDArray[np.uint8]) -> NDArray[np.uint8]:
+def _shrink_to_fit(texels: NDArray[np.uint8]) -> NDArray[np.uint8]:
     """Halve a texture until it fits into a WebP image."""
     while max(texels.shape[:2]) > _WIDEST:
         texels = _core.halved_texture(texels, times=1, cutout=False)
@@ -87,30 +81,18 @@ def _fitting(texels: NDArray[np.uint8]) -> NDArray[np.uint8]:
 
 
 def cell_glb(part: Scene, grid: Grid, place: Place, images: Images | None = None) -> bytes | None:
-    """Encode the static triangles that belong to a leaf (`owned`).
+    """Encode the static triangles that belong to a leaf as a GLB in world metres, y up; None if there are none.
 
-    Parameters
-    ----------
-    part
-        Result of a query of the leaf's box.
-    grid, place
-        The leaf.
-    images
-        Stores the textures; with None materials have no textures.
-
-    Returns
-    -------
-    bytes or None
-        A GLB in world metres, y up; None if no triangle belongs to the leaf. The `extras` of its `asset` have the
-        number of `triangles`, the greatest `error` of a position along an axis, and the `box` of all, metres. Triangles
-        without area after their corners are rounded are left out.
+    `part` results from a query of the leaf's box. `images` stores the textures; with None materials have no textures.
+    The `extras` of the GLB's `asset` have the number of `triangles`, the greatest `error` of a position along an axis,
+    and the `box` of all, metres. Triangles without area after their corners are rounded are left out.
     """
-    mine = _mine(part, grid, place, moving=False)
-    if not mine.any():
+    is_owned = _owned_triangles(part, grid, place, moving=False)
+    if not is_owned.any():
         return None
-    core = part._core if mine.all() else part._core.subset_of_triangles(mine)
+    core = part._core if is_owned.all() else part._core.subset_of_triangles(is_owned)
     middle = _middle(grid, place)
-    return _encoded(_about(core, middle), step_of(grid), images, [])
+    return _encode(_relative_to(core, middle), step_of(grid), images, [])
 
 
 def moving_glb(part: Scene, grid: Grid, place: Place, images: Images | None = None) -> bytes | None:
@@ -119,12 +101,12 @@ def moving_glb(part: Scene, grid: Grid, place: Place, images: Images | None = No
     Each node is an instance with the name of its object. The `extras` also have `moving`, a row for each node in order:
     its `object`, and its load `transform` and its placement at `rest` if they are not the defaults.
     """
-    mine = _mine(part, grid, place, moving=True)
-    if not mine.any():
+    is_owned = _owned_triangles(part, grid, place, moving=True)
+    if not is_owned.any():
         return None
-    movers = part.subset(triangles=mine)
-    most = int(movers._core.moving_objects().max()) + 1
-    data = _encoded(_about(movers._core, None), step_of(grid), images, list(movers.object_names[:most]))
+    movers = part.subset(triangles=is_owned)
+    object_count = int(movers._core.moving_objects().max()) + 1
+    data = _encode(_relative_to(movers._core, None), step_of(grid), images, list(movers.object_names[:object_count]))
     if data is None:
         return None
     document, _ = glb.header(data)
@@ -132,14 +114,14 @@ def moving_glb(part: Scene, grid: Grid, place: Place, images: Images | None = No
     return glb.with_document(data, document)
 
 
-def _mine(part: Scene, grid: Grid, place: Place, *, moving: bool) -> NDArray[np.bool_]:
+def _owned_triangles(part: Scene, grid: Grid, place: Place, *, moving: bool) -> NDArray[np.bool_]:
     """Mask (T,) of the moving, or of the static triangles that belong to a leaf; static ones come first."""
-    standing = part._core.standing_triangle_count
-    if moving and standing == part.triangle_count:
+    static_count = part._core.standing_triangle_count
+    if moving and static_count == part.triangle_count:
         return np.zeros(part.triangle_count, bool)
-    mine = owned(part, grid, place)
-    mine[slice(0, standing) if moving else slice(standing, None)] = False
-    return mine
+    is_owned = owned_mask(part, grid, place)
+    is_owned[slice(0, static_count) if moving else slice(static_count, None)] = False
+    return is_owned
 
 
 def _middle(grid: Grid, place: Place) -> NDArray[np.float64]:
@@ -149,7 +131,7 @@ def _middle(grid: Grid, place: Place) -> NDArray[np.float64]:
     return middle
 
 
-def _about(core: _core.Scene, origin: NDArray[np.float64] | None) -> _core.Scene:
+def _relative_to(core: _core.Scene, origin: NDArray[np.float64] | None) -> _core.Scene:
     """The same scene relative to another origin, without unused textures."""
     parts = _core.scene_parts(core)
     if origin is not None:
@@ -163,22 +145,22 @@ def _about(core: _core.Scene, origin: NDArray[np.float64] | None) -> _core.Scene
 def _prune(parts: dict[str, Any], meshes: NDArray[np.uint64]) -> None:
     """Remove textures of materials that no face uses."""
     _, rows = np.unique(meshes, return_index=True)
-    has = np.zeros(len(parts["material_colors"]) + 1, bool)
+    is_material_used = np.zeros(len(parts["material_colors"]) + 1, bool)
     for row in rows.tolist():
-        has[_core.mesh_parts(parts["meshes"][row])["materials"]] = True
+        is_material_used[_core.mesh_parts(parts["meshes"][row])["materials"]] = True
     # The last flag belongs to faces without a material, whose index is −1.
-    shown = np.zeros(len(parts["textures"]) + 1, bool)
+    is_used = np.zeros(len(parts["textures"]) + 1, bool)
     links = ("material_textures", "material_emission_textures")
     for name in links:
-        parts[name] = np.where(has[:-1], parts[name], -1).astype(np.int32)
-        shown[parts[name]] = True
-    numbers = np.append(np.cumsum(shown[:-1]) - 1, -1).astype(np.int32)
+        parts[name] = np.where(is_material_used[:-1], parts[name], -1).astype(np.int32)
+        is_used[parts[name]] = True
+    numbers = np.append(np.cumsum(is_used[:-1]) - 1, -1).astype(np.int32)
     for name in links:
         parts[name] = numbers[parts[name]]
-    parts["textures"] = [texels for texels, is_shown in zip(parts["textures"], shown, strict=False) if is_shown]
+    parts["textures"] = [texels for texels, is_shown in zip(parts["textures"], is_used, strict=False) if is_shown]
 
 
-def _encoded(core: _core.Scene, step: float, images: Images | None, names: list[str]) -> bytes | None:
+def _encode(core: _core.Scene, step: float, images: Images | None, names: list[str]) -> bytes | None:
     """Encode a scene as a GLB; None if rounding leaves no face with an area."""
     uris: list[str | None] = [None] * core.texture_count
     if images is not None and uris:

@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterator
+from itertools import chain
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -31,10 +32,10 @@ TILESET, MOVING, SUBTREES = "tileset.json", "moving.json", "subtrees"
 IMAGES = "images"
 """Name of the folder of textures."""
 
-OTHERS = (SUBTREES, IMAGES)
+SHARED_FOLDERS = (SUBTREES, IMAGES)
 """Folders shared by all leaves."""
 
-STANDS, MOVES = "content", "moving"
+STATIC_FOLDER, MOVING_FOLDER = "content", "moving"
 """Folders of static and of moving triangles."""
 
 KIND, VERSION = "orthoview_moving", 1
@@ -59,8 +60,8 @@ class Facts(NamedTuple):
 
 def names(grid: Grid, place: Place) -> tuple[str, str]:
     """File names of a leaf's static and moving triangles, below the store."""
-    stands, moves = (f"{FOLDER}/{_name(grid, folder, place)}" for folder in (STANDS, MOVES))
-    return stands, moves
+    static, moving = (f"{FOLDER}/{_name(grid, folder, place)}" for folder in (STATIC_FOLDER, MOVING_FOLDER))
+    return static, moving
 
 
 def _name(grid: Grid, folder: str, place: Place) -> str:
@@ -69,32 +70,19 @@ def _name(grid: Grid, folder: str, place: Place) -> str:
 
 
 class GeometryStore:
-    """Writes the geometry of a tree's leaves.
-
-    Parameters
-    ----------
-    store
-        The tree's folder.
-    grid
-        Grid of the tree's leaves.
-    """
+    """Writes the geometry of a tree's leaves below the store's folder."""
 
     def __init__(self, store: Path, grid: Grid) -> None:
         self._folder, self._grid = store / FOLDER, grid
         self._images = Images(self._folder / IMAGES)
 
     def write(self, part: Scene, place: Place) -> int:
-        """Write the triangles that belong to a leaf; return the number of bytes.
+        """Write the triangles of a query of a leaf's box that belong to the leaf; return the number of bytes.
 
-        Parameters
-        ----------
-        part
-            Result of a query of the leaf's box.
-        place
-            The leaf. Writing it again gives the same bytes.
+        Writing it again gives the same bytes.
         """
         written = 0
-        for folder, encode in ((STANDS, cell_glb), (MOVES, moving_glb)):
+        for folder, encode in ((STATIC_FOLDER, cell_glb), (MOVING_FOLDER, moving_glb)):
             data = encode(part, self._grid, place, self._images)
             if data is not None:
                 path = self._path(folder, place)
@@ -107,23 +95,14 @@ class GeometryStore:
     def finish(self) -> dict[str, Any]:
         """Write the tileset of all leaves that have files, and the list of moving objects.
 
-        Returns
-        -------
-        dict
-            Numbers of `leaves`, `triangles` and `bytes` of static geometry, the same for `moving` geometry, and the
-            greatest `error` of a position along an axis in metres.
-
-        Raises
-        ------
-        FormatError
-            A damaged file, or a file that belongs to no leaf.
-        OSError
-            Files that cannot be read or written.
+        Returns the numbers of `leaves`, `triangles` and `bytes` of static geometry, the same for `moving` geometry, and
+        the greatest `error` of a position along an axis in metres. Raises FormatError for a damaged file or one that
+        belongs to no leaf, OSError for files that cannot be read or written.
         """
         total = {"leaves": 0, "triangles": 0, "bytes": 0, "error": 0.0}
 
         def box_of(place: Place) -> NDArray[np.float64]:
-            facts = self._facts(STANDS, place)
+            facts = self._facts(STATIC_FOLDER, place)
             total["leaves"] += 1
             total["triangles"] += facts.triangles
             total["bytes"] += facts.bytes
@@ -131,16 +110,16 @@ class GeometryStore:
             return facts.box
 
         self._folder.mkdir(parents=True, exist_ok=True)
-        leaves = self._places(STANDS)
+        leaves = np.fromiter(chain.from_iterable(self._listed_leaves(STATIC_FOLDER)), np.int64).reshape(-1, 3)
         box = None
         if len(leaves):
             with files.atomic_folder(self._folder / SUBTREES, marker=_FIRST) as temporary:
                 box = availability.write(temporary, self._grid.levels, leaves, box_of)
-        movers = {self._name(MOVES, place): self._facts(MOVES, place) for place in self._listed_leaves(MOVES)}
+        places = {_name(self._grid, MOVING_FOLDER, place): place for place in self._listed_leaves(MOVING_FOLDER)}
+        movers = {name: self._facts(MOVING_FOLDER, place) for name, place in places.items()}
         self._write_movers(movers)
         document = self._tileset(box, {name: facts.box for name, facts in movers.items()})
-        with files.atomic_file(self._folder / TILESET) as temporary:
-            temporary.write_text(formats.to_json(document), encoding="utf-8")
+        formats.write_json(self._folder / TILESET, document)
         moving = {
             "files": len(movers),
             "triangles": sum(facts.triangles for facts in movers.values()),
@@ -162,7 +141,7 @@ class GeometryStore:
                     "boundingVolume": {"box": self._cube()},
                     "geometricError": error,
                     "refine": "ADD",
-                    "content": {"uri": f"{STANDS}/{_NAME}"},
+                    "content": {"uri": f"{STATIC_FOLDER}/{_NAME}"},
                     "implicitTiling": {
                         "subdivisionScheme": "OCTREE",
                         "subtreeLevels": availability.subtree_levels(levels),
@@ -171,14 +150,14 @@ class GeometryStore:
                     },
                 }
             )
-        for name, around in movers.items():
-            shown = {"boundingVolume": {"box": availability.volume(around)}, "geometricError": 0.0}
-            children.append({**shown, "content": {"uri": name}, "extras": {"moving": True}})
+        for name, box_of_file in movers.items():
+            tile = {"boundingVolume": {"box": availability.volume(box_of_file)}, "geometricError": 0.0}
+            children.append({**tile, "content": {"uri": name}, "extras": {"moving": True}})
         boxes = [*([] if box is None else [box]), *movers.values()]
-        whole = self._grid.box(levels - 1, (0, 0, 0))
+        root_box = self._grid.box(levels - 1, (0, 0, 0))
         if boxes:
-            whole = np.array([np.min(boxes, axis=0)[0], np.max(boxes, axis=0)[1]])
-        root = {"boundingVolume": {"box": availability.volume(whole)}, "geometricError": error, "refine": "ADD"}
+            root_box = np.array([np.min(boxes, axis=0)[0], np.max(boxes, axis=0)[1]])
+        root = {"boundingVolume": {"box": availability.volume(root_box)}, "geometricError": error, "refine": "ADD"}
         return {
             "asset": {"version": "1.1", "extras": {"generator": f"nearfar {__version__}"}},
             "geometricError": error,
@@ -193,23 +172,14 @@ class GeometryStore:
         return [x, 0.0 - z, y, half, 0.0, 0.0, 0.0, 0.0, half, 0.0, -half, 0.0]
 
     def _write_movers(self, movers: dict[str, Facts]) -> None:
-        listed = [
+        rows = [
             {"file": name, "triangles": facts.triangles, "box": facts.box.tolist(), "instances": facts.moving}
             for name, facts in movers.items()
         ]
-        formats.write_json(self._folder / MOVING, formats.header(KIND, VERSION) | {"files": listed})
-
-    def _name(self, folder: str, place: Place) -> str:
-        return _name(self._grid, folder, place)
+        formats.write_json(self._folder / MOVING, formats.header(KIND, VERSION) | {"files": rows})
 
     def _path(self, folder: str, place: Place) -> Path:
-        return self._folder / self._name(folder, place)
-
-    def _places(self, folder: str) -> NDArray[np.int64]:
-        """Leaves (N, 3) that have a file in a folder."""
-        listed = np.fromiter((number for place in self._listed_leaves(folder) for number in place), np.int64)
-        places: NDArray[np.int64] = listed.reshape(-1, 3)
-        return places
+        return self._folder / _name(self._grid, folder, place)
 
     def _listed_leaves(self, folder: str) -> Iterator[Place]:
         """Leaves that have a file in a folder, in ascending order."""
@@ -230,7 +200,7 @@ class GeometryStore:
             extras = glb.header(head, formats.from_json)[0]["asset"]["extras"]
             if (stated := int.from_bytes(head[8:12], "little")) != size:
                 raise ValueError(f"expected {stated} bytes, got {size}")
-            rows = check.items("moving", extras["moving"], dict, "rows") if folder == MOVES else []
+            rows = check.items("moving", extras["moving"], dict, "rows") if folder == MOVING_FOLDER else []
             triangles = check.integer("triangles", extras["triangles"], 1, 1 << 40)
             error = check.at_least_zero("error", extras["error"])
             return Facts(size, triangles, error, check.box("box", extras["box"]), list(rows))

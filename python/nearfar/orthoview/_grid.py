@@ -1,14 +1,18 @@
-"""The octree's cells: cubes of the world, eight of which form a cell of the next level."""
+"""The octree's cells: cubes of the world, eight of which form a cell of the next level; directions of their views."""
 
 from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from typing import SupportsIndex
 
 import numpy as np
 from numpy.typing import NDArray
+
+from nearfar import _core
+from nearfar._base import check
 
 Place = tuple[int, int, int]
 """Index of a cell along each axis, from 0."""
@@ -95,8 +99,8 @@ class Grid:
 
     def leaves(self, level: int, place: Place) -> int:
         """Number of the world's leaves in a cell."""
-        below = 1 << level
-        parts = (min((n + 1) * below, count) - n * below for n, count in zip(place, self.counts, strict=True))
+        side = 1 << level
+        parts = (min((n + 1) * side, count) - n * side for n, count in zip(place, self.counts, strict=True))
         return math.prod(max(part, 0) for part in parts)
 
     def children(self, level: int, place: Place) -> Iterator[tuple[Place, Place]]:
@@ -123,3 +127,32 @@ def child_of(place: Place, octant: Place) -> Place:
     """Place of a cell's child, one level below."""
     x, y, z = (2 * number + part for number, part in zip(place, octant, strict=True))
     return x, y, z
+
+
+Direction = tuple[int, int, int]
+"""Side of a cell that the viewer is on: −1, 0 or 1 along each axis."""
+
+_SIDES: list[Direction] = [(0, 0, 1), (1, 0, 0), (0, 0, -1), (-1, 0, 0)]
+_TOP: list[Direction] = [(0, 1, 0)]
+_EDGES: list[Direction] = [(x, 1, z) for x, _, z in _SIDES]
+_CORNERS: list[Direction] = [(1, 1, 1), (1, 1, -1), (-1, 1, -1), (-1, 1, 1)]
+_BELOW: list[Direction] = [(0, -1, 0), *((x, -1, z) for x, _, z in (*_SIDES, *_CORNERS))]
+_UPRIGHT: list[Direction] = [(x, 0, z) for x, _, z in _CORNERS]
+
+_ALL = [*_SIDES, *_TOP, *_EDGES, *_CORNERS, *_UPRIGHT, *_BELOW]
+
+COUNTS = (5, 9, 13, 26)
+"""Sizes of the sets: the four sides and the top; with the upper edges; with the upper corners; all directions."""
+
+
+def directions_of(count: SupportsIndex) -> tuple[Direction, ...]:
+    """Return the directions of a set; ValueError or TypeError if there is no set of that size."""
+    number = check.integer("directions", count, 1, len(_ALL))
+    if number not in COUNTS:
+        raise ValueError(f"directions: expected one of {COUNTS}, got {number}")
+    return tuple(_ALL[:number])
+
+
+def widest(directions: Iterable[Direction]) -> float:
+    """Width or height of a cell's widest view, in sides of the cell."""
+    return float(max(max(_core.orthoview_axes(direction)[1][:2]) for direction in directions))

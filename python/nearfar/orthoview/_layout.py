@@ -8,7 +8,7 @@ their parents on m levels, then as many cells of the next m levels, and so on.
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from functools import cached_property
 from pathlib import Path
 from typing import Any
@@ -17,8 +17,7 @@ import numpy as np
 
 from nearfar import _core
 from nearfar._base import check
-from nearfar.orthoview._directions import Direction
-from nearfar.orthoview._grid import MAX_CELLS, Grid, Place
+from nearfar.orthoview._grid import MAX_CELLS, Direction, Grid, Place
 
 CHANNELS = ("color", "depth", "normal")
 
@@ -27,6 +26,9 @@ BEHIND = "behind_"
 
 Key = tuple[int, Place, str]
 """Level, place and array of a chunk."""
+
+ViewKey = tuple[int, Place, int]
+"""Level, place and direction of a view."""
 
 CONNECTION_BITS = 4
 """Bits below a depth's: connected to the neighbour to the right, below, below right, below left."""
@@ -117,15 +119,21 @@ class Layout:
         """Name of an array."""
         return f"{level}/{self.names[direction]}/{channel}"
 
-    def shard_path(self, array: str, shard: Place) -> Path:
-        """Path of a shard's file below the store."""
-        return Path(array, "c", *map(str, shard), "0", "0", "0")
+    def shard_path(self, key: Key) -> str:
+        """Path of the shard that holds a chunk, below the store."""
+        level, place, array = key
+        shard, _ = self.shard_of(level, place)
+        return "/".join(map(str, (array, "c", *shard, 0, 0, 0)))
 
     def keys(self, level: int, place: Place, numbers: Iterable[int] | None = None) -> dict[tuple[int, str], Key]:
         """Keys of a cell's chunks by direction number (default all) and channel."""
-        wanted = range(len(self.directions)) if numbers is None else numbers
-        pairs = [(number, channel) for number in wanted for channel in self.channels]
+        directions = range(len(self.directions)) if numbers is None else numbers
+        pairs = [(number, channel) for number in directions for channel in self.channels]
         return {pair: (level, place, self.array(level, *pair)) for pair in pairs}
+
+    def view_keys(self, views: Iterable[ViewKey]) -> list[Key]:
+        """Keys of the chunks of views, one view after the other, in the order of `channels`."""
+        return [(level, place, self.array(level, n, name)) for level, place, n in views for name in self.channels]
 
     def dtype(self, channel: str) -> np.dtype[Any]:
         """Type of a channel's values."""
@@ -182,19 +190,12 @@ class Layout:
             "levels": self.grid.levels,
             "directions": [list(direction) for direction in self.directions],
             "names": list(self.names),
-            "size": self.size,
-            "depth_bits": self.depth_bits,
-            "normal_bits": self.normal_bits,
-            "subtree": self.subtree,
-            "color": self.color,
-            "quality": self.quality,
-            "geometry": self.geometry,
-            "layers": self.layers,
+            **{field.name: getattr(self, field.name) for field in fields(self)[2:]},
         }
 
     @classmethod
     def from_described(cls, described: dict[str, Any]) -> Layout:
-        """Return the layout that `described` encoded; KeyError, TypeError or ValueError for anything else."""
+        """Return the layout that `to_json` encoded; KeyError, TypeError or ValueError for anything else."""
         x, y, z = (check.number("origin", value) for value in described["origin"])
         columns, layers, rows = (check.integer("counts", value, 1, MAX_CELLS) for value in described["counts"])
         grid = Grid((x, y, z), check.positive("cell", described["cell"]), (columns, layers, rows))

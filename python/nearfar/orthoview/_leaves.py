@@ -14,8 +14,8 @@ from nearfar._source.protocol import SceneSource, may_touch
 from nearfar.orthoview import _codec, _store
 from nearfar.orthoview._geometry_store import GeometryStore
 from nearfar.orthoview._grid import Place
-from nearfar.orthoview._guests import guests
 from nearfar.orthoview._layout import FOLDER, Layout
+from nearfar.orthoview._owners import guests
 from nearfar.orthoview._subtree import Outcome, Subtree
 
 MAX_FAILED_LEAVES = 1000
@@ -31,16 +31,7 @@ Elsewhere = Callable[[Place], Outcome | None]
 class Leaves:
     """Renders leaves and builds the subtrees that hold them, when their parents need them.
 
-    Parameters
-    ----------
-    source
-        The world.
-    folder
-        Folder of the store, or of one of its generations.
-    layout
-        Layout of the tree.
-    elsewhere
-        Returns subtrees of leaves that other processes build.
+    `folder` is that of the store, or of one of its generations.
     """
 
     unchanged = 0
@@ -90,9 +81,9 @@ class Leaves:
         except Exception as error:  # a source may raise anything; the other leaves are still built
             return self.failure(place, error)
         self.write_geometry(part, place)
-        near = guests(part, self.layout.grid, place) if self.layout.geometry else []
+        leaf_guests = guests(part, self.layout.grid, place) if self.layout.geometry else []
         views = render_leaf(part, self.layout, place)
-        return Outcome(views, guests=near, counts=Counter(empty=views is None, drawn=views is not None))
+        return Outcome(views, guests=leaf_guests, counts=Counter(empty=views is None, drawn=views is not None))
 
     def write_geometry(self, part: Scene, place: Place) -> None:
         """Write the geometry of a leaf, if the store has any; call it before the journal records the leaf."""

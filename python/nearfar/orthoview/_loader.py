@@ -8,34 +8,24 @@ from collections import deque
 from collections.abc import Callable, Sequence
 
 from nearfar._base.errors import FormatError
-from nearfar.orthoview._parts import Part, kind
+from nearfar.orthoview._cut import Part, kind
 
 BATCH = 8
 """Number of views that a thread reads at once."""
 
-FIRST_PAUSE, LONGEST_PAUSE = 0.5, 30.0
+FIRST_PAUSE, MAX_PAUSE = 0.5, 30.0
 """Seconds until a failed read is retried; each failure in a row doubles the pause, up to the second value."""
 
 
 class Loader:
-    """Reads parts in background threads.
+    """Reads parts in background threads: `read` reads some of one kind, `is_read` says which have been read."""
 
-    Parameters
-    ----------
-    read
-        Reads parts, all of one kind, and stores them.
-    held
-        Whether a part has been read.
-    threads
-        Number of threads.
-    """
-
-    def __init__(self, read: Callable[[Sequence[Part]], None], held: Callable[[Part], bool], threads: int) -> None:
-        self._read, self._held = read, held
+    def __init__(self, read: Callable[[Sequence[Part]], None], is_read: Callable[[Part], bool], threads: int) -> None:
+        self._read, self._is_read = read, is_read
         self._queue: deque[Part] = deque()
-        self._busy: set[Part] = set()
+        self._in_progress: set[Part] = set()
         self._damaged: set[Part] = set()
-        self._pause, self._until = FIRST_PAUSE, 0.0
+        self._pause, self._retry_time = FIRST_PAUSE, 0.0
         self._errors: list[Exception] = []
         self._is_reported = False
         self._is_closed = False
@@ -49,16 +39,15 @@ class Loader:
             if self._is_closed:
                 return
             self._begin()
-            self._queue = deque(
-                part for part in parts if part not in self._busy and part not in self._damaged and not self._held(part)
-            )
+            excluded = self._in_progress | self._damaged
+            self._queue = deque(part for part in parts if part not in excluded and not self._is_read(part))
             self._changed.notify_all()
 
     @property
     def waiting(self) -> int:
         """Number of parts that are being read or queued."""
         with self._changed:
-            return len(self._queue) + len(self._busy)
+            return len(self._queue) + len(self._in_progress)
 
     def wait(self, seconds: float | None) -> bool:
         """Wait until the queue is empty; False after a timeout, or if the rest cannot be read now."""
@@ -66,13 +55,13 @@ class Loader:
             return self._changed.wait_for(self._is_done, seconds) and not self._queue
 
     def _is_done(self) -> bool:
-        return not self._busy and (not self._queue or self._is_reported or self._is_closed)
+        return not self._in_progress and (not self._queue or self._is_reported or self._is_closed)
 
     def errors(self) -> list[Exception]:
         """Errors since the last call: one for each damaged part, and the first one of an outage."""
         with self._changed:
-            found, self._errors = self._errors, []
-            return found
+            errors, self._errors = self._errors, []
+            return errors
 
     def forget(self) -> None:
         """Allow damaged parts to be read again."""
@@ -101,14 +90,14 @@ class Loader:
     def _next(self) -> list[Part]:
         """Wait for the next parts to read; empty once the loader is closed."""
         with self._changed:
-            while not self._is_closed and (not self._queue or time.monotonic() < self._until):
-                self._changed.wait(max(self._until - time.monotonic(), 0.0) if self._queue else None)
+            while not self._is_closed and (not self._queue or time.monotonic() < self._retry_time):
+                self._changed.wait(max(self._retry_time - time.monotonic(), 0.0) if self._queue else None)
             batch: list[Part] = []
             while self._queue and not self._is_closed and len(batch) < BATCH:
                 if batch and kind(batch[0]) != kind(self._queue[0]):
                     break
                 batch.append(self._queue.popleft())
-            self._busy.update(batch)
+            self._in_progress.update(batch)
             return batch
 
     def _try(self, batch: Sequence[Part]) -> None:
@@ -129,21 +118,21 @@ class Loader:
 
     def _succeed(self, batch: Sequence[Part]) -> None:
         with self._changed:
-            self._pause, self._until, self._is_reported = FIRST_PAUSE, 0.0, False
+            self._pause, self._retry_time, self._is_reported = FIRST_PAUSE, 0.0, False
         self._end(batch, None)
 
     def _fail(self, batch: Sequence[Part], error: Exception) -> None:
         with self._changed:
-            self._until = time.monotonic() + self._pause
-            self._pause = min(2.0 * self._pause, LONGEST_PAUSE)
-            news = not self._is_reported
+            self._retry_time = time.monotonic() + self._pause
+            self._pause = min(2.0 * self._pause, MAX_PAUSE)
+            is_new = not self._is_reported
             self._is_reported = True
             self._queue.extendleft(reversed(batch))
-        self._end(batch, error if news else None)
+        self._end(batch, error if is_new else None)
 
     def _end(self, batch: Sequence[Part], error: Exception | None) -> None:
         with self._changed:
-            self._busy.difference_update(batch)
+            self._in_progress.difference_update(batch)
             if error is not None:
                 self._errors.append(error)
             self._changed.notify_all()

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from nearfar.orthoview._parts import GEOMETRY, Part, kind
+from nearfar.orthoview._cut import GEOMETRY, Part, kind
 
 HALF_LIFE = 1.0
 """Seconds of reading after which a measurement's weight is halved."""
@@ -33,10 +33,10 @@ class Meter:
         self._time, self._received = 0.0, Received()
         self._weight = self._bytes = 0.0
 
-    def note(self, time: float, received: Received, *, busy: bool) -> None:
-        """Record the totals at a time; `busy` says whether requests were outstanding since the last call."""
+    def note(self, time: float, received: Received, *, had_requests: bool) -> None:
+        """Record the totals at a time; `had_requests` says whether requests were outstanding since the last call."""
         seconds = time - self._time
-        if busy and seconds > 0.0:
+        if had_requests and seconds > 0.0:
             fade = 0.5 ** (seconds / HALF_LIFE)
             self._weight = fade * self._weight + seconds
             self._bytes = fade * self._bytes + (received.bytes - self._received.bytes)
@@ -49,7 +49,7 @@ class Meter:
 
     def bytes_of(self, part: Part) -> float:
         """Expected bytes of a part: the mean of those received."""
-        own = self._received
+        received = self._received
         if kind(part) == GEOMETRY:
-            return own.leaf_bytes / max(own.leaves, 1)
-        return own.view_bytes / max(own.views, 1)
+            return received.leaf_bytes / max(received.leaves, 1)
+        return received.view_bytes / max(received.views, 1)

@@ -31,25 +31,15 @@ MAX_TEXTURES = 256
 
 
 class Near:
-    """Reads the geometry of leaves; thread-safe.
+    """Reads the geometry of leaves; thread-safe. Messages name the store by `address`, its folder or URL."""
 
-    Parameters
-    ----------
-    place
-        Folder or URL of the store, for messages.
-    chunks
-        Chunks of the store.
-    grid
-        Grid of the tree's cells.
-    """
-
-    def __init__(self, place: str, chunks: Chunks, grid: Grid) -> None:
-        self._place, self._chunks, self._grid = place, chunks, grid
+    def __init__(self, address: str, chunks: Chunks, grid: Grid) -> None:
+        self._address, self._chunks, self._grid = address, chunks, grid
         self.origin = origin_for(grid.bounds)
         """World position (3,) that the scenes' positions are relative to, metres."""
         self._leaves: Recent[Place, Scene | None] = Recent()
         self._images: Recent[str, bytes] = Recent()
-        self._last: tuple[tuple[Place, ...], Scene | None] = ((), None)
+        self._joined: tuple[tuple[Place, ...], Scene | None] = ((), None)
         self._lock = threading.Lock()
         self.read_bytes = 0
         """Bytes read so far."""
@@ -60,9 +50,9 @@ class Near:
         """Whether a leaf is cached in its newest version."""
         return place in self._leaves
 
-    def keeps(self, place: Place) -> bool:
+    def has_any_version(self, place: Place) -> bool:
         """Whether a leaf is cached, in any version."""
-        return self._leaves.keeps(place)
+        return self._leaves.has_any_version(place)
 
     def take_over(self, older: Near, changed: Callable[[Place], bool]) -> None:
         """Take the cached leaves of an older generation; changed ones serve until they are read again."""
@@ -78,12 +68,12 @@ class Near:
 
     def cached_scene(self, places: Sequence[Place]) -> Scene | None:
         """Geometry of cached leaves as one scene; None if all are empty."""
-        wanted = tuple(sorted(places))
-        leaves = [self._leaves.get(place, None) for place in wanted]
-        if wanted != self._last[0]:
+        leaf_places = tuple(sorted(places))
+        leaves = [self._leaves.get(place, None) for place in leaf_places]
+        if leaf_places != self._joined[0]:
             parts = [leaf for leaf in leaves if leaf is not None]
-            self._last = wanted, join_scenes(parts) if parts else None
-        return self._last[1]
+            self._joined = leaf_places, join_scenes(parts) if parts else None
+        return self._joined[1]
 
     def trim(self, needed: Collection[Place]) -> None:
         """Evict the least recently used leaves, but none that are needed, down to `MAX_LEAVES` others."""
@@ -93,14 +83,14 @@ class Near:
         """Read the leaves that are not cached."""
         for place in places:
             if place not in self:
-                with formats.guarded(self._place, "orthoviews"):
+                with formats.guarded(self._address, "orthoviews"):
                     parts = [part for name in names(self._grid, place) if (part := self._file(name)) is not None]
                 leaf = join_scenes(parts) if parts else None
                 self._leaves.put(place, leaf)
                 with self._lock:
                     self.reads += 1
-                    if place in self._last[0]:
-                        self._last = ((), None)
+                    if place in self._joined[0]:
+                        self._joined = ((), None)
 
     def _file(self, name: str) -> Scene | None:
         data = self._chunks.geometry(name)
@@ -108,9 +98,9 @@ class Near:
             return None
         self._count(data)
         budget = Budget()
-        label = f"{self._place}/{name}"
-        with formats.guarded(label):
-            content = read_gltf(label, data, "glb", _Images(self), Materials(budget), budget)
+        file = f"{self._address}/{name}"
+        with formats.guarded(file):
+            content = read_gltf(file, data, "glb", _Images(self), Materials(budget), budget)
         return Scene._from_assembled(assemble(content, LoadOptions(), origin=self.origin))
 
     def image(self, name: str) -> bytes:

@@ -44,15 +44,6 @@ class _FarParts:
     """Leaves that are drawn as geometry."""
     radius: float
 
-    def baked(self, grid: int) -> dict[str, NDArray[Any]] | None:
-        """Bake the geometry beyond the radius, `grid` samples along each axis of a texel; None without geometry."""
-        if self.near is None:
-            return None
-        how: dict[str, Any] = {"samples": 1, "channels": CHANNELS, "half": False, "device": None}
-        size = self.cameras[0].size[0] * grid
-        env, _ = bake(self.near, self.cameras[0].position, self.radius, size=size, **how)
-        return {"color": env.color, "range": np.asarray(env.range, np.float32)}
-
 
 class NearFarTree(FlownTree, Divided):
     """A tree that near–far reduction takes like a scene; for errors see `OrthoTree`."""
@@ -79,12 +70,12 @@ class NearFarTree(FlownTree, Divided):
         FormatError, OSError
             Damaged or unreadable files.
         """
-        at, reach = np.array(check.vector("center", center)), check.positive("radius", radius)
+        axis_point, reach = np.array(check.vector("center", center)), check.positive("radius", radius)
         if not self._layout.geometry:
             raise ValueError(f"{self.path}: expected a tree with geometry, see nearfar.orthoview.build")
         viewer = self._viewer
-        leaves = self._leaves_within(at, reach)
-        self._know(leaves)
+        leaves = self._leaves_within(axis_point, reach)
+        self._learn_records(leaves)
         leaves = viewer.cutter.with_guests(leaves)
         parts = [scene for scene in (viewer.near.scene(leaves), self._movers) if scene is not None]
         return join_scenes(parts) if parts else None
@@ -132,12 +123,12 @@ class NearFarTree(FlownTree, Divided):
         grid = grid_of(check.integer("samples", baking.samples, 1, 64))
         if unknown := set(channels) - set(CHANNELS):
             raise ValueError(f"channels: expected names of {', '.join(CHANNELS)}, got {', '.join(sorted(unknown))}")
-        shown, viewer = settings_of(views, error_px, True), self._viewer
+        view_settings, viewer = settings_of(views, error_px, True), self._viewer
         cameras = [Camera((x, y, z), fov=CubeFace(face), size=(size, size)) for face in range(FACES)]
-        cuts = [viewer.cutter.whole(camera, shown) for camera in cameras]
-        near = viewer.near.scene(viewer.cutter.with_guests([leaf for cut in cuts for leaf in cut.leaf_places()]))
+        cuts = [viewer.cutter.complete_cut(camera, view_settings) for camera in cameras]
+        near_leaves = viewer.near.scene(viewer.cutter.with_guests([leaf for cut in cuts for leaf in cut.leaf_places()]))
         splats = [self._far_splats(camera, cut, reach) for camera, cut in zip(cameras, cuts, strict=True)]
-        parts = _FarParts(cameras, splats, near, reach)
+        parts = _FarParts(cameras, splats, near_leaves, reach)
         if grid == 1 or "range" not in channels:
             images = self._faces(parts, ("color", *({"range"} & {*channels})), grid)
         else:  # range is taken at the texels' centres
@@ -148,8 +139,12 @@ class NearFarTree(FlownTree, Divided):
 
     def _faces(self, parts: _FarParts, channels: tuple[str, ...], grid: int) -> dict[str, NDArray[Any]]:
         """Render images (6, S, S, …) of all faces, with `grid` samples along each axis of a texel."""
-        origin = self.origin.tolist()
-        before = parts.baked(grid)
+        origin, geometry = self.origin.tolist(), None
+        if parts.near is not None:  # baked beyond the radius
+            settings: dict[str, Any] = {"samples": 1, "channels": CHANNELS, "half": False, "device": None}
+            size = parts.cameras[0].size[0] * grid
+            env, _ = bake(parts.near, parts.cameras[0].position, parts.radius, size=size, **settings)
+            geometry = {"color": env.color, "range": np.asarray(env.range, np.float32)}
         faces = [
             _core.splat_orthoviews(
                 splats,
@@ -157,7 +152,7 @@ class NearFarTree(FlownTree, Divided):
                 Shot(cameras=(camera,), channels=channels).settings,
                 origin=(origin[0], origin[1], origin[2]),
                 grid=grid,
-                before=None if before is None else {name: image[face] for name, image in before.items()},
+                before=None if geometry is None else {name: image[face] for name, image in geometry.items()},
             )
             for face, (camera, splats) in enumerate(zip(parts.cameras, parts.splats, strict=True))
         ]
@@ -167,17 +162,17 @@ class NearFarTree(FlownTree, Divided):
         views, center = self._viewer.views, np.array(camera.position)
         keys = cut.keys()
         views.load(keys)
-        found: list[_core.OrthoSplats] = []
+        far_splats: list[_core.OrthoSplats] = []
         for key in keys:
             level, place, _ = key
-            own = views.cached_layers(key)
-            if _from_axis(self._layout.grid.box(level, place), center) < radius:
-                own = tuple(splats.outside_cylinder(camera.position, radius) for splats in own)
-            found += own
+            layers = views.cached_layers(key)
+            if _distance_from_axis(self._layout.grid.box(level, place), center) < radius:
+                layers = tuple(splats.outside_cylinder(camera.position, radius) for splats in layers)
+            far_splats += layers
         views.trim(set(keys))
-        return found
+        return far_splats
 
-    def _know(self, leaves: list[Place]) -> None:
+    def _learn_records(self, leaves: list[Place]) -> None:
         """Read the records of the leaves' subtrees, which list guests, unless a cut has read them."""
         cutter, side = self._viewer.cutter, self._layout.shard_side(0)
         for x, y, z in dict.fromkeys((x // side, y // side, z // side) for x, y, z in leaves):
@@ -194,10 +189,10 @@ class NearFarTree(FlownTree, Divided):
             ranges.append(range(max(first, 0), min(last + 1, grid.counts[axis])))
         columns, rows = ranges
         places = itertools.product(columns, range(grid.counts[1]), rows)
-        return [place for place in places if _from_axis(grid.box(0, place), center) <= radius]
+        return [place for place in places if _distance_from_axis(grid.box(0, place), center) <= radius]
 
 
-def _from_axis(box: NDArray[np.float64], center: NDArray[np.float64]) -> float:
+def _distance_from_axis(box: NDArray[np.float64], center: NDArray[np.float64]) -> float:
     """Least distance of a box from the vertical axis through a point, metres."""
     nearest = np.clip(center, box[0], box[1]) - center
     return math.hypot(nearest[0], nearest[2])

@@ -19,7 +19,7 @@ from nearfar.orthoview._layout import FOLDER, Layout
 from nearfar.orthoview._leaves import Elsewhere, Leaves
 from nearfar.orthoview._subtree import Outcome, record_of
 
-AHEAD = 8
+SUBTREES_AHEAD = 8
 """Number of subtrees per cluster thread that may be finished before their parents use them."""
 
 
@@ -49,25 +49,22 @@ class _Sent:
 
 @contextmanager
 def subtrees(source: SceneSource, folder: Path, layout: Layout, client: Any) -> Iterator[Elsewhere]:
-    """Let a cluster build the incomplete subtrees of leaves.
+    """Let a cluster build the incomplete subtrees of leaves; yields a function that returns their outcomes in order.
 
-    Yields
-    ------
-    Elsewhere
-        Returns their outcomes, which must be requested depth first.
+    These must be requested depth first.
     """
     pickled = (folder / FOLDER / "source.pickle").absolute()
     try:
-        _keep(source, pickled)
+        _write_source(source, pickled)
         job = _Job(folder.absolute(), layout, pickled, pickled.stat().st_mtime_ns)
         places = _places(source, folder, layout, layout.tiers - 1, (0, 0, 0))
-        with closing(cluster.in_order(partial(_built, job), places, client, ahead=AHEAD)) as results:
-            yield _InTurn(results, layout)
+        with closing(cluster.in_order(partial(_build, job), places, client, backlog=SUBTREES_AHEAD)) as results:
+            yield _InOrder(results, layout)
     finally:
         pickled.unlink(missing_ok=True)
 
 
-def _keep(source: SceneSource, path: Path) -> None:
+def _write_source(source: SceneSource, path: Path) -> None:
     """Write the source to a file for the workers: as part of each task it would pass through the scheduler."""
     with files.atomic_file(path) as temporary, temporary.open("wb") as file:
         try:
@@ -88,24 +85,24 @@ def _places(source: SceneSource, folder: Path, layout: Layout, tier: int, place:
         return
     lowest = tier * layout.subtree
 
-    def below(level: int, place: Place) -> Iterator[Place]:
+    def descend(level: int, place: Place) -> Iterator[Place]:
         for _, child in layout.grid.children(level, place):
             if not may_touch(source, layout.grid.box(level - 1, child)):
                 continue
             if level - 1 == lowest:
                 yield from _places(source, folder, layout, tier - 1, child)
             else:
-                yield from below(level - 1, child)
+                yield from descend(level - 1, child)
 
     top = lowest + layout.subtree
     root = layout.grid.levels - 1
     if root == lowest:  # the root is the only cell of its tier
         yield from _places(source, folder, layout, tier - 1, (0, 0, 0))
     else:
-        yield from below(min(top, root), place)
+        yield from descend(min(top, root), place)
 
 
-class _InTurn:
+class _InOrder:
     """Returns the cluster's outcomes in order."""
 
     def __init__(self, results: Iterator[_Sent], layout: Layout) -> None:
@@ -118,14 +115,14 @@ class _InTurn:
         if self._next is None or self._next.place != place:
             return None
         sent, self._next = self._next, None
-        views = _codec.both(sent.chunks, self._layout.lossless) if sent.chunks else None
+        views = _codec.decode_cell(sent.chunks, self._layout.lossless)
         return Outcome(views, sent.is_complete, sent.failed, counts=sent.counts)
 
 
-def _built(job: _Job, place: Place, report: progress.Report) -> _Sent:
+def _build(job: _Job, place: Place, report: progress.Report) -> _Sent:
     """Build a subtree in a worker."""
     outcome = Leaves(_source(job.source, job.changed), job.folder, job.layout).run_one(place, report)
-    chunks = _codec.encoded(outcome.views, job.layout.lossless) if outcome.views is not None else {}
+    chunks = _codec.encode(outcome.views, job.layout.lossless)
     counts = outcome.counts + Counter(sent=len(chunks))
     return _Sent(place, chunks, outcome.is_complete, outcome.failed, counts)
 

@@ -51,8 +51,8 @@ class Pictured(Renderable):
     def begin(self, device: _core.GpuDevice, shot: Shot, report: Report = None) -> Sequence[Drawn]:
         """Draw the pictures of a shot on a device, one for each camera."""
         check_request(shot, report)
-        own = check.instance("device", device, _core.GpuDevice)
-        return [Drawn(images) for images in self._pictures(shot, own, report)]
+        checked_device = check.instance("device", device, _core.GpuDevice)
+        return [Drawn(images) for images in self._pictures(shot, checked_device, report)]
 
     @abstractmethod
     def _pictures(self, shot: Shot, device: _core.GpuDevice | None, report: Report) -> list[Images]:

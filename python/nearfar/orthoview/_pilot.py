@@ -1,42 +1,102 @@
-"""Plans what a client reads: the cut of its picture, parts to prefetch, and how coarse both may be."""
+"""Plans what a client reads: the cut of its picture, parts to prefetch along its motion, and how coarse both may be."""
 
 from __future__ import annotations
 
 import math
+from collections import deque
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import chain
 
 import numpy as np
+from numpy.typing import NDArray
 
 from nearfar._camera.camera import Camera
-from nearfar._camera.rotation import rotation
-from nearfar.orthoview._cut import Cutter, OrthoCut, Settings
+from nearfar._camera.rotation import compose_rotations, rotation
+from nearfar.orthoview._cut import Cutter, OrthoCut, Part, Settings, leaf_parts, records_of
 from nearfar.orthoview._meter import Meter
-from nearfar.orthoview._motion import Motion
-from nearfar.orthoview._parts import Part, leaf_parts, records_of
 from nearfar.orthoview._prefetch import Outlook, PrefetchQueue, offsets, queue, seen_parts, smallest
 from nearfar.orthoview._standins import Wanted
+
+WINDOW = 0.25
+"""Seconds over which speed is measured."""
+
+MAX_TURN = math.pi / 2
+"""Greatest extrapolated turn, radians."""
+
+
+class Motion:
+    """Velocity and turn rate of a viewer, from its last cameras."""
+
+    def __init__(self) -> None:
+        self._cameras: deque[tuple[float, Camera]] = deque()
+
+    def add(self, camera: Camera, time: float) -> None:
+        """Add the viewer's camera at a time; a time that is not later restarts the measurement."""
+        if self._cameras and time <= self._cameras[-1][0]:
+            self._cameras.clear()
+        self._cameras.append((time, camera))
+        while len(self._cameras) > 2 and self._cameras[1][0] <= time - WINDOW:
+            self._cameras.popleft()
+
+    @property
+    def velocity(self) -> NDArray[np.float64]:
+        """Velocity (3,), metres a second."""
+        if len(self._cameras) < 2:
+            return np.zeros(3)
+        (begin, first), (end, last) = self._cameras[0], self._cameras[-1]
+        velocity: NDArray[np.float64] = np.subtract(last.position, first.position) / (end - begin)
+        return velocity
+
+    @property
+    def turn(self) -> NDArray[np.float64]:
+        """Angular velocity about the world axes (3,), radians a second."""
+        if len(self._cameras) < 2:
+            return np.zeros(3)
+        (begin, first), (end, last) = self._cameras[0], self._cameras[-1]
+        i, j, k, real = first.orientation
+        x, y, z, w = compose_rotations((-i, -j, -k, real), last.orientation)
+        axis = np.array([x, y, z]) * (1.0 if w >= 0.0 else -1.0)
+        length = float(np.linalg.norm(axis))
+        angle = 2.0 * math.atan2(length, abs(w))
+        return axis * (angle / length / (end - begin)) if length > 0.0 else np.zeros(3)
+
+    def extrapolate(self, seconds: float, offset: NDArray[np.float64]) -> Camera:
+        """Extrapolate the camera by some seconds of the present turn, and move it by an offset in metres."""
+        camera = self._cameras[-1][1]
+        turn = self.turn * seconds
+        angle = float(np.linalg.norm(turn))
+        if angle > MAX_TURN:
+            turn *= MAX_TURN / angle
+            angle = MAX_TURN
+        x, y, z = (turn * (math.sin(angle / 2.0) / angle)).tolist() if angle > 0.0 else (0.0, 0.0, 0.0)
+        px, py, pz = (np.array(camera.position) + offset).tolist()
+        return replace(
+            camera,
+            position=(px, py, pz),
+            orientation=compose_rotations(camera.orientation, (x, y, z, math.cos(angle / 2.0))),
+        )
+
 
 RENEWED_TURN = math.radians(5.0)
 """Turn after which the queue is renewed; it is also renewed when the speed has doubled or halved."""
 
-LONGEST = 1.0
+MAX_TURN_SECONDS = 1.0
 """Maximum number of seconds for which a turn is extrapolated."""
 
-HORIZON = 1.0
+HORIZON_SECONDS = 1.0
 """Seconds of its course that a viewer looks ahead, at most the side of the smallest cell."""
 
 STEPS = 10
 """Number of steps, each a factor of √2, by which a picture becomes coarser when the viewer is too fast."""
 
-SLACK = 1.5
+HYSTERESIS = 1.5
 """Factor by which the speed limit must exceed the speed before the picture becomes finer again (hysteresis)."""
 
-SHARE = 0.8
+RATE_SHARE = 0.8
 """Share of the link's rate that the parts on a viewer's course may take."""
 
-MIN_SPEED, SLOW = 1e-3, 1.0
+MIN_SPEED, MIN_COMPARED_SPEED = 1e-3, 1.0
 """Metres a second below which a viewer counts as resting, and below which changes of speed are ignored."""
 
 
@@ -77,46 +137,36 @@ class _Renewed:
 
 
 class Pilot:
-    """Plans reads for a viewer.
-
-    Parameters
-    ----------
-    cutter
-        Cuts the tree.
-    settings
-        Settings for viewing the tree.
-    ahead
-        Prefetch settings.
-    """
+    """Plans reads for a viewer."""
 
     def __init__(self, cutter: Cutter, settings: Settings, ahead: Ahead) -> None:
         self._cutter, self._settings, self._ahead = cutter, settings, ahead
         self._motion = Motion()
         self.camera: Camera | None = None
         """Camera of the viewer."""
-        self._beside: Sequence[Camera] = ()
+        self._cameras_beside: Sequence[Camera] = ()
         self._error = settings.error_px
-        self._wished = settings.error_px
+        self._target_error = settings.error_px
         self._renewed: _Renewed | None = None
-        self._base: list[Part] = []
+        self._coarsest: list[Part] = []
         self.meter = Meter()
         """Measures the link."""
         self.limit = math.inf
-        """Speed that the link allows at the wanted error, metres a second; higher far from small cells."""
+        """Speed that the link allows at the error of the settings, metres a second; higher far from small cells."""
 
     @property
     def settings(self) -> Settings:
         """Settings with the error now in force."""
         return replace(self._settings, error_px=self._error)
 
-    def take(self, cutter: Cutter) -> None:
+    def switch_to(self, cutter: Cutter) -> None:
         """Switch to a newer generation of the tree."""
         self._cutter, self._renewed = cutter, None
 
     def look(self, camera: Camera, time: float, beside: Sequence[Camera] = ()) -> None:
         """Set the viewer's camera at a time in seconds, and the cameras of further pictures."""
         self._motion.add(camera, time)
-        self.camera, self._beside = camera, beside
+        self.camera, self._cameras_beside = camera, beside
 
     def plan(self, held: Callable[[Part], bool]) -> Plan:
         """Plan for the viewer's camera; `held` says which parts have been read."""
@@ -130,42 +180,43 @@ class Pilot:
             records, soon = [*renewed.unknown], [*renewed.needed, *renewed.soon]
         cut, coming = self._cut(camera, held)
         wanted = self.parts_of_cut(cut)
-        if not self._base:
-            self._base = self._top(camera)
+        if not self._coarsest:
+            self._coarsest = self._coarsest_views(camera)
         # A finer picture is read last.
-        then = [*soon, *coming] if self._wished < self._error else [*coming, *soon]
-        others = [self._cutter.cut(other, self.settings) for other in self._beside]
-        beside = [self.parts_of_cut(other) for other in others]
-        records += [record for other in others for record in records_of(other)]
-        parts = [part for each in (wanted, *beside) for part in chain(*each.values())]
-        order = [*records_of(cut), *self._base, *records, *parts, *then]
+        later = [*soon, *coming] if self._target_error < self._error else [*coming, *soon]
+        cuts_beside = [self._cutter.cut(camera_beside, self.settings) for camera_beside in self._cameras_beside]
+        beside = [self.parts_of_cut(cut_beside) for cut_beside in cuts_beside]
+        records += [record for cut_beside in cuts_beside for record in records_of(cut_beside)]
+        parts = [part for cells in (wanted, *beside) for part in chain(*cells.values())]
+        order = [*records_of(cut), *self._coarsest, *records, *parts, *later]
         return Plan(wanted, list(dict.fromkeys(order)), self._error, beside)
 
     def parts_of_cut(self, cut: OrthoCut) -> Wanted:
         """Cells of a picture's cut with the parts of each: leaves as geometry, then cells as views, by distance."""
-        found: Wanted = {(0, leaf): leaf_parts([leaf], self._cutter) for leaf in cut.leaf_places(in_picture=True)}
+        parts: Wanted = {(0, leaf): leaf_parts([leaf], self._cutter) for leaf in cut.leaf_places(in_picture=True)}
         for level, place, direction in cut.keys(in_picture=True):
-            found.setdefault((level, place), []).append((level, place, direction))
-        return found
+            parts.setdefault((level, place), []).append((level, place, direction))
+        return parts
 
     def _cut(self, camera: Camera, held: Callable[[Part], bool]) -> tuple[OrthoCut, list[Part]]:
-        """Return the cut at the error in force, and the parts of the cut at the wished error.
+        """Return the cut at the error in force, and the parts of the cut at the target error.
 
-        The wished error comes into force once all its parts are read; a coarser one also if parts of the finer cut are
+        The target error comes into force once all its parts are read; a coarser one also if parts of the finer cut are
         missing.
         """
-        now = self._cutter.cut(camera, self.settings)
-        if self._wished == self._error:
-            return now, []
-        next_cut = self._cutter.cut(camera, replace(self._settings, error_px=self._wished))
+        current = self._cutter.cut(camera, self.settings)
+        if self._target_error == self._error:
+            return current, []
+        next_cut = self._cutter.cut(camera, replace(self._settings, error_px=self._target_error))
         coming = [*chain(*self.parts_of_cut(next_cut).values())]
-        is_there = all(map(held, coming)) and not next_cut.unknown
-        if is_there or (self._wished > self._error and not all(map(held, chain(*self.parts_of_cut(now).values())))):
-            self._error = self._wished
+        is_read = all(map(held, coming)) and not next_cut.unknown
+        is_coarser = self._target_error > self._error
+        if is_read or (is_coarser and not all(map(held, chain(*self.parts_of_cut(current).values())))):
+            self._error = self._target_error
             return next_cut, []
-        return now, coming
+        return current, coming
 
-    def _top(self, camera: Camera) -> list[Part]:
+    def _coarsest_views(self, camera: Camera) -> list[Part]:
         """Coarsest views, parts of which stand in for all cells not yet read."""
         coarsest = replace(self._settings, error_px=1e30, geometry=False)
         return self._cutter.cut(camera, coarsest, around=True).keys()
@@ -175,7 +226,7 @@ class Pilot:
         old = self._renewed
         speed = float(np.linalg.norm(self._motion.velocity))
         if speed <= MIN_SPEED:
-            self._wished = self._settings.error_px
+            self._target_error = self._settings.error_px
         if (
             old is not None
             and not old.queue.unknown
@@ -187,37 +238,37 @@ class Pilot:
         settings = self.settings
         ahead = smallest(self._cutter.cut(camera, settings, around=True), self._cutter.grid)
         if course is not None:
-            ahead = min(ahead, speed * HORIZON)
-        seconds = min(ahead / speed, LONGEST) if speed > MIN_SPEED else LONGEST
+            ahead = min(ahead, speed * HORIZON_SECONDS)
+        seconds = min(ahead / speed, MAX_TURN_SECONDS) if speed > MIN_SPEED else MAX_TURN_SECONDS
         cameras = [self._motion.extrapolate(seconds, offset) for offset in offsets(ahead, course)]
         outlook = Outlook([camera, *cameras[:1]], self._ahead.margin)
-        made = queue(self._cutter, settings, camera, cameras, outlook)
-        self._renewed = _Renewed(made, camera, self._error, speed)
+        renewed = queue(self._cutter, settings, camera, cameras, outlook)
+        self._renewed = _Renewed(renewed, camera, self._error, speed)
         if self._ahead.adapt and course is not None:
             self._adapt(speed, (camera, self._motion.extrapolate(0.0, ahead * course)), ahead, outlook)
-        return made
+        return renewed
 
     def _is_near(self, old: _Renewed, camera: Camera, speed: float) -> bool:
-        moved = np.linalg.norm(np.subtract(camera.position, old.camera.position))
+        distance = np.linalg.norm(np.subtract(camera.position, old.camera.position))
         cosine = np.clip(rotation(camera.orientation)[:, 2] @ rotation(old.camera.orientation)[:, 2], -1.0, 1.0)
-        is_as_fast = 0.5 <= max(speed, SLOW) / max(old.speed, SLOW) <= 2.0
-        return bool(is_as_fast and moved <= old.queue.renewed_after and math.acos(cosine) <= RENEWED_TURN)
+        is_as_fast = 0.5 <= max(speed, MIN_COMPARED_SPEED) / max(old.speed, MIN_COMPARED_SPEED) <= 2.0
+        return bool(is_as_fast and distance <= old.queue.renewed_after and math.acos(cosine) <= RENEWED_TURN)
 
-    def _adapt(self, speed: float, way: tuple[Camera, Camera], metres: float, outlook: Outlook) -> None:
-        """Set the wished error: the least one at which the link keeps up with the viewer's course."""
-        own = self._settings.error_px
+    def _adapt(self, speed: float, ends: tuple[Camera, Camera], metres: float, outlook: Outlook) -> None:
+        """Set the target error: the least one at which the link keeps up with the viewer's course."""
+        base_error = self._settings.error_px
         for step in range(STEPS + 1):
-            error = own * 2.0 ** (step / 2.0)
-            limit = self._limit(way, metres, outlook, replace(self._settings, error_px=error))
+            error = base_error * 2.0 ** (step / 2.0)
+            limit = self._limit(ends, metres, outlook, replace(self._settings, error_px=error))
             if step == 0:
                 self.limit = limit
-            if limit >= speed * (SLACK if error < self._error else 1.0):
+            if limit >= speed * (HYSTERESIS if error < self._error else 1.0):
                 break
-        self._wished = error
+        self._target_error = error
 
-    def _limit(self, way: tuple[Camera, Camera], metres: float, outlook: Outlook, settings: Settings) -> float:
-        """Speed at which the parts that come into sight on a way arrive as fast as they are needed."""
-        cutter = self._cutter
-        here, there = (seen_parts(cutter, cutter.cut(camera, settings, around=True), camera, outlook) for camera in way)
-        count = sum(self.meter.bytes_of(part) for part in there.keys() - here.keys())
-        return SHARE * self.meter.rate * metres / count if count > 0.0 else math.inf
+    def _limit(self, ends: tuple[Camera, Camera], metres: float, outlook: Outlook, settings: Settings) -> float:
+        """Speed at which the parts that come into sight between two cameras arrive as fast as they are needed."""
+        cuts = (self._cutter.cut(camera, settings, around=True) for camera in ends)
+        now, ahead = (seen_parts(self._cutter, cut, camera, outlook) for cut, camera in zip(cuts, ends, strict=True))
+        size = sum(self.meter.bytes_of(part) for part in ahead.keys() - now.keys())
+        return RATE_SHARE * self.meter.rate * metres / size if size > 0.0 else math.inf

@@ -11,9 +11,8 @@ from numpy.typing import NDArray
 
 from nearfar._camera.camera import Camera, Fov
 from nearfar._camera.rotation import rotation
-from nearfar.orthoview._cut import Cutter, OrthoCut, Settings
+from nearfar.orthoview._cut import Cutter, OrthoCut, Part, Settings, leaf_parts, records_of
 from nearfar.orthoview._grid import Grid, Place
-from nearfar.orthoview._parts import Part, leaf_parts, records_of
 
 RENEWED_AFTER = 0.1
 """Share of the look-ahead distance that a viewer moves before the queue is renewed."""
@@ -53,12 +52,7 @@ class PrefetchQueue:
 class Outlook:
     """Frustum test: cells that lie in the pictures of cameras, or may when these turn by a margin.
 
-    Parameters
-    ----------
-    cameras
-        Cameras now and at moments ahead.
-    margin
-        Margin around their pictures, radians; None for all directions.
+    The cameras are those of now and of moments ahead. The margin is in radians; None stands for all directions.
     """
 
     def __init__(self, cameras: Iterable[Camera], margin: float | None) -> None:
@@ -77,24 +71,24 @@ class Outlook:
         """Whether cells, given by least corners (N, 3) and sides (N,), reach into one of the pictures (N,)."""
         if not self._planes:
             return np.ones(len(corners), bool)
-        half = sides[:, None] / 2.0
-        to = corners + half - eye
+        half_side = sides[:, None] / 2.0
+        to_center = corners + half_side - eye
         # The corner farthest along the plane's normal decides.
-        inside = [(to @ planes.T + half * np.abs(planes).sum(axis=1) >= 0.0).all(axis=1) for planes in self._planes]
-        seen: NDArray[np.bool_] = np.any(inside, axis=0)
-        return seen
+        reaches = (to_center @ planes.T + half_side * np.abs(planes).sum(axis=1) for planes in self._planes)
+        is_visible: NDArray[np.bool_] = np.any([(reach >= 0.0).all(axis=1) for reach in reaches], axis=0)
+        return is_visible
 
 
 def _sides(camera: Camera, fov: Fov, margin: float) -> NDArray[np.float64]:
     """Inward normals of a frustum's sides, widened by a margin in radians."""
     right, up, back = rotation(camera.orientation).T
-    found = []
-    for across, ends in ((right, (fov.left, fov.right)), (up, (fov.down, fov.up))):
+    normals = []
+    for axis, ends in ((right, (fov.left, fov.right)), (up, (fov.down, fov.up))):
         angles = [math.atan(-sign * tangent) + margin for sign, tangent in zip((1.0, -1.0), ends, strict=True)]
         for sign, angle in zip((1.0, -1.0), angles, strict=True):
             if angle < math.pi / 2.0 and sum(angles) < math.pi:  # half a turn or more is no half-space
-                found.append(sign * math.cos(angle) * across - math.sin(angle) * back)
-    return np.array(found).reshape(-1, 3)
+                normals.append(sign * math.cos(angle) * axis - math.sin(angle) * back)
+    return np.array(normals).reshape(-1, 3)
 
 
 def smallest(cut: OrthoCut, grid: Grid) -> float:
@@ -108,20 +102,14 @@ def offsets(ahead: float, course: NDArray[np.float64] | None) -> NDArray[np.floa
     """Offsets (N, 3) of positions ahead from the viewer, metres: along and beside its course, or along all axes."""
     if course is None:
         return ahead * _AXES
-    across = np.cross(course, _AXES[np.abs(course).argmin() * 2])
-    across /= np.linalg.norm(across)
-    other = np.cross(course, across)
-    outer = [course + SIDEWAYS * side for side in (across, -across, other, -other)]
-    return ahead * np.array([0.5 * course, course, *(each / np.linalg.norm(each) for each in outer)])
+    sideways = np.cross(course, _AXES[np.abs(course).argmin() * 2])
+    sideways /= np.linalg.norm(sideways)
+    upwards = np.cross(course, sideways)
+    outer = [course + SIDEWAYS * side for side in (sideways, -sideways, upwards, -upwards)]
+    return ahead * np.array([0.5 * course, course, *(direction / np.linalg.norm(direction) for direction in outer)])
 
 
-def queue(
-    cutter: Cutter,
-    settings: Settings,
-    here: Camera,
-    ahead: Sequence[Camera],
-    outlook: Outlook,
-) -> PrefetchQueue:
+def queue(cutter: Cutter, settings: Settings, here: Camera, ahead: Sequence[Camera], outlook: Outlook) -> PrefetchQueue:
     """Collect the parts of the cuts at a position and at positions ahead, for cells that an outlook sees."""
     here_cut = cutter.cut(here, settings, around=True)
     needed = seen_parts(cutter, here_cut, here, outlook)
@@ -146,14 +134,14 @@ def seen_parts(cutter: Cutter, cut: OrthoCut, camera: Camera, outlook: Outlook) 
     origin = np.array(grid.origin)
     leaves = origin + cut.leaves * grid.cell
     is_near = outlook.sees(eye, leaves, np.full(len(leaves), grid.cell)) | cut.leaf_in_picture
-    near = [(x, y, z) for x, y, z in cut.leaves[is_near].tolist()]
-    found: dict[Part, None] = dict.fromkeys(leaf_parts(near, cutter))
+    near_leaves = [(x, y, z) for x, y, z in cut.leaves[is_near].tolist()]
+    parts: dict[Part, None] = dict.fromkeys(leaf_parts(near_leaves, cutter))
     sides = grid.cell * np.exp2(cut.level.astype(np.float64))
     is_seen = outlook.sees(eye, origin + cut.place * sides[:, None], sides) | cut.in_picture
     rows = zip(cut.level[is_seen].tolist(), cut.place[is_seen].tolist(), cut.directions[is_seen].tolist(), strict=True)
     for level, (x, y, z), directions in rows:
-        found |= {(level, (x, y, z), direction): None for direction in directions if direction >= 0}
-    return found
+        parts |= {(level, (x, y, z), direction): None for direction in directions if direction >= 0}
+    return parts
 
 
 def _distance(grid: Grid, level: int, place: Place, eye: NDArray[np.float64]) -> float:

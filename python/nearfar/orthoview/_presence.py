@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import base64
+import math
 import zlib
 from collections.abc import Sequence
 
@@ -11,7 +12,7 @@ from numpy.typing import NDArray
 
 from nearfar._base.errors import UnusableError
 from nearfar.orthoview._grid import Place
-from nearfar.orthoview._layout import Layout
+from nearfar.orthoview._layout import Key, Layout
 
 AS_BEFORE = 1 << 31
 """Mask of a cell that is unchanged from older generations."""
@@ -21,40 +22,61 @@ Masks = list[NDArray[np.uint32]]
 
 
 class Presence:
-    """Collects the masks of a subtree from its chunks.
-
-    Parameters
-    ----------
-    layout
-        Layout of the tree.
-    tier
-        Tier of the subtree.
-    value
-        Initial mask of all cells: 0 for empty, or `AS_BEFORE`.
-    """
+    """Counts a subtree's chunks, and collects its masks; at first all are `value`: 0 for empty, or `AS_BEFORE`."""
 
     def __init__(self, layout: Layout, tier: int, value: int = 0) -> None:
         self._layout, self._lowest = layout, tier * layout.subtree
         self._masks = [np.full(shape, value, np.uint32) for shape in shapes(layout, tier)]
+        self._cells: set[tuple[int, Place]] = set()
+        self._chunks, self._bytes = 0, 0
 
-    def computed(self, level: int, place: Place) -> None:
+    def add_computed(self, level: int, place: Place) -> None:
         """Record that a cell has been computed, so that its mask no longer is `AS_BEFORE`."""
         _, within = self._layout.shard_of(level, place)
         mask = self._masks[level - self._lowest]
         if mask[within] == AS_BEFORE:
             mask[within] = 0
 
-    def add(self, level: int, place: Place, array: str, length: int) -> None:
+    def add(self, key: Key, length: int) -> None:
         """Record a chunk of a computed cell; length 0 means that it is missing."""
-        _, within = self._layout.shard_of(level, place)
-        mask = self._masks[level - self._lowest]
+        if not length:
+            return
+        level, place, array = key
+        self._cells.add((level, place))
+        self._chunks, self._bytes = self._chunks + 1, self._bytes + length
         _, name, channel = array.split("/")
-        if length and channel == "depth":
-            mask[within] |= np.uint32(1 << self._layout.names.index(name))
+        if channel == "depth":
+            _, within = self._layout.shard_of(level, place)
+            self._masks[level - self._lowest][within] |= np.uint32(1 << self._layout.names.index(name))
+
+    def counts(self) -> dict[str, int]:
+        """Numbers of cells and leaves that are not empty, of their chunks and of the chunks' bytes."""
+        leaves = sum(level == 0 for level, _ in self._cells)
+        return {"cells": len(self._cells), "leaves": leaves, "chunks": self._chunks, "bytes": self._bytes}
 
     def to_json(self) -> list[str]:
         """Encode the masks as JSON."""
-        return [base64.b64encode(zlib.compress(mask.astype("<u4").tobytes(), 9)).decode() for mask in self._masks]
+        return [pack(mask.astype("<u4").tobytes()) for mask in self._masks]
+
+
+def pack(data: bytes) -> str:
+    """Encode bytes as text: base64 of zlib."""
+    return base64.b64encode(zlib.compress(data, 9)).decode()
+
+
+def unpack(name: str, text: str, limit: int) -> bytes:
+    """Decode text that `pack` returned for at most `limit` bytes: a damaged one may unpack to any length.
+
+    Raises UnusableError for damaged text; the message begins with `name`.
+    """
+    stream = zlib.decompressobj()
+    try:
+        content = stream.decompress(base64.b64decode(text, validate=True), limit)
+    except (ValueError, zlib.error) as error:
+        raise UnusableError(f"{name}: {error}") from None
+    if not stream.eof or stream.unused_data:  # zlib compares its checksum at the end
+        raise UnusableError(f"{name}: expected the end of the compressed bytes after their content")
+    return content
 
 
 def shapes(layout: Layout, tier: int) -> list[tuple[int, int, int]]:
@@ -76,25 +98,19 @@ def masks_of(described: Sequence[str], layout: Layout, tier: int) -> Masks:
 
 
 def _mask(text: str, shape: tuple[int, int, int]) -> NDArray[np.uint32]:
-    size, stream = 4 * int(np.prod(shape)), zlib.decompressobj()
-    try:
-        # Limited to the expected size: a damaged text may unpack to any length.
-        content = stream.decompress(base64.b64decode(text, validate=True), size + 1)
-    except (ValueError, zlib.error) as error:
-        raise UnusableError(f"views: {error}") from None
+    size = 4 * math.prod(shape)
+    content = unpack("views", text, size + 1)
     if len(content) != size:
         raise UnusableError(f"views: expected {size} bytes, got {len(content)}")
-    if not stream.eof or stream.unused_data:  # zlib compares its checksum at the end
-        raise UnusableError("views: expected the end of the compressed bytes after their content")
     return np.frombuffer(content, "<u4").reshape(shape).astype(np.uint32)
 
 
 def newest_of(generations: Sequence[Masks], layout: Layout, tier: int, unknown: int = 0) -> Masks:
     """Merge masks of generations, newest first: each cell takes the first one that is not `AS_BEFORE`."""
-    found = [np.full(shape, AS_BEFORE, np.uint32) for shape in shapes(layout, tier)]
+    merged = [np.full(shape, AS_BEFORE, np.uint32) for shape in shapes(layout, tier)]
     for masks in generations:
-        for mask, own in zip(found, masks, strict=True):
-            np.copyto(mask, own, where=mask == AS_BEFORE)
-    for mask in found:
+        for mask, newer in zip(merged, masks, strict=True):
+            np.copyto(mask, newer, where=mask == AS_BEFORE)
+    for mask in merged:
         mask[mask == AS_BEFORE] = unknown
-    return found
+    return merged

@@ -12,20 +12,14 @@ Value = TypeVar("Value")
 
 
 class Recent(Generic[Key, Value]):
-    """The cache.
-
-    Parameters
-    ----------
-    size_of
-        Size of a value, in the unit of `trim`; by default each counts 1.
-    """
+    """The cache; `size_of` returns a value's size in the unit of `trim`, by default 1."""
 
     def __init__(self, size_of: Callable[[Value], int] = lambda value: 1) -> None:
         self._size_of = size_of
         self.values: OrderedDict[Key, Value] = OrderedDict()
         """Values by key, the least recently used first."""
         # Keys of values that an update has changed since they were read.
-        self._old: set[Key] = set()
+        self._outdated: set[Key] = set()
         self._lock = threading.Lock()
         self.size = 0
         """Sum of the sizes of all values."""
@@ -33,9 +27,9 @@ class Recent(Generic[Key, Value]):
     def __contains__(self, key: Key) -> bool:
         """Whether a value is cached in its newest version."""
         with self._lock:
-            return key in self.values and key not in self._old
+            return key in self.values and key not in self._outdated
 
-    def keeps(self, key: Key) -> bool:
+    def has_any_version(self, key: Key) -> bool:
         """Whether a value is cached, in any version."""
         return key in self.values
 
@@ -58,18 +52,18 @@ class Recent(Generic[Key, Value]):
         """Take the values of an older generation; changed ones serve until they are read again."""
         for key, value in list(older.values.items()):
             self.put(key, value)
-            if key in older._old or changed(key):
-                self._old.add(key)
+            if key in older._outdated or changed(key):
+                self._outdated.add(key)
 
-    def trim(self, needed: Container[Key], most: int) -> None:
-        """Evict the least recently used values, but none that are needed, until their sizes sum to at most `most`."""
+    def trim(self, needed: Container[Key], max_size: int) -> None:
+        """Evict the least recently used values, but none that are needed, until all sizes sum to `max_size` or less."""
         with self._lock:
             for key in [key for key in self.values if key not in needed]:
-                if self.size <= most:
+                if self.size <= max_size:
                     return
                 self._drop(key)
 
     def _drop(self, key: Key) -> None:
-        self._old.discard(key)
+        self._outdated.discard(key)
         if key in self.values:
             self.size -= self._size_of(self.values.pop(key))

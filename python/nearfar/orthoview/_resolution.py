@@ -6,7 +6,7 @@ import math
 from typing import SupportsFloat, SupportsIndex
 
 from nearfar._base import check
-from nearfar.orthoview._directions import directions_of, widest
+from nearfar.orthoview._grid import directions_of, widest
 
 _MAX = 4096
 """Greatest size of a view."""
@@ -61,17 +61,17 @@ def size_for(
     largest side of a view's pixel is w s/q.
     """
     width = check.integer("pixels", pixels, 1, 1 << 20)
-    side, away = check.positive("cell", cell), check.positive("distance", distance)
-    opening, lean = check.number("fov", fov), check.number("angle", angle)
-    if not 0 < opening < math.pi:
-        raise ValueError(f"fov: expected radians between 0 and π, got {opening:g}")
-    if not 0 <= lean < math.pi / 2:
-        raise ValueError(f"angle: expected radians from 0 to below π/2, got {lean:g}")
-    wide = widest(directions_of(directions))
-    shown = 2 * away * math.tan(opening / 2) * math.cos(lean)
-    if not width * wide * side <= _MAX * shown:
-        wanted = f"expected values for which {_MAX} pixels are enough"
+    side, least_distance = check.positive("cell", cell), check.positive("distance", distance)
+    field_of_view, tilt = check.number("fov", fov), check.number("angle", angle)
+    if not 0 < field_of_view < math.pi:
+        raise ValueError(f"fov: expected radians between 0 and π, got {field_of_view:g}")
+    if not 0 <= tilt < math.pi / 2:
+        raise ValueError(f"angle: expected radians from 0 to below π/2, got {tilt:g}")
+    widest_view = widest(directions_of(directions))
+    visible_width = 2 * least_distance * math.tan(field_of_view / 2) * math.cos(tilt)
+    if not width * widest_view * side <= _MAX * visible_width:
+        values = f"{width}, {side:g}, {least_distance:g}, {field_of_view:g}, {tilt:g}"
         raise ValueError(
-            f"pixels, cell, distance, fov, angle: {wanted}, got {width}, {side:g}, {away:g}, {opening:g}, {lean:g}"
+            f"pixels, cell, distance, fov, angle: expected values for which {_MAX} pixels are enough, got {values}"
         )
-    return max(4, 4 * math.ceil(width * wide * side / shown / 4 * (1 - _ROUNDING)))
+    return max(4, 4 * math.ceil(width * widest_view * side / visible_width / 4 * (1 - _ROUNDING)))

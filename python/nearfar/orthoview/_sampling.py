@@ -12,10 +12,10 @@ from nearfar._scene.scene import Scene
 from nearfar._source.protocol import SceneSource, may_touch
 from nearfar.orthoview._grid import Grid, Place
 
-KEPT = 48
+CELLS_PER_LEVEL = 48
 """Number of cells of a level that the descent continues with."""
 
-BLIND = 128
+UNIFORM_LEAVES = 128
 """Number of leaves sampled if the source has no `touches`."""
 
 TRIANGLES = 4096
@@ -37,10 +37,10 @@ def leaves(source: SceneSource, grid: Grid) -> Iterator[Place]:
     from everywhere. Other sources are sampled level by level, among the children that `touches` admits, or uniformly
     if they have no `touches`.
     """
-    found: dict[Place, None] = {}
+    sampled: dict[Place, None] = {}
     for place in _candidates(source, grid):
-        if place not in found:
-            found[place] = None
+        if place not in sampled:
+            sampled[place] = None
             yield place
 
 
@@ -48,32 +48,32 @@ def _candidates(source: SceneSource, grid: Grid) -> Iterator[Place]:
     if isinstance(source, Scene) and 0 < source.triangle_count <= _MAX_TRIANGLES:
         yield from _of_triangles(source, grid)
     if getattr(source, "touches", None) is None:
-        yield from _drawn_evenly(grid)
+        yield from _sample_evenly(grid)
     else:
-        yield from _descended(source, grid)
+        yield from _descend(source, grid)
 
 
 def _of_triangles(scene: Scene, grid: Grid) -> Iterator[Place]:
     """Leaves of the grid that hold random points of random triangles."""
     total = scene.triangle_count
-    chosen = np.zeros(total, bool)
-    chosen[(random.uniform(_SEED, _NUMBERS, np.arange(TRIANGLES)) * total).astype(np.int64)] = True
-    corner, one, other = np.moveaxis(scene._core.subset_of_triangles(chosen).triangles().astype(np.float64), 1, 0)
-    share, along = random.uniform(_SEED, _POINTS, np.arange(2 * len(corner))).reshape(2, -1, 1)
+    is_chosen = np.zeros(total, bool)
+    is_chosen[(random.uniform(_SEED, _NUMBERS, np.arange(TRIANGLES)) * total).astype(np.int64)] = True
+    corner, one, other = np.moveaxis(scene._core.subset_of_triangles(is_chosen).triangles().astype(np.float64), 1, 0)
+    first, second = random.uniform(_SEED, _POINTS, np.arange(2 * len(corner))).reshape(2, -1, 1)
     # The square root of one number spreads points evenly over a triangle (Turk, Generating random points in triangles).
-    root = np.sqrt(share)
-    points = scene.origin + corner + root * ((1 - along) * (one - corner) + along * (other - corner))
+    root = np.sqrt(first)
+    points = scene.origin + corner + root * ((1 - second) * (one - corner) + second * (other - corner))
     order = np.argsort(random.uniform(_SEED, _ORDER, np.arange(len(points))), kind="stable")
     places = np.floor((points[order] - grid.origin) / grid.cell)
-    inside = ((places >= 0) & (places < grid.counts)).all(axis=1)
-    yield from _as_places(places[inside].astype(np.int64))
+    is_inside = ((places >= 0) & (places < grid.counts)).all(axis=1)
+    yield from _as_places(places[is_inside].astype(np.int64))
 
 
-def _drawn_evenly(grid: Grid) -> Iterator[Place]:
+def _sample_evenly(grid: Grid) -> Iterator[Place]:
     """Leaves of the grid, sampled uniformly."""
     total = grid.leaves(grid.levels - 1, (0, 0, 0))
-    luck = random.uniform(_SEED, _EVENLY, np.arange(min(total, BLIND)))
-    numbers = np.argsort(luck, kind="stable") if total <= BLIND else (luck * total).astype(np.int64)
+    luck = random.uniform(_SEED, _EVENLY, np.arange(min(total, UNIFORM_LEAVES)))
+    numbers = np.argsort(luck, kind="stable") if total <= UNIFORM_LEAVES else (luck * total).astype(np.int64)
     yield from _as_places(np.column_stack(np.unravel_index(numbers, grid.counts)))
 
 
@@ -81,17 +81,17 @@ def _as_places(rows: NDArray[np.int64]) -> Iterator[Place]:
     return ((int(x), int(y), int(z)) for x, y, z in rows)
 
 
-def _descended(source: SceneSource, grid: Grid) -> list[Place]:
-    """Leaves that a source may touch. `touches` is called for the children of `KEPT` cells on each level."""
+def _descend(source: SceneSource, grid: Grid) -> list[Place]:
+    """Leaves that a source may touch. `touches` is called for the children of `CELLS_PER_LEVEL` cells on each level."""
     places: list[Place] = [(0, 0, 0)]
     for level in reversed(range(grid.levels - 1)):
         children = [child for place in places for _, child in grid.children(level + 1, place)]
-        places = _shuffled([child for child in children if may_touch(source, grid.box(level, child))], grid, level)
+        places = _shuffle([child for child in children if may_touch(source, grid.box(level, child))], grid, level)
     return places
 
 
-def _shuffled(places: list[Place], grid: Grid, level: int) -> list[Place]:
-    """At most `KEPT` of a level's cells in a random order; a cell's rank key does not depend on the other cells."""
+def _shuffle(places: list[Place], grid: Grid, level: int) -> list[Place]:
+    """At most `CELLS_PER_LEVEL` cells of a level in random order; a cell's rank key does not depend on other cells."""
     numbers = np.array([np.ravel_multi_index(place, grid.counts_at(level)) for place in places], np.uint64)
     order = np.argsort(random.uniform(_SEED, _DESCENT + level, numbers), kind="stable")
-    return [places[number] for number in order[:KEPT].tolist()]
+    return [places[number] for number in order[:CELLS_PER_LEVEL].tolist()]

@@ -9,8 +9,8 @@ from typing import Any, Literal, TypedDict, get_args
 from nearfar import _core
 from nearfar._base import check
 from nearfar.orthoview._cut import Settings
-from nearfar.orthoview._directions import COUNTS, directions_of
 from nearfar.orthoview._flown import MARGIN
+from nearfar.orthoview._grid import COUNTS, directions_of
 from nearfar.orthoview._pilot import Ahead
 from nearfar.orthoview._shown import settings_of
 
@@ -92,18 +92,12 @@ class ViewKeywords(TypedDict, total=False):
 
 @dataclass(frozen=True, kw_only=True)
 class FlightSettings:
-    """Settings of the flight that `simulate` simulates; as those of `OrthoTree.fly`.
+    """Settings of the flight that `simulate` simulates.
 
     Parameters
     ----------
-    views, error_px, geometry
-        As in `OrthoTree.cut`.
-    prefetch
-        Whether to read what the viewer needs soon, besides what the picture shows.
-    margin_deg
-        Margin around the picture for prefetching, degrees, 0 to 180; None for all directions.
-    adapt
-        Whether pictures become coarser when the viewer moves faster than views arrive.
+    views, error_px, geometry, prefetch, margin_deg, adapt
+        As in `OrthoTree.fly`.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""Shards: files of Zarr's codec `sharding_indexed`, written chunk by chunk.
+"""Shards, files of Zarr's codec `sharding_indexed` that are written chunk by chunk, and a journal of written cells.
 
 A shard consists of the chunks of some cells in the order in which they were written, and an index: first byte and
 length of each chunk as little-endian uint64, both 2⁶⁴ − 1 for a missing chunk, then the index's CRC32C. So a chunk is
@@ -10,16 +10,18 @@ A chunk of length 0, which Zarr does not know, marks in an overlay that an older
 from __future__ import annotations
 
 import hashlib
+import json
 import os
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nearfar._base.errors import UnusableError
+from nearfar.orthoview._files import ByteRange
 from nearfar.orthoview._grid import Place
-from nearfar.orthoview._journal import Chunk
 
 ABSENT = (1 << 64) - 1
 """First byte and length of a missing chunk."""
@@ -32,16 +34,10 @@ _PIECE = 1 << 20
 
 
 class ShardWriter:
-    """Appends chunks to a shard, and finishes it with its index. No file stays open between calls.
+    """Appends chunks to a shard of side³ chunks, and finishes it with its index. No file stays open between calls.
 
-    Parameters
-    ----------
-    path
-        Path of the shard; until the index is written it has the suffix `PART`.
-    side
-        Number of chunks along each axis of the grid.
-    chunks
-        Places and chunks that an earlier writer finished; any bytes after them in the file are dropped.
+    Until the index is written the file has the suffix `PART`. `chunks` are those that an earlier writer finished, with
+    their places; any bytes after them in the file are dropped.
     """
 
     def __init__(self, path: Path, side: int, chunks: Iterable[tuple[Place, Chunk]] = ()) -> None:
@@ -74,12 +70,11 @@ class ShardWriter:
     def _write(self, data: bytes, *, sync: bool) -> None:
         if not self._size:
             self._part.parent.mkdir(parents=True, exist_ok=True)
-        with self._part.open("r+b" if self._size else "wb", buffering=0) as file:
+        with self._part.open("r+b" if self._size else "wb") as file:
             file.seek(self._size)
-            rest = memoryview(data)
-            while rest:
-                rest = rest[file.write(rest) :]
+            file.write(data)
             if sync:
+                file.flush()
                 os.fsync(file.fileno())
         self._hash.update(data)
         self._size += len(data)
@@ -91,7 +86,7 @@ class ShardWriter:
             return None
         with self._part.open("rb") as file:
             file.seek(start)
-            return complete(self._path, file.read(length), start, length)
+            return check_complete(file.read(length), ByteRange(str(self._path), start, length))
 
     def finish(self) -> tuple[int, str]:
         """Write the index and rename the file; return its size and the SHA-256 of its bytes."""
@@ -103,11 +98,11 @@ class ShardWriter:
         return self._size, self._hash.hexdigest()
 
 
-def holds(path: Path, size: int) -> bool:
+def has_bytes(path: Path, size: int) -> bool:
     """Whether a shard, finished or not, has at least `size` bytes."""
     part = path.with_name(path.name + PART)
-    found = part if part.exists() else path
-    return found.exists() and found.stat().st_size >= size
+    file = part if part.exists() else path
+    return file.exists() and file.stat().st_size >= size
 
 
 def index_length(side: int) -> int:
@@ -118,10 +113,7 @@ def index_length(side: int) -> int:
 def index_of(name: str, end: bytes, side: int) -> NDArray[np.uint64]:
     """First bytes and lengths (side, side, side, 2) of a shard's chunks, from the end of its file.
 
-    Raises
-    ------
-    UnusableError
-        A file that is too short, or an index with a wrong checksum.
+    Raises UnusableError for a file that is too short, or an index with a wrong checksum.
     """
     import google_crc32c
 
@@ -133,8 +125,74 @@ def index_of(name: str, end: bytes, side: int) -> NDArray[np.uint64]:
     return np.frombuffer(index, "<u8").reshape(side, side, side, 2)
 
 
-def complete(name: object, chunk: bytes, start: int, length: int) -> bytes:
-    """Return a chunk; UnusableError if it is shorter than the shard's index says."""
+def check_complete(chunk: bytes | None, listed: ByteRange) -> bytes:
+    """Return a chunk; UnusableError if it is missing, or shorter than the shard's index says."""
+    (name, start, length), chunk = listed, chunk or b""
     if len(chunk) < length:
         raise UnusableError(f"{name}: expected {length} bytes at {start}, got {len(chunk)}")
     return chunk
+
+
+Chunk = tuple[int, int]
+"""First byte and length of a chunk in its shard."""
+
+
+class Journal:
+    """Finished cells, each with the byte ranges of its chunks by array name."""
+
+    def __init__(self, path: Path) -> None:
+        self._path = path
+        self.cells: dict[tuple[int, Place], dict[str, Chunk]] = {}
+        self.guests: dict[Place, list[Place]] = {}
+        """Guests of finished leaves that have some."""
+        if path.exists():
+            self._read()
+
+    def _read(self) -> None:
+        """Read the lines up to the first invalid one, and truncate the file there: the writer was interrupted."""
+        valid_bytes = 0
+        for line in self._path.read_bytes().splitlines(keepends=True):
+            try:
+                self._take(json.loads(line if line.endswith(b"\n") else b""))
+            except (KeyError, TypeError, ValueError):
+                break
+            valid_bytes += len(line)
+        os.truncate(self._path, valid_bytes)
+
+    def _take(self, entry: dict[str, Any]) -> None:
+        x, y, z = entry["place"]
+        chunks = {str(array): (int(start), int(length)) for array, (start, length) in entry["chunks"].items()}
+        self.cells[entry["level"], (x, y, z)] = chunks
+        if guests := [(u, v, w) for u, v, w in entry.get("guests", [])]:
+            self.guests[x, y, z] = guests
+
+    def add(self, level: int, place: Place, chunks: dict[str, Chunk], guests: list[Place]) -> None:
+        """Record a finished cell and its guests; its chunks must have been written before."""
+        self._path.parent.mkdir(parents=True, exist_ok=True)
+        entry = {"level": level, "place": place, "chunks": chunks} | ({"guests": guests} if guests else {})
+        with self._path.open("ab") as file:
+            file.write(json.dumps(entry, separators=(",", ":")).encode() + b"\n")
+        self.cells[level, place] = chunks
+        if guests:
+            self.guests[place] = guests
+
+    def of_array(self, array: str) -> Iterator[tuple[Place, Chunk]]:
+        """Places of cells that have a chunk in an array, with the chunk."""
+        for (_, place), chunks in self.cells.items():
+            if array in chunks:
+                yield place, chunks[array]
+
+    def sizes(self) -> dict[tuple[int, Place, str], int]:
+        """Bytes that each array's shard must have, by level and place of one of its cells and by array."""
+        ends: dict[str, tuple[int, Place, int]] = {}
+        for (level, place), chunks in self.cells.items():
+            for array, (start, length) in chunks.items():
+                _, _, end = ends.get(array, (level, place, 0))
+                ends[array] = level, place, max(end, start + length)
+        return {(level, place, array): size for array, (level, place, size) in ends.items()}
+
+    def remove(self) -> None:
+        """Forget all cells and delete the file."""
+        self.cells.clear()
+        self.guests.clear()
+        self._path.unlink(missing_ok=True)

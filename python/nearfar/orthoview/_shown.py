@@ -23,10 +23,9 @@ from nearfar._render.renderer import Renderer
 from nearfar._render.settings import RenderKeywords, RenderSettings
 from nearfar._scene.scene import Scene, core_of
 from nearfar.orthoview._cut import MAX_VIEWS, OrthoCut, Settings
-from nearfar.orthoview._open import Opened
 from nearfar.orthoview._pictured import Pictured
 from nearfar.orthoview._stored import StoredTree
-from nearfar.orthoview._viewer import Viewer
+from nearfar.orthoview._viewer import Opened, Viewer
 
 MAX_SPLATS = (1 << 32) - 2
 """Maximum number of splats of a picture."""
@@ -55,8 +54,7 @@ class ShownTree(StoredTree, Pictured):
 
     def _open_store(self) -> Opened:
         """Open the store for a new viewer."""
-        if not self.is_complete:
-            raise ValueError(f"path: {self.path} is not complete, build it again")
+        self._require_complete()
         return Opened.from_files(self._files, self._layout, self.generation, self._cache_bytes)
 
     def __getstate__(self) -> dict[str, Any]:
@@ -87,10 +85,13 @@ class ShownTree(StoredTree, Pictured):
         return self._with_movers(self._movers.at(poses))
 
     def _with_movers(self, movers: Scene) -> Self:
-        shown = copy.copy(self)
-        shown.__dict__["_viewer"] = self._viewer  # the views that it reads stay cached for the next picture
-        shown._movers = movers
-        return shown
+        return self._copy(_movers=movers)
+
+    def _copy(self, **changes: Any) -> Self:
+        """Copy the tree with other attributes; views that the copy reads stay cached for the next picture."""
+        tree = copy.copy(self)
+        tree.__dict__.update(changes, _viewer=self._viewer)
+        return tree
 
     def cut(
         self,
@@ -151,8 +152,8 @@ class ShownTree(StoredTree, Pictured):
         Chaudhuri et al. (2009), Image-Based Exploration of Massive Online Environments, section 4.2.
         """
         settings = settings_of(views, error_px, geometry, continuous, gaze, lift_deg)
-        own = check.instance("camera", camera, Camera)
-        return self._viewer.cutter.whole(own, settings, around=check.flag("around", around))
+        checked_camera = check.instance("camera", camera, Camera)
+        return self._viewer.cutter.complete_cut(checked_camera, settings, around=check.flag("around", around))
 
     def render(
         self,
@@ -199,26 +200,15 @@ class ShownTree(StoredTree, Pictured):
 
         Raises
         ------
-        ValueError
-            Values out of range, or an incomplete tree.
-        TypeError
-            A value that is not a camera, or values of a wrong type.
+        ValueError, TypeError, FormatError, OSError
+            As in `cut`, also for other parts of the store.
         DeviceError
             As in `nearfar.render`, or a picture whose views do not fit into the adapter's memory.
-        FormatError, OSError
-            A damaged or unreadable part of the store.
-
-        References
-        ----------
-        Chaudhuri et al. (2009), Image-Based Exploration of Massive Online Environments, section 4.
         """
-        shown = copy.copy(self)
-        shown.__dict__["_viewer"] = self._viewer  # the views that it reads stay cached for the next picture
-        shown._settings = replace(
-            settings_of(views, error_px, geometry, continuous, gaze, lift_deg),
-            budget=None if budget is None else check.integer("budget", budget, 1, MAX_SPLATS),
-        )
-        renderer = Renderer(shown, gather(RenderSettings, settings, keywords), argument="tree")
+        cut_settings = settings_of(views, error_px, geometry, continuous, gaze, lift_deg)
+        limit = None if budget is None else check.integer("budget", budget, 1, MAX_SPLATS)
+        tree = self._copy(_settings=replace(cut_settings, budget=limit))
+        renderer = Renderer(tree, gather(RenderSettings, settings, keywords), argument="tree")
         (frame,) = renderer.frames(renderer.shot([camera]), None, renderer.device(self))
         return frame
 
@@ -246,7 +236,7 @@ def settings_of(
 
 
 def _pixel(gaze: ArrayLike) -> tuple[float, float]:
-    place = check.array("gaze", gaze, columns=None, dtype=np.float64)
-    if place.shape != (2,):
-        raise ValueError(f"gaze: expected two numbers or None, got an array of shape {place.shape}")
-    return check.number("gaze", place[0]), check.number("gaze", place[1])
+    pixel = check.array("gaze", gaze, columns=None, dtype=np.float64)
+    if pixel.shape != (2,):
+        raise ValueError(f"gaze: expected two numbers or None, got an array of shape {pixel.shape}")
+    return check.number("gaze", pixel[0]), check.number("gaze", pixel[1])

@@ -13,9 +13,8 @@ from nearfar._base import check, plot
 from nearfar._base.settings import gather
 from nearfar._camera.camera import Camera
 from nearfar.orthoview._client import Client
-from nearfar.orthoview._cut import Cutter
+from nearfar.orthoview._cut import RECORD, Part, kind
 from nearfar.orthoview._meter import Received
-from nearfar.orthoview._parts import RECORD, Part, kind
 from nearfar.orthoview._pilot import Pilot, Plan
 from nearfar.orthoview._settings import FlightKeywords, FlightSettings
 from nearfar.orthoview._tree import OrthoTree
@@ -133,27 +132,36 @@ def simulate(
         Arguments of another type.
     FormatError, OSError
         Damaged or unreadable parts of the store.
-
-    References
-    ----------
-    Chaudhuri et al. (2009), Image-Based Exploration of Massive Online Environments, section 4.
     """
-    own = check.instance("tree", tree, OrthoTree)
-    several = check.items("cameras", cameras, Camera, "a sequence of Cameras")
-    if not several:
+    checked_tree = check.instance("tree", tree, OrthoTree)
+    checked_cameras = check.items("cameras", cameras, Camera, "a sequence of Cameras")
+    if not checked_cameras:
         raise ValueError("cameras: expected at least one, got none")
     check.instance("link", link, Link)
     frames = check.in_range("rate", rate, 1.0, 1000.0)
     flight = gather(FlightSettings, settings, keywords)
-    opened = own._open_store()
+    opened = checked_tree._open_store()
     cutter = opened.viewer.cutter
-    planner = _Planned(Pilot(cutter, flight.cut, flight.ahead), cutter)
-    kept = check.integer("cache_bytes", cache_bytes, 0, 1 << 62)
-    client = Client(planner, opened.sizes, link, kept, check.integer("seed", seed, 0, 2**63 - 1))
-    return flown(client, several, frames)
+    pilot = Pilot(cutter, flight.cut, flight.ahead)
+
+    def plan(camera: Camera, time: float, received: Received, busy: bool, held: Callable[[Part], bool]) -> Plan:
+        """Plan a frame; all records are read at once, without the link."""
+        pilot.meter.note(time, received, had_requests=busy)
+        pilot.look(camera, time)
+        while True:
+            plan_of_frame = pilot.plan(held)
+            unknown = [part for part in plan_of_frame.order if kind(part) == RECORD]
+            if not unknown:
+                return plan_of_frame
+            for tier, place, _ in unknown:
+                cutter.learn(tier, place)
+
+    cache_size = check.integer("cache_bytes", cache_bytes, 0, 1 << 62)
+    client = Client(plan, opened.sizes, link, cache_size, check.integer("seed", seed, 0, 2**63 - 1))
+    return fly_through(client, checked_cameras, frames)
 
 
-def flown(client: Client, cameras: Sequence[Camera], rate: float) -> FlightLog:
+def fly_through(client: Client, cameras: Sequence[Camera], rate: float) -> FlightLog:
     """Run a client through the frames of a flight."""
     for number, camera in enumerate(cameras):
         client.frame(camera, number / rate)
@@ -166,23 +174,3 @@ def flown(client: Client, cameras: Sequence[Camera], rate: float) -> FlightLog:
         np.array(course.received, np.int64),
         course.asked,
     )
-
-
-class _Planned:
-    """Planner that reads all records at once, without the link."""
-
-    def __init__(self, pilot: Pilot, cutter: Cutter) -> None:
-        self._pilot, self._cutter = pilot, cutter
-
-    def __call__(
-        self, camera: Camera, time: float, received: Received, busy: bool, held: Callable[[Part], bool]
-    ) -> Plan:
-        self._pilot.meter.note(time, received, busy=busy)
-        self._pilot.look(camera, time)
-        while True:
-            plan = self._pilot.plan(held)
-            unknown = [part for part in plan.order if kind(part) == RECORD]
-            if not unknown:
-                return plan
-            for tier, place, _ in unknown:
-                self._cutter.learn(tier, place)

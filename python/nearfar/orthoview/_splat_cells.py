@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -12,17 +12,13 @@ from numpy.typing import NDArray
 from nearfar import _core
 from nearfar._base import formats
 from nearfar.orthoview import _codec, _store
-from nearfar.orthoview._chunks import Chunks
 from nearfar.orthoview._files import Files
 from nearfar.orthoview._gaussians import NO_GAUSSIANS, Gaussians, concatenate, gaussians_of
 from nearfar.orthoview._grid import Place
-from nearfar.orthoview._layout import BEHIND, CHANNELS, Layout
-from nearfar.orthoview._thinned import Picture, seen_better
+from nearfar.orthoview._layout import Layout
+from nearfar.orthoview._thinned import Picture, is_duplicate
 
 Sun = tuple[float, float, float] | None
-
-Chunk = tuple[int, dict[str, bytes]]
-"""Direction number of a view, and its chunks by channel."""
 
 _SUBTREES = 64
 """Number of subtrees whose records are cached."""
@@ -42,98 +38,78 @@ class Cell:
 
 
 class Cells:
-    """Reads cells of a complete tree.
+    """Reads cells of a complete tree, at generation `newest`.
 
-    Parameters
-    ----------
-    files, layout, newest
-        The store, and the number of its newest generation.
-    box
-        World box (2, 3) that must contain the Gaussians' centres.
-    sun
-        Unit vector towards the sun; None for colours without light.
+    The world box (2, 3) must contain the Gaussians' centres. `sun` is a unit vector towards the sun; None for colours
+    without light.
     """
 
     def __init__(self, files: Files, layout: Layout, newest: int, box: NDArray[np.float64], sun: Sun) -> None:
-        self.layout, self._place, self._box, self._sun = layout, files.place, box, sun
-        listed = _store.Listed(files, layout)
-        self._chunks = Chunks(files, layout, _store.recorded_generations(files, layout, newest, listed))
-        read = _store.cells_of(files, layout, newest, listed)
-        self._masks: Callable[[int, Place], list[NDArray[np.uint32]]] = lru_cache(_SUBTREES)(
-            lambda tier, place: read(tier, place).masks
-        )
+        self.layout, self._address, self._box, self.sun = layout, files.address, box, sun
+        self._chunks, read_cells = _store.open_generation(files, layout, newest)
+        self._cells = lru_cache(_SUBTREES)(read_cells)
 
     def bounds(self) -> NDArray[np.float64]:
         """World box (2, 3) of all centres, metres."""
-        whole = self.layout.grid.box(self.layout.grid.levels - 1, (0, 0, 0))
-        return np.array([np.maximum(whole[0], self._box[0]), np.minimum(whole[1], self._box[1])])
+        root = self.layout.grid.box(self.layout.grid.levels - 1, (0, 0, 0))
+        return np.array([np.maximum(root[0], self._box[0]), np.minimum(root[1], self._box[1])])
 
     def direction_mask(self, level: int, place: Place) -> int:
         """Mask of the directions from which a cell shows something, a bit for each; 0 for a cell outside the box."""
         if not self.layout.grid.touches(level, place, self._box):
             return 0
         shard, within = self.layout.shard_of(level, place)
-        tier, own = divmod(level, self.layout.subtree)
-        return int(self._masks(tier, shard)[own][within])
+        tier, level_of_subtree = divmod(level, self.layout.subtree)
+        return int(self._cells(tier, shard).masks[level_of_subtree][within])
 
-    def below(self, finest: int) -> Iterator[tuple[int, Place]]:
+    def cells_down_to(self, finest: int) -> Iterator[tuple[int, Place]]:
         """Cells that show something, from the root down to level `finest`, each after its descendants."""
-        yield from self._below(self.layout.grid.levels - 1, (0, 0, 0), finest)
+        yield from self._cells_below(self.layout.grid.levels - 1, (0, 0, 0), finest)
 
     def cells_of_level(self, level: int) -> Iterator[tuple[int, Place]]:
         """Cells of a level that show something."""
-        return (cell for cell in self.below(level) if cell[0] == level)
+        return (cell for cell in self.cells_down_to(level) if cell[0] == level)
 
-    def _below(self, level: int, place: Place, finest: int) -> Iterator[tuple[int, Place]]:
+    def _cells_below(self, level: int, place: Place, finest: int) -> Iterator[tuple[int, Place]]:
         if not self.direction_mask(level, place):
             return
         if level > finest:
             for _, child in self.layout.grid.children(level, place):
-                yield from self._below(level - 1, child, finest)
+                yield from self._cells_below(level - 1, child, finest)
         yield level, place
 
-    def chunks(self, level: int, place: Place) -> list[Chunk]:
+    def chunks(self, level: int, place: Place) -> _codec.Encoded:
         """Read the chunks of all views of a cell, of both layers; not thread-safe."""
         mask = self.direction_mask(level, place)
         numbers = [number for number in range(len(self.layout.directions)) if mask >> number & 1]
-        pairs = [(number, layer) for layer in ("", BEHIND)[: self.layout.layers] for number in numbers]
-        keys = [
-            (level, place, self.layout.array(level, number, layer + channel))
-            for number, layer in pairs
-            for channel in CHANNELS
-        ]
-        with formats.guarded(self._place, "orthoviews"):
-            contents = iter(self._chunks.read(keys))
-            found = [(number, {name: chunk for name in CHANNELS if (chunk := next(contents))}) for number, _ in pairs]
-        return [(number, chunks) for number, chunks in found if chunks]  # few views have a second layer
+        with formats.guarded(self._address, "orthoviews"):
+            return self._chunks.read_views(level, place, numbers)
 
-    def to_gaussians(self, level: int, place: Place, chunks: list[Chunk]) -> Cell:
+    def to_gaussians(self, level: int, place: Place, chunks: _codec.Encoded) -> Cell:
         """Convert a cell's chunks to Gaussians."""
         pictures = self._pictures(level, chunks)
         center = self.layout.grid.box(level, place).mean(axis=0)
         low, high = ((corner - center).astype(np.float32) for corner in self._box)
         parts, pixels = [NO_GAUSSIANS], 0
         for number, picture in enumerate(pictures):
-            shown = picture.surfaces()
-            inside = ((low <= shown.middle) & (shown.middle <= high)).all(axis=1)
-            pixels += int(inside.sum())
-            inside[inside] = ~seen_better(pictures, number, np.flatnonzero(inside))
-            parts.append(gaussians_of(shown.select(inside), picture.axes, picture.pitch, self._sun))
+            surfaces = picture.surfaces()
+            is_inside = ((low <= surfaces.middle) & (surfaces.middle <= high)).all(axis=1)
+            pixels += int(is_inside.sum())
+            is_inside[is_inside] = ~is_duplicate(pictures, number, np.flatnonzero(is_inside))
+            parts.append(gaussians_of(surfaces.select(is_inside), picture.axes, picture.pitch, self.sun))
         return Cell(level, place, center, concatenate(parts), pixels)
 
     def read(self, level: int, place: Place) -> Cell:
         """Read a cell."""
         return self.to_gaussians(level, place, self.chunks(level, place))
 
-    def _pictures(self, level: int, chunks: list[Chunk]) -> list[Picture]:
-        """Decode the views of a cell."""
-        side, pictures = self.layout.grid.side(level), []
-        with formats.guarded(self._place, "orthoviews"):
-            for number, own in chunks:
-                named = {(number, channel): chunk for channel, chunk in own.items()}
-                views, bits = _codec.decoded(named, self.layout, (number,))
-                axes, extents = _core.orthoview_axes(self.layout.directions[number])
-                pictures.append(
-                    Picture.from_views(views, bits, np.array(axes), side * np.array(extents), self.layout.steps)
-                )
+    def _pictures(self, level: int, chunks: _codec.Encoded) -> list[Picture]:
+        """Decode the views of a cell, first layers before second ones."""
+        side, steps, pictures = self.layout.grid.side(level), self.layout.steps, []
+        with formats.guarded(self._address, "orthoviews"):
+            for layer in _codec.split_layers(chunks):
+                for number in dict.fromkeys(number for number, _ in layer):
+                    views, bits = _codec.decode(layer, self.layout, (number,))
+                    axes, extents = _core.orthoview_axes(self.layout.directions[number])
+                    pictures.append(Picture.from_views(views, bits, np.array(axes), side * np.array(extents), steps))
         return pictures

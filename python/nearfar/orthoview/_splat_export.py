@@ -7,15 +7,12 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from nearfar._base import check, files
 from nearfar._base.errors import UnusableError
 from nearfar.orthoview import _splat_file, _splat_tiles
-from nearfar.orthoview._files import Files
 from nearfar.orthoview._gaussians import SUN
-from nearfar.orthoview._layout import Layout
 from nearfar.orthoview._splat_cells import Cells, Sun
 
 FORMATS = ("spz", "gltf", "tiles")
@@ -23,25 +20,19 @@ SUFFIXES = {".spz": "spz", ".glb": "gltf", "": "tiles"}
 
 
 def export(
-    store: Files,
-    layout: Layout,
-    newest: int,
+    cells: Cells,
     target: Path,
     *,
     format: str | None,  # noqa: A002 - the name of the public face
     level: int,
-    box: NDArray[np.float64],
-    light: str | ArrayLike | None,
     compression: str | None,
 ) -> dict[str, int]:
-    """Write a complete tree for splat viewers; the arguments are those of `OrthoTree.export_splats`."""
+    """Write cells of a complete tree for splat viewers; the arguments are those of `OrthoTree.export_splats`."""
     kind = format_of(target) if format is None else check.choice("format", format, FORMATS)
     packed = compression is not None and check.choice("compression", compression, ("spz",)) == "spz"
     if packed and kind == "spz":
         raise ValueError('compression: expected None for format="spz", whose files are SPZ anyway')
-    sun = sun_of(light)
-    cells = Cells(store, layout, newest, box, sun)
-    extras: Mapping[str, Any] = {"light": "none" if sun is None else {"sun": list(sun)}}
+    extras: Mapping[str, Any] = {"light": "none" if cells.sun is None else {"sun": list(cells.sun)}}
     try:
         if kind == "tiles":
             with files.atomic_folder(target, marker=_splat_tiles.TILESET) as folder:

@@ -14,7 +14,7 @@ from typing import Any, BinaryIO
 import numpy as np
 from numpy.typing import NDArray
 
-from nearfar._base import aside, progress, side_by_side
+from nearfar._base import files, progress, side_by_side
 from nearfar.orthoview import _splat_gltf as gltf, _spz as spz
 from nearfar.orthoview._gaussians import SIGMA, Gaussians
 from nearfar.orthoview._splat_cells import Cell, Cells
@@ -38,16 +38,13 @@ class _Gathered:
         self.extent = np.array([[np.inf] * 3, [-np.inf] * 3])
         """Least and greatest coordinates (2, 3) of the centres."""
 
-    def add(self, sections: Mapping[str, bytes], cell: Cell) -> None:
-        """Append the sections of a cell's Gaussians."""
+    def add(self, sections: Mapping[str, bytes], cell: Cell, extent: NDArray[np.float64]) -> None:
+        """Append the sections of a cell's Gaussians, whose centres have an extent (2, 3)."""
         for name, data in sections.items():
             self._files[name].write(data)
         self.cells += 1
         self.count += len(cell.gaussians)
         self.pixels += cell.pixels
-
-    def widen(self, extent: NDArray[np.float64]) -> None:
-        """Enlarge the extent by that of a cell's centres."""
         self.extent = np.array([np.minimum(self.extent[0], extent[0]), np.maximum(self.extent[1], extent[1])])
 
     def close(self) -> None:
@@ -68,34 +65,15 @@ class _Gathered:
 def write(
     path: Path, target: Path, cells: Cells, level: int, *, packed: bool, is_gltf: bool, extras: Mapping[str, Any]
 ) -> dict[str, int]:
-    """Write the cells of a level into an empty file.
+    """Write the cells of a level into an empty file; ValueError if it does not hold all splats.
 
-    Parameters
-    ----------
-    path, target
-        The file to write, and the final file, beside which temporary files are made.
-    cells
-        Cells of the tree.
-    level
-        Level of the cells.
-    packed, is_gltf
-        Both for SPZ in a GLB, one of them for SPZ alone or a GLB with plain attributes.
-    extras
-        Entries for the GLB's `extras`.
-
-    Returns
-    -------
-    dict
-        Numbers of `cells`, `splats`, `pixels` that they represent, and `bytes`; no splats if nothing is in the box.
-
-    Raises
-    ------
-    ValueError
-        More splats than a file holds.
+    Temporary files are made beside `target`, the final file. Both `packed` and `is_gltf` give SPZ in a GLB, one of them
+    SPZ alone or a GLB with plain attributes. `extras` are entries for the GLB's `extras`. Returns the numbers of
+    `cells`, of `splats`, of the `pixels` that they represent, and of `bytes`; no splats if nothing is in the box.
     """
     bounds = cells.bounds()
     center = np.rint(bounds.mean(axis=0)) if is_gltf else np.zeros(3)
-    with _beside(target) as folder:
+    with _folder_beside(target) as folder:
         if not packed:
             gathered = _gather(cells, level, center, folder, tuple(gltf.ATTRIBUTES), gltf.columns)
             if gathered.count:
@@ -107,10 +85,10 @@ def write(
             bits = spz.fraction_bits(float(np.abs(bounds - center).max()), SIGMA * pitch)
             version = 2 if is_gltf else 3
             encode = partial(spz.sections, bits=bits, version=version)
-            gathered = _gather(cells, level, center, folder, spz.SECTIONS, encode, most=spz.MAX)
+            gathered = _gather(cells, level, center, folder, spz.SECTIONS, encode, limit=spz.MAX)
             if gathered.count:
                 inner = folder / "spz" if is_gltf else path
-                _compress(inner, spz.Header(version, gathered.count, bits), gathered)
+                _compress(inner, spz.header(version, gathered.count, bits), gathered)
                 if is_gltf:
                     _wrap(inner, path, gathered, center, extras)
     size = path.stat().st_size
@@ -118,11 +96,11 @@ def write(
 
 
 @contextmanager
-def _beside(target: Path) -> Iterator[Path]:
+def _folder_beside(target: Path) -> Iterator[Path]:
     """Temporary folder beside the target, on the same disk; first removes folders that killed processes left."""
     parts = target.with_name(f"{target.name[:100]}.parts")
-    aside.clear(parts)
-    with aside.temporary_beside(parts, folder=True) as folder:
+    files.clear(parts)
+    with files.temporary_beside(parts, folder=True) as folder:
         try:
             yield folder
         finally:
@@ -136,14 +114,14 @@ def _gather(
     folder: Path,
     names: tuple[str, ...],
     encode: Callable[[Gaussians], dict[str, bytes]],
-    most: int = (1 << 32) - 1,
+    limit: int = (1 << 32) - 1,
 ) -> _Gathered:
     """Gather the sections of all cells of a level, relative to a common centre."""
 
     def encode_cell(chunks: Any, place: Any) -> tuple[Cell, dict[str, bytes], Gaussians]:
         cell = cells.to_gaussians(level, place, chunks)
-        moved = cell.gaussians.translate(cell.center - center)
-        return cell, encode(moved), moved
+        gaussians = cell.gaussians.translate(cell.center - center)
+        return cell, encode(gaussians), gaussians
 
     def jobs() -> Iterator[Any]:
         for _, place in cells.cells_of_level(level):
@@ -155,11 +133,10 @@ def _gather(
         with progress.bar("exporting") as report:
             for cell, sections, moved in side_by_side.results(jobs()):
                 if len(moved):
-                    gathered.add(sections, cell)
-                    gathered.widen(gltf.extent_of(moved))
-                if gathered.count > most:
+                    gathered.add(sections, cell, gltf.extent_of(moved))
+                if gathered.count > limit:
                     raise ValueError(
-                        f"level: expected one with at most {most:,} splats in the box, level {level} has more; "
+                        f"level: expected one with at most {limit:,} splats in the box, level {level} has more; "
                         'take a higher one, a smaller aabb or format="tiles"'
                     )
                 done += grid.leaves(level, cell.place)
@@ -169,9 +146,9 @@ def _gather(
     return gathered
 
 
-def _compress(path: Path, header: spz.Header, gathered: _Gathered) -> None:
+def _compress(path: Path, header: bytes, gathered: _Gathered) -> None:
     with path.open("wb") as file, gzip.GzipFile("", "wb", _LEVEL, file, mtime=0) as target:
-        target.write(header.packed())
+        target.write(header)
         gathered.pour(target)
 
 

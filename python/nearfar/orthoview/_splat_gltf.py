@@ -67,14 +67,7 @@ def columns(gaussians: Gaussians) -> dict[str, bytes]:
 def plain_start(count: int, extent: Extent, center: NDArray[np.float64], extras: Mapping[str, Any]) -> bytes:
     """Return the start of a GLB, up to the attributes of `columns`, which must follow one after the other.
 
-    Parameters
-    ----------
-    count, extent
-        Number and extent of the Gaussians.
-    center
-        World position (3,) that they are relative to, metres.
-    extras
-        Entries for the asset's `extras`.
+    `center` is the world position (3,) that the Gaussians are relative to, metres.
     """
     views, accessors, offset = [], [], 0
     for number, (component, kind, width, is_normalized) in enumerate(ATTRIBUTES.values()):
@@ -115,7 +108,7 @@ def packed_start(
 
 def packed(gaussians: Gaussians, center: NDArray[np.float64], extras: Mapping[str, Any]) -> bytes:
     """Encode Gaussians as a GLB with an SPZ file inside."""
-    data = _spz.encoded(gaussians, version=2)
+    data = _spz.encode(gaussians, version=2)
     start = packed_start(len(gaussians), len(data), extent_of(gaussians), center, extras)
     return start + data + bytes(padding(len(data)))
 

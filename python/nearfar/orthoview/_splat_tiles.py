@@ -21,9 +21,9 @@ from nearfar._base import files, formats, progress, side_by_side
 from nearfar._base.version import __version__
 from nearfar.orthoview import _splat_gltf as gltf
 from nearfar.orthoview._availability import volume
-from nearfar.orthoview._directions import widest
-from nearfar.orthoview._grid import Place
-from nearfar.orthoview._splat_cells import Cells, Chunk
+from nearfar.orthoview._codec import Encoded
+from nearfar.orthoview._grid import Place, widest
+from nearfar.orthoview._splat_cells import Cells
 
 TILESET = "tileset.json"
 
@@ -66,8 +66,8 @@ class _Tree:
         key, children, boxes = (tile.level, tile.place), [], [] if tile.box is None else [tile.box]
         if tile.level > self._finest:
             for _, child in self._grid.children(*key):
-                if (below := self._open.pop((tile.level - 1, child), None)) is not None:
-                    children.append(below)
+                if (child_tile := self._open.pop((tile.level - 1, child), None)) is not None:
+                    children.append(child_tile)
                     boxes.append(self._boxes.pop((tile.level - 1, child)))
         if not boxes:
             return
@@ -81,58 +81,40 @@ class _Tree:
             node["children"] = children
         is_top = tile.level == self._grid.levels - 1
         if not is_top and (tile.level - self._finest) % _LEVELS == _LEVELS - 1:
-            node = self._apart(key, node)
+            node = self._write_separately(key, node)
         self._open[key], self._boxes[key] = node, box
 
-    def _apart(self, key: tuple[int, Place], node: dict[str, Any]) -> dict[str, Any]:
+    def _write_separately(self, key: tuple[int, Place], node: dict[str, Any]) -> dict[str, Any]:
         """Write a tile and its descendants into a separate document; return a tile that refers to it."""
         name = _name("tilesets", *key, "json")
-        path = self._folder / name
-        path.parent.mkdir(parents=True, exist_ok=True)
-        document = self._document(_with_rewritten_uris(node), node["geometricError"])
-        files.write(path, formats.to_json(document, compact=True).encode())
+        self._write(name, _with_rewritten_uris(node), node["geometricError"])
         shared = {part: node[part] for part in ("boundingVolume", "geometricError", "refine")}
         return shared | {"content": {"uri": name}}
 
     def finish(self) -> None:
         """Write the root document, if there is any tile."""
         top = (self._grid.levels - 1, (0, 0, 0))
-        if top not in self._open:
-            return
-        document = self._document(self._open[top], math.sqrt(3.0) * self._grid.side(top[0]))
-        files.write(self._folder / TILESET, formats.to_json(document, compact=True).encode())
+        if top in self._open:
+            self._write(TILESET, self._open[top], math.sqrt(3.0) * self._grid.side(top[0]))
 
-    def _document(self, root: dict[str, Any], error: float) -> dict[str, Any]:
+    def _write(self, name: str, root: dict[str, Any], error: float) -> None:
+        """Write a document."""
         named = {"extensionsUsed": self._contents, "extensionsRequired": self._contents}
-        return {
+        document = {
             "asset": {"version": "1.1", "extras": {"generator": f"nearfar {__version__}"}},
             "extensionsUsed": ["3DTILES_content_gltf"],
             "extensions": {"3DTILES_content_gltf": named},
             "geometricError": error,
             "root": root,
         }
+        _write_file(self._folder / name, formats.to_json(document, compact=True).encode())
 
 
 def write(folder: Path, cells: Cells, finest: int, *, packed: bool, extras: Mapping[str, Any]) -> dict[str, int]:
-    """Write the tiles of all levels from `finest` upwards into an empty folder.
+    """Write the tiles of all levels from `finest` upwards into an empty folder; `packed` ones hold SPZ files.
 
-    Parameters
-    ----------
-    folder
-        Folder of the tileset.
-    cells
-        Cells of the tree.
-    finest
-        Lowest level.
-    packed
-        Whether contents hold SPZ files.
-    extras
-        Entries for all contents' `extras`.
-
-    Returns
-    -------
-    dict
-        Numbers of `tiles`, `splats`, `pixels` that they represent, and `bytes` of contents; 0 if nothing is in the box.
+    All contents get the entries `extras`. Returns the numbers of `tiles`, of `splats`, of the `pixels` that they
+    represent, and of `bytes` of contents; all are 0 if nothing is in the box.
     """
     contents = [gltf.SPLATS, gltf.PACKED] if packed else [gltf.SPLATS]
     tree = _Tree(folder, cells, finest, contents)
@@ -141,7 +123,7 @@ def write(folder: Path, cells: Cells, finest: int, *, packed: bool, extras: Mapp
     size, done = cells.layout.grid.leaves(cells.layout.grid.levels - 1, (0, 0, 0)), 0
 
     def jobs() -> Iterator[Callable[[], _Tile]]:
-        for level, place in cells.below(finest):
+        for level, place in cells.cells_down_to(finest):
             yield partial(_encode_tile, cells, cells.chunks(level, place), level, place, encode)
 
     with progress.bar("exporting") as report:
@@ -149,9 +131,7 @@ def write(folder: Path, cells: Cells, finest: int, *, packed: bool, extras: Mapp
             total["pixels"] += tile.pixels
             if tile.data:
                 # Not in the jobs: those still running after Ctrl-C would write into a folder that is being removed.
-                path = folder / _name("content", tile.level, tile.place, "glb")
-                path.parent.mkdir(parents=True, exist_ok=True)
-                files.write(path, tile.data)
+                _write_file(folder / _name("content", tile.level, tile.place, "glb"), tile.data)
                 total["tiles"] += 1
                 total["splats"] += tile.splats
                 total["bytes"] += len(tile.data)
@@ -163,7 +143,7 @@ def write(folder: Path, cells: Cells, finest: int, *, packed: bool, extras: Mapp
     return total
 
 
-def _encode_tile(cells: Cells, chunks: list[Chunk], level: int, place: Place, encode: Callable[..., bytes]) -> _Tile:
+def _encode_tile(cells: Cells, chunks: Encoded, level: int, place: Place, encode: Callable[..., bytes]) -> _Tile:
     """Make a cell's tile from the chunks of its views."""
     cell = cells.to_gaussians(level, place, chunks)
     splats = cell.gaussians
@@ -173,6 +153,11 @@ def _encode_tile(cells: Cells, chunks: list[Chunk], level: int, place: Place, en
     return _Tile(level, place, box, cell.pixels, len(splats), encode(splats, cell.center))
 
 
+def _write_file(path: Path, data: bytes) -> None:
+    path.parent.mkdir(parents=True, exist_ok=True)
+    files.write(path, data)
+
+
 def _name(folder: str, level: int, place: Place, suffix: str) -> str:
     x, y, z = place
     return f"{folder}/{level}/{x}/{y}/{z}.{suffix}"
@@ -180,9 +165,9 @@ def _name(folder: str, level: int, place: Place, suffix: str) -> str:
 
 def _with_rewritten_uris(node: dict[str, Any]) -> dict[str, Any]:
     """Copy a tile with URIs rewritten for a document in a subfolder."""
-    moved = dict(node)
+    copy = dict(node)
     if "content" in node:
-        moved["content"] = node["content"] | {"uri": _UP + node["content"]["uri"]}
+        copy["content"] = node["content"] | {"uri": _UP + node["content"]["uri"]}
     if "children" in node:
-        moved["children"] = [_with_rewritten_uris(child) for child in node["children"]]
-    return moved
+        copy["children"] = [_with_rewritten_uris(child) for child in node["children"]]
+    return copy

@@ -1,4 +1,4 @@
-"""Encodes and decodes SPZ files (Niantic, versions 2 and 3): Gaussians in 19 or 20 bytes, then gzip.
+"""Encodes SPZ files (Niantic, versions 2 and 3): Gaussians in 19 or 20 bytes, then gzip.
 
 A file has a header, then the positions, opacities, colours, scales and rotations of all. The axes are those of glTF.
 """
@@ -8,8 +8,6 @@ from __future__ import annotations
 import gzip
 import math
 import struct
-import zlib
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,9 +23,6 @@ HEADER = struct.Struct("<IIIBBBB")
 
 MAX = 10_000_000
 """Maximum number of Gaussians that the reference implementation reads."""
-
-MAX_SCALE = math.exp(255 / 16 - 10)
-"""Greatest standard deviation that a scale code can express."""
 
 SECTIONS = ("positions", "alphas", "colors", "scales", "rotations")
 """Sections in file order."""
@@ -47,39 +42,21 @@ _COLOR_CODES = np.rint(((np.arange(256) / 255.0 - 0.5) / _HARMONIC * _COLOR + 0.
 _LARGEST_OF_THREE = math.sqrt(0.5)
 
 
-@dataclass(frozen=True)
-class Header:
-    """Header fields of a file."""
-
-    version: int
-    count: int
-    fraction_bits: int
-    """Positions are multiples of 2^−fraction_bits."""
-
-    def packed(self) -> bytes:
-        """Encode the header."""
-        return HEADER.pack(MAGIC, self.version, self.count, 0, self.fraction_bits, 0, 0)
+def header(version: int, count: int, bits: int) -> bytes:
+    """Encode a file's header; positions are multiples of 2^−bits."""
+    return HEADER.pack(MAGIC, version, count, 0, bits, 0, 0)
 
 
 def fraction_bits(reach: float, finest: float) -> int:
     """Number of fraction bits for 24-bit coordinates up to `reach`, at most as many as fine splats need.
 
-    Parameters
-    ----------
-    reach
-        Greatest absolute value of a coordinate.
-    finest
-        Smallest standard deviation along a surface.
-
-    Raises
-    ------
-    UnusableError
-        The integer part alone does not fit into 24 bits.
+    `finest` is the smallest standard deviation along a surface. Raises UnusableError if the integer part alone does not
+    fit into 24 bits.
     """
-    held = math.floor(math.log2(_LIMIT / max(reach, 2.0**-_MAX_BITS)))
-    if held < 0:
+    max_bits = math.floor(math.log2(_LIMIT / max(reach, 2.0**-_MAX_BITS)))
+    if max_bits < 0:
         raise UnusableError(f"coordinates up to {reach:.3g} m do not fit into the whole numbers of an SPZ file")
-    return max(0, min(held, math.ceil(math.log2(_FINE / finest)), _MAX_BITS))
+    return max(0, min(max_bits, math.ceil(math.log2(_FINE / finest)), _MAX_BITS))
 
 
 def sections(gaussians: Gaussians, bits: int, version: int) -> dict[str, bytes]:
@@ -96,57 +73,19 @@ def sections(gaussians: Gaussians, bits: int, version: int) -> dict[str, bytes]:
     }
 
 
-def encoded(gaussians: Gaussians, *, version: int = 3) -> bytes:
+def encode(gaussians: Gaussians, *, version: int = 3) -> bytes:
     """Encode Gaussians as a file, relative to their frame's origin."""
     reach = float(np.abs(gaussians.middle).max(initial=0.0))
     bits = fraction_bits(reach, float(gaussians.scale[:, :2].min(initial=1.0)))
     content = sections(gaussians, bits, version)
-    data = b"".join([Header(version, len(gaussians), bits).packed(), *(content[name] for name in SECTIONS)])
+    data = b"".join([header(version, len(gaussians), bits), *(content[name] for name in SECTIONS)])
     return gzip.compress(data, 6, mtime=0)
-
-
-def decoded(data: bytes) -> Gaussians:
-    """Decode a file that `encoded` made; UnusableError for others."""
-    try:
-        content = gzip.decompress(data)
-    except (OSError, EOFError, zlib.error) as error:
-        raise UnusableError(f"expected gzip: {error}") from None
-    if len(content) < HEADER.size:
-        raise UnusableError("it ends within its header")
-    magic, version, count, degree, bits, _, _ = HEADER.unpack_from(content)
-    if magic != MAGIC or version not in (2, 3) or degree:
-        raise UnusableError("expected SPZ of version 2 or 3 without directions")
-    widths = {"positions": 9, "alphas": 1, "colors": 3, "scales": 3, "rotations": 3 if version == 2 else 4}
-    if len(content) != HEADER.size + count * sum(widths.values()):
-        raise UnusableError(f"expected {count} Gaussians, got {len(content)} bytes")
-    parts, at = {}, HEADER.size
-    for name in SECTIONS:
-        size = count * widths[name]
-        parts[name] = np.frombuffer(content, np.uint8, size, at).reshape(count, widths[name])
-        at += size
-    wide = np.zeros((count, 3, 4), np.uint8)
-    wide[:, :, 1:] = parts["positions"].reshape(count, 3, 3)
-    fixed = wide.view("<i4")[..., 0] >> 8
-    color = ((parts["colors"] / 255.0 - 0.5) / _COLOR * _HARMONIC + 0.5).clip(0.0, 1.0)
-    rotation = _of_first_three(parts["rotations"]) if version == 2 else _of_smallest_three(parts["rotations"])
-    return Gaussians(
-        (fixed * 2.0**-bits).astype(np.float32),
-        rotation.astype(np.float32),
-        np.exp(parts["scales"] / 16.0 - 10.0).astype(np.float32),
-        np.rint(color * 255.0).astype(np.uint8),
-    )
 
 
 def _first_three(rotation: NDArray[np.float32]) -> NDArray[np.uint8]:
     """Encode x, y and z as bytes (N, 3); w must not be negative."""
     codes: NDArray[np.uint8] = np.rint(rotation[:, :3] * 127.5 + 127.5).clip(0, 255).astype(np.uint8)
     return codes
-
-
-def _of_first_three(codes: NDArray[np.uint8]) -> NDArray[np.float64]:
-    first = codes / 127.5 - 1.0
-    w = np.sqrt(np.maximum(1.0 - np.square(first).sum(axis=1, keepdims=True), 0.0))
-    return np.concatenate([first, w], axis=1)
 
 
 def _smallest_three(rotation: NDArray[np.float32]) -> NDArray[np.uint32]:
@@ -159,13 +98,3 @@ def _smallest_three(rotation: NDArray[np.float32]) -> NDArray[np.uint32]:
         np.uint32(3 << 30) | codes[:, 0] << np.uint32(20) | codes[:, 1] << np.uint32(10) | codes[:, 2]
     ).astype("<u4")
     return packed
-
-
-def _of_smallest_three(codes: NDArray[np.uint8]) -> NDArray[np.float64]:
-    words = np.ascontiguousarray(codes).view("<u4")[:, 0]
-    if (words >> 30 != 3).any():
-        raise UnusableError("expected rotations whose w is the greatest number")
-    fields = np.stack([words >> 20, words >> 10, words], axis=1) & 1023
-    first = np.where(fields >> 9, -1.0, 1.0) * (fields & 511) * (_LARGEST_OF_THREE / 511.0)
-    w = np.sqrt(np.maximum(1.0 - np.square(first).sum(axis=1, keepdims=True), 0.0))
-    return np.concatenate([first, w], axis=1)

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator
 from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
 
+from nearfar.orthoview._cut import GEOMETRY, Part
 from nearfar.orthoview._grid import Grid, Place
-from nearfar.orthoview._parts import GEOMETRY, Part
 
 Cell = tuple[int, Place]
 """Level and place."""
@@ -46,32 +46,21 @@ class Shown:
 
 
 class StandIns:
-    """Chooses the parts to draw.
+    """Chooses the parts to draw, at most `views` views of a cell.
 
-    Parameters
-    ----------
-    grid
-        Grid of the tree's cells.
-    directions
-        Unit vectors (D, 3) of the tree's directions.
-    held
-        Whether a part has been read in its newest version.
-    drawable
-        Directions from which a cell can be drawn, and `GEOMETRY` for the file of a leaf: parts that have been read,
-        in any version.
-    views
-        Greatest number of views of a cell.
+    `directions` are unit vectors (D, 3). `is_read` says whether a part has been read in its newest version. `drawable`
+    returns the directions of a cell's views that have been read in any version, and `GEOMETRY` if its leaf's file has.
     """
 
     def __init__(
         self,
         grid: Grid,
         directions: NDArray[np.float64],
-        held: Callable[[Part], bool],
+        is_read: Callable[[Part], bool],
         drawable: Callable[[Cell], Collection[int]],
         views: int,
     ) -> None:
-        self._grid, self._units, self._held, self._drawable, self._views = grid, directions, held, drawable, views
+        self._grid, self._units, self._is_read, self._drawable, self._views = grid, directions, is_read, drawable, views
 
     def choose_pieces(self, wanted: Wanted, before: Shown, eye: NDArray[np.float64]) -> Shown:
         """Choose how wanted cells are drawn from the parts that have been read.
@@ -80,89 +69,88 @@ class StandIns:
         before; its descendants that were drawn before stay, and the rest of it is drawn as follows; the finest ancestor
         with views replaces it, clipped to the cell; it is drawn from those of its own views that have been read.
         """
-        found = Shown()
+        shown = Shown()
         missing = empty = 0
-        below = self._below(before)
+        descendants = self._descendants(before)
         for cell, parts in wanted.items():
-            if all(map(self._held, parts)):
-                self._put(found, cell, parts)
+            if all(map(self._is_read, parts)):
+                if parts[0][2] == GEOMETRY:
+                    shown.leaves[cell[1]] = parts
+                else:
+                    shown.cells[cell] = [Piece(part) for part in parts]
                 continue
             missing += 1
-            kept = self._keep(found, below.get(cell, ()), before)
-            rest = list(self._beside(cell, kept, {above for one in kept for above in self._up(one)}))
-            found.cells.update({each: pieces for each in rest if (pieces := self._standing(each, eye))})
-            empty += not kept and cell not in found.cells
-        return Shown(found.cells, found.leaves, missing, empty)
+            kept_cells = self._keep(shown, descendants.get(cell, ()), before)
+            ancestors = {ancestor for kept_cell in kept_cells for ancestor in self._with_ancestors(kept_cell)}
+            for uncovered in self._uncovered(cell, kept_cells, ancestors):
+                if pieces := self._replacement(uncovered, eye):
+                    shown.cells[uncovered] = pieces
+            empty += not kept_cells and cell not in shown.cells
+        return Shown(shown.cells, shown.leaves, missing, empty)
 
     def _can_draw(self, part: Part) -> bool:
         level, place, direction = part
         return direction in self._drawable((level, place))
 
-    def _put(self, found: Shown, cell: Cell, parts: Sequence[Part]) -> None:
-        if parts[0][2] == GEOMETRY:
-            found.leaves[cell[1]] = list(parts)
-        else:
-            found.cells[cell] = [Piece(part) for part in parts]
-
-    def _below(self, before: Shown) -> dict[Cell, list[Cell]]:
+    def _descendants(self, before: Shown) -> dict[Cell, list[Cell]]:
         """Map each cell to its descendants, itself included, that were drawn before from their own parts.
 
         Cells drawn from parts of coarser views are left out: a better choice may exist by now.
         """
-        own = [cell for cell, pieces in before.cells.items() if pieces[0].within is None]
-        found: dict[Cell, list[Cell]] = {}
-        for level, place in (*own, *((0, place) for place in before.leaves)):
+        drawn_cells = [cell for cell, pieces in before.cells.items() if pieces[0].within is None]
+        descendants: dict[Cell, list[Cell]] = {}
+        for level, place in (*drawn_cells, *((0, place) for place in before.leaves)):
             cell = (level, place)
-            for above in self._up(cell):
-                found.setdefault(above, []).append(cell)
-        return found
+            for ancestor in self._with_ancestors(cell):
+                descendants.setdefault(ancestor, []).append(cell)
+        return descendants
 
-    def _up(self, cell: Cell) -> Iterable[Cell]:
+    def _with_ancestors(self, cell: Cell) -> Iterable[Cell]:
         """A cell and its ancestors, lowest first."""
         level, (x, y, z) = cell
         for up in range(self._grid.levels - level):
             yield level + up, (x >> up, y >> up, z >> up)
 
-    def _beside(self, cell: Cell, kept: Collection[Cell], above: Collection[Cell]) -> Iterator[Cell]:
-        """Largest cells within one that contain no kept cell; `above` has the kept cells and all their ancestors."""
-        if cell not in above:
+    def _uncovered(self, cell: Cell, kept_cells: Collection[Cell], ancestors: Collection[Cell]) -> Iterator[Cell]:
+        """Largest cells within one that contain no kept cell; `ancestors` has all kept cells and their ancestors."""
+        if cell not in ancestors:
             yield cell
-        elif cell not in kept:
+        elif cell not in kept_cells:
             for _, child in self._grid.children(*cell):
-                yield from self._beside((cell[0] - 1, child), kept, above)
+                yield from self._uncovered((cell[0] - 1, child), kept_cells, ancestors)
 
-    def _keep(self, found: Shown, cells: Iterable[Cell], before: Shown) -> set[Cell]:
+    def _keep(self, shown: Shown, cells: Iterable[Cell], before: Shown) -> set[Cell]:
         """Draw cells as before from the parts that remain; return the cells that have any."""
-        kept: set[Cell] = set()
+        kept_cells: set[Cell] = set()
         for cell in cells:
             _, place = cell
             leaf = before.leaves.get(place) if cell[0] == 0 else None
             if leaf and all(self._can_draw(part) for part in leaf):
-                found.leaves[place] = leaf
-                kept.add(cell)
+                shown.leaves[place] = leaf
+                kept_cells.add(cell)
                 continue
             pieces = [
                 piece for piece in before.cells.get(cell, []) if piece.within is None and self._can_draw(piece.part)
             ]
             if pieces:
-                found.cells[cell] = pieces
-                kept.add(cell)
-        return kept
+                shown.cells[cell] = pieces
+                kept_cells.add(cell)
+        return kept_cells
 
-    def _standing(self, cell: Cell, eye: NDArray[np.float64]) -> list[Piece]:
+    def _replacement(self, cell: Cell, eye: NDArray[np.float64]) -> list[Piece]:
         """Views of the finest ancestor that has any, clipped to the cell; else the cell's own views."""
-        own, *above = self._up(cell)
-        for other in above:
-            if views := self._nearest(other, eye):
+        _, *ancestors = self._with_ancestors(cell)
+        for ancestor in ancestors:
+            if views := self._nearest(ancestor, eye):
                 return [Piece(part, cell) for part in views]
-        return [Piece(part) for part in self._nearest(own, eye)]
+        return [Piece(part) for part in self._nearest(cell, eye)]
 
     def _nearest(self, cell: Cell, eye: NDArray[np.float64]) -> list[Part]:
         """Views of a cell that have been read, those nearest to the viewer's direction first."""
         level, place = cell
-        held = [direction for direction in self._drawable(cell) if direction != GEOMETRY]
-        if not held:
+        directions = [direction for direction in self._drawable(cell) if direction != GEOMETRY]
+        if not directions:
             return []
-        to = eye - self._grid.box(level, place).mean(axis=0)
-        held.sort(key=lambda direction: (-float(self._units[direction] @ to), direction))
-        return [(level, place, direction) for direction in held[: self._views]]
+        to_viewer = eye - self._grid.box(level, place).mean(axis=0)
+        directions.sort(key=lambda direction: (-float(self._units[direction] @ to_viewer), direction))
+        return [(level, place, direction) for direction in directions[: self._views]]

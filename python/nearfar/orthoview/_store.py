@@ -12,7 +12,7 @@ from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cached_property
-from pathlib import Path
+from pathlib import Path, PurePosixPath
 from typing import Any
 
 import numpy as np
@@ -20,12 +20,12 @@ from numpy.typing import NDArray
 
 from nearfar._base import check, files, formats
 from nearfar._base.errors import FormatError
-from nearfar.orthoview._chunks import Generation, In
-from nearfar.orthoview._files import Files, Local, missing
-from nearfar.orthoview._geometry_store import FOLDER as GEOMETRY, IMAGES, MOVING, OTHERS, TILESET, GeometryStore
+from nearfar.orthoview._chunks import Chunks, Generation
+from nearfar.orthoview._files import Files, Local
+from nearfar.orthoview._geometry_store import FOLDER as GEOMETRY, IMAGES, MOVING, SHARED_FOLDERS, TILESET, GeometryStore
 from nearfar.orthoview._grid import Place
-from nearfar.orthoview._guests import Guests, guests_of
 from nearfar.orthoview._layout import FOLDER, Layout
+from nearfar.orthoview._owners import Guests, guests_of
 from nearfar.orthoview._presence import AS_BEFORE, Masks, masks_of, newest_of
 from nearfar.orthoview._subtree import DONE, RECORD, VERSION as RECORD_VERSION, Described, record_of, size_and_hash
 
@@ -63,9 +63,8 @@ class Recorded:
     name: str
     shards: Described
     geometry: Described
-    held: dict[str, int]
     cells: Any = None
-    """Raw entries about cells, for `cells_of`."""
+    """Raw entries about cells, which `open_generation` reads."""
 
 
 def name_of(place: Place) -> str:
@@ -82,12 +81,8 @@ def place_of(name: str) -> Place:
 def begin(path: Path, layout: Layout) -> None:
     """Create a store atomically, or check that an existing one was begun with the same layout.
 
-    Raises
-    ------
-    ValueError
-        A store that was begun with another layout, or updated since it was built.
-    OSError
-        A folder that holds other files.
+    Raises ValueError for a store that was begun with another layout or updated since it was built, OSError for a folder
+    that holds other files.
     """
     if not (path / DOCUMENT).is_file():
         try:
@@ -97,11 +92,11 @@ def begin(path: Path, layout: Layout) -> None:
         except FileExistsError:
             if not (path / DOCUMENT).is_file():  # else another build has created it meanwhile
                 raise
-    attributes, wanted = read(Local(path)), layout.to_json()
+    attributes, described = read(Local(path)), layout.to_json()
     with formats.guarded(path / DOCUMENT):
         Layout.from_described(attributes["layout"])
-    if attributes["layout"] != wanted:
-        different = [key for key in wanted if attributes["layout"].get(key) != wanted[key]]
+    if attributes["layout"] != described:
+        different = [key for key in described if attributes["layout"].get(key) != described[key]]
         raise ValueError(f"path: {path} was begun with other values of {', '.join(different)}")
     if attributes["generation"]:
         raise ValueError(f"path: {path} was updated since it was built, expected a new folder")
@@ -122,32 +117,31 @@ def new_folder(path: Path) -> Iterator[Path]:
 
 def create(folder: Path, layout: Layout) -> None:
     """Create a store without chunks in an empty folder."""
-    held = {"cells": 0, "leaves": 0, "chunks": 0, "bytes": 0}
-    own = {"layout": layout.to_json(), "complete": False, "failed": {}, "held": held, "done": {}, "generation": 0}
-    own |= {"geometry": None}
-    layout.create(folder, {_KEY: formats.header(KIND, VERSION, color_space="sRGB") | own})
+    no_content = {"cells": 0, "leaves": 0, "chunks": 0, "bytes": 0}
+    attributes = {"layout": layout.to_json(), "complete": False, "failed": {}, "held": no_content, "done": {}}
+    attributes |= {"generation": 0, "geometry": None}
+    layout.create(folder, {_KEY: formats.header(KIND, VERSION, color_space="sRGB") | attributes})
 
 
-def end(path: Path, *, failed: Mapping[str, str], done: Mapping[str, int]) -> None:
-    """Record the content of the store and the work of the build; a store without failures becomes complete."""
-    if read(Local(path))["complete"]:
+def finish(path: Path, *, failed: Mapping[str, str], done: Mapping[str, int]) -> None:
+    """Record the content of the store and the work of the build; a store without failures becomes complete.
+
+    Also writes the tileset of the geometry, and lists the records of all subtrees.
+    """
+    described = read(Local(path))
+    if described["complete"]:
         return
-    own = {"failed": dict(failed), "held": dict(held_below(path)), "done": dict(done)}
-    change(path, complete=not failed, **own, **_end_files(path))
-
-
-def _end_files(path: Path) -> dict[str, Any]:
-    """Write the tileset of the geometry, and list the records of all subtrees; return the resulting attributes."""
-    layout = Layout.from_described(read(Local(path))["layout"])
+    layout = Layout.from_described(described["layout"])
     facts = GeometryStore(path, layout.grid).finish() if layout.geometry else None
     digests = {record.name: hashlib.sha256(record.read_bytes()).hexdigest() for record in _records(path)}
     # Files of leaves are listed in the records of their subtrees.
-    others = [path / GEOMETRY / name for name in (TILESET, MOVING)]
-    others += sorted(file for folder in OTHERS for file in (path / GEOMETRY / folder).glob("*"))
-    listed = {file.relative_to(path).as_posix(): size_and_hash(file) for file in others if file.is_file()}
-    own = {"records": digests, "geometry": listed}
-    formats.write_json(path / _RECORDS_FILE, formats.header(_RECORDS, _RECORDS_VERSION) | own)
-    return {"geometry": facts}
+    shared_files = [path / GEOMETRY / name for name in (TILESET, MOVING)]
+    shared_files += sorted(file for folder in SHARED_FOLDERS for file in (path / GEOMETRY / folder).glob("*"))
+    listed = {file.relative_to(path).as_posix(): size_and_hash(file) for file in shared_files if file.is_file()}
+    content = {"records": digests, "geometry": listed}
+    formats.write_json(path / _RECORDS_FILE, formats.header(_RECORDS, _RECORDS_VERSION) | content)
+    attributes = {"failed": dict(failed), "held": dict(held_below(path)), "done": dict(done)}
+    change(path, complete=not failed, **attributes, geometry=facts)
 
 
 def held_below(folder: Path) -> Counter[str]:
@@ -170,38 +164,33 @@ def change(path: Path, **attributes: Any) -> None:
         temporary.write_text(json.dumps(document, indent=2), encoding="utf-8")
 
 
-def end_compact(folder: Path, tree: Mapping[str, Any]) -> None:
-    """Complete a compacted store; `tree` has the attributes of the original store."""
-    change(folder, complete=True, held=tree["held"], done=tree["done"], **_end_files(folder))
-
-
 def read(store: Files) -> dict[str, Any]:
     """Return the attributes of a store; FormatError if it is not a store."""
     attributes = _document(store).get("attributes")
-    found = attributes.get(_KEY) if isinstance(attributes, dict) else None
-    return formats.check(found, KIND, VERSION, store.place)
+    described = attributes.get(_KEY) if isinstance(attributes, dict) else None
+    return formats.check(described, KIND, VERSION, store.address)
 
 
 def _document(store: Files) -> dict[str, Any]:
-    content = store.whole(DOCUMENT)
+    content = store.read(DOCUMENT)
     if content is None:
-        raise missing(store.place, DOCUMENT)
-    place = f"{store.place}/{DOCUMENT}"
-    with formats.guarded(place):
+        raise FileNotFoundError(errno.ENOENT, f"no store of orthoviews (no {DOCUMENT})", store.address)
+    address = f"{store.address}/{DOCUMENT}"
+    with formats.guarded(address):
         document = formats.from_json(content)
     if not isinstance(document, dict) or document.get("node_type") != "group":
-        raise FormatError(f"{place}: expected a group of Zarr v3")
+        raise FormatError(f"{address}: expected a group of Zarr v3")
     return document
 
 
-def overlay(number: int) -> str:
+def overlay_folder(number: int) -> str:
     """Folder of a generation below the store, with a trailing slash."""
     return f"{FOLDER}/generations/{number}/"
 
 
-def end_generation(path: Path, number: int, aabb: NDArray[np.float64], held: Mapping[str, int]) -> None:
+def finish_generation(path: Path, number: int, aabb: NDArray[np.float64], held: Mapping[str, int]) -> None:
     """Write the record of a generation from those of its subtrees."""
-    folder = path / overlay(number)
+    folder = path / overlay_folder(number)
     shards: Described = {}
     geometry: Described = {}
     cells: dict[str, dict[str, Any]] = {}
@@ -213,51 +202,46 @@ def end_generation(path: Path, number: int, aabb: NDArray[np.float64], held: Map
     images = sorted((folder / GEOMETRY / IMAGES).glob("*"))
     geometry |= {file.relative_to(folder).as_posix(): size_and_hash(file) for file in images}
     box = [[x if np.isfinite(x) else None for x in corner] for corner in aabb.tolist()]
-    own = {"aabb": box, "shards": shards, "geometry": geometry, "held": dict(held), "cells": cells}
-    formats.write_json(folder / _GENERATION_FILE, formats.header(_GENERATION, _GENERATION_VERSION) | own)
+    content = {"aabb": box, "shards": shards, "geometry": geometry, "held": dict(held), "cells": cells}
+    formats.write_json(folder / _GENERATION_FILE, formats.header(_GENERATION, _GENERATION_VERSION) | content)
 
 
 def generations(store: Files, newest: int) -> list[Generation]:
     """Generations of a store, newest first."""
-    overlays = (_generation(store, number) for number in range(newest, 0, -1))
-    known = (Generation(found.folder, found.shards.keys(), found.geometry.keys()) for found in overlays)
-    return [*known, Generation("", None, None)]
-
-
-def recorded_generations(store: Files, layout: Layout, newest: int, listed: Listed | None = None) -> list[Generation]:
-    """Generations of a store; the first one's content is looked up in its records, so that lost files are detected."""
-    listed = listed or Listed(store, layout)
-    *overlays, _ = generations(store, newest)
-    return [*overlays, Generation("", In(listed.has_shard), In(listed.has_geometry))]
+    records = (_generation(store, number) for number in range(newest, 0, -1))
+    overlays = [Generation(read.folder, read.shards.__contains__, read.geometry.__contains__) for read in records]
+    return [*overlays, Generation("", None, None)]
 
 
 def _generation(store: Files, number: int) -> Recorded:
-    folder = overlay(number)
+    folder = overlay_folder(number)
     document = _json(store, folder + _GENERATION_FILE, _GENERATION, _GENERATION_VERSION)
-    with formats.guarded(f"{store.place}/{folder}{_GENERATION_FILE}"):
-        return _recorded(folder, str(number), document)
+    return _recorded(store, folder + _GENERATION_FILE, folder, document)
 
 
-def _recorded(folder: str, name: str, document: Mapping[str, Any]) -> Recorded:
-    shards, geometry = _parse_listing(document["shards"], _SHARD), _parse_listing(document["geometry"], _GEOMETRY_FILE)
-    cells = document["cells"] if folder else {key: document[key] for key in ("views", "guests")}
-    return Recorded(folder, name, shards, geometry, document["held"], cells)
+def _record(store: Files, name: str, digest: str) -> Recorded:
+    """Read the record of a subtree."""
+    path = f"{FOLDER}/{DONE}/{name}"
+    return _recorded(store, path, "", _json(store, path, RECORD, RECORD_VERSION, digest))
+
+
+def _recorded(store: Files, path: str, folder: str, document: Mapping[str, Any]) -> Recorded:
+    with formats.guarded(f"{store.address}/{path}"):
+        shards = _parse_listing(document["shards"], _SHARD)
+        geometry = _parse_listing(document["geometry"], _GEOMETRY_FILE)
+        cells = document["cells"] if folder else {key: document[key] for key in ("views", "guests")}
+        return Recorded(folder, PurePosixPath(path).stem, shards, geometry, cells)
 
 
 def recorded(store: Files, newest: int) -> Iterator[Recorded]:
     """Records of a complete store: of all subtrees of the first generation, then of the later generations."""
     records = _json(store, _RECORDS_FILE, _RECORDS, _RECORDS_VERSION)
-    with formats.guarded(f"{store.place}/{_RECORDS_FILE}"):
+    with formats.guarded(f"{store.address}/{_RECORDS_FILE}"):
         digests = dict(records["records"])
-    for name, digest in digests.items():
-        path = f"{FOLDER}/{DONE}/{name}"
-        document = _json(store, path, RECORD, RECORD_VERSION, digest)
-        with formats.guarded(f"{store.place}/{path}"):
-            found = _recorded("", name.removesuffix(".json"), document)
-        yield found
-    with formats.guarded(f"{store.place}/{_RECORDS_FILE}"):
-        others = _parse_listing(records["geometry"], _GEOMETRY_FILE)
-    yield Recorded("", "", {}, others, {})
+    yield from (_record(store, name, digest) for name, digest in digests.items())
+    with formats.guarded(f"{store.address}/{_RECORDS_FILE}"):
+        geometry = _parse_listing(records["geometry"], _GEOMETRY_FILE)
+    yield Recorded("", "", {}, geometry)
     for number in range(1, newest + 1):
         yield _generation(store, number)
 
@@ -271,25 +255,35 @@ class Cells:
     """Guests of leaves."""
 
 
-def cells_of(store: Files, layout: Layout, newest: int, listed: Listed) -> Callable[[int, Place], Cells]:
-    """Return a function that reads the cells of a subtree by its tier and place."""
+def open_generation(store: Files, layout: Layout, newest: int) -> tuple[Chunks, Callable[[int, Place], Cells]]:
+    """Return a reader of chunks, and a function that reads the cells of a subtree by its tier and place.
+
+    The content of the store's first generation is looked up in its records, so that lost files are detected.
+    """
+    listed = Listed(store, layout)
+    *overlays, _ = generations(store, newest)
+    chunks = Chunks(store, layout, [*overlays, Generation("", listed.has_shard, listed.has_geometry)])
+    return chunks, _cells_of(store, layout, newest, listed)
+
+
+def _cells_of(store: Files, layout: Layout, newest: int, listed: Listed) -> Callable[[int, Place], Cells]:
     overlays = []
     for found in (_generation(store, number) for number in range(newest, 0, -1)):
-        with formats.guarded(f"{store.place}/{found.folder}{_GENERATION_FILE}"):
+        with formats.guarded(f"{store.address}/{found.folder}{_GENERATION_FILE}"):
             overlays.append((found.folder + _GENERATION_FILE, check.mapping("cells", found.cells, "cells by subtrees")))
 
     def read(tier: int, place: Place) -> Cells:
         name = record_of(Path(), tier, place)
-        known = [(file, cells[name.stem]) for file, cells in overlays if name.stem in cells]
+        by_file = [(file, cells[name.stem]) for file, cells in overlays if name.stem in cells]
         if (record := listed.record(tier, place)) is not None:
-            known.append((name.as_posix(), record.cells))
+            by_file.append((name.as_posix(), record.cells))
         generations: list[Masks] = []
         guests: Guests = {}
-        for file, cells in known:
-            with formats.guarded(f"{store.place}/{file}"):
-                own = guests_of(cells["guests"], layout, tier, place)
+        for file, cells in by_file:
+            with formats.guarded(f"{store.address}/{file}"):
+                in_file = guests_of(cells["guests"], layout, tier, place)
                 as_before = newest_of(generations, layout, tier, AS_BEFORE)[0] == AS_BEFORE
-                guests |= {leaf: own[leaf] for leaf in own if as_before[layout.shard_of(0, leaf)[1]]}
+                guests |= {leaf: found for leaf, found in in_file.items() if as_before[layout.shard_of(0, leaf)[1]]}
                 generations.append(masks_of(cells["views"], layout, tier))
         return Cells(newest_of(generations, layout, tier), guests)
 
@@ -297,13 +291,13 @@ def cells_of(store: Files, layout: Layout, newest: int, listed: Listed) -> Calla
 
 
 def _json(store: Files, name: str, kind: str, version: int, digest: str | None = None) -> dict[str, Any]:
-    content, place = store.whole(name), f"{store.place}/{name}"
+    content, address = store.read(name), f"{store.address}/{name}"
     if content is None:
-        raise FormatError(f"{place}: expected a file that the store refers to, found none")
+        raise FormatError(f"{address}: expected a file that the store refers to, found none")
     if digest is not None and hashlib.sha256(content).hexdigest() != digest:
-        raise FormatError(f"{place}: damaged: its SHA-256 is not {digest}")
-    with formats.guarded(place):
-        return formats.check(formats.from_json(content), kind, version, place)
+        raise FormatError(f"{address}: damaged: its SHA-256 is not {digest}")
+    with formats.guarded(address):
+        return formats.check(formats.from_json(content), kind, version, address)
 
 
 def _parse_listing(listed: Mapping[str, Any], pattern: re.Pattern[str]) -> Described:
@@ -319,26 +313,21 @@ class Listed:
 
     def __init__(self, store: Files, layout: Layout) -> None:
         self._store, self._layout = store, layout
-        self._records: dict[str, Recorded | None] = {}
+        self._records: dict[str, Recorded] = {}
 
     @cached_property
     def _digests(self) -> dict[str, str]:
         """SHA-256 of all records by name."""
         document = _json(self._store, _RECORDS_FILE, _RECORDS, _RECORDS_VERSION)
-        with formats.guarded(f"{self._store.place}/{_RECORDS_FILE}"):
+        with formats.guarded(f"{self._store.address}/{_RECORDS_FILE}"):
             return dict(check.mapping("records", document["records"], "hashes by names"))
 
     def record(self, tier: int, place: Place) -> Recorded | None:
         """Read the record of a subtree; None for an empty subtree."""
-        path = record_of(Path(), tier, place)
-        if path.name not in self._digests:
-            return None
-        name = path.as_posix()
-        if name not in self._records:
-            document = _json(self._store, name, RECORD, RECORD_VERSION, self._digests[path.name])
-            with formats.guarded(f"{self._store.place}/{name}"):
-                self._records[name] = _recorded("", name, document)
-        return self._records[name]
+        name = record_of(Path(), tier, place).name
+        if name in self._digests and name not in self._records:
+            self._records[name] = _record(self._store, name, self._digests[name])
+        return self._records.get(name)
 
     def has_shard(self, path: str) -> bool:
         """Whether a shard was written."""

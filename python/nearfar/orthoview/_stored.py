@@ -12,10 +12,9 @@ from nearfar import _core
 from nearfar._base import check, formats
 from nearfar.orthoview import _codec, _store
 from nearfar.orthoview._chunks import Chunks
-from nearfar.orthoview._directions import Direction
 from nearfar.orthoview._files import files_at
 from nearfar.orthoview._geometry_store import names
-from nearfar.orthoview._grid import Place
+from nearfar.orthoview._grid import Direction, Place
 from nearfar.orthoview._layout import BEHIND, CHANNELS, Layout, check_zarr
 from nearfar.orthoview._view import OrthoView
 
@@ -37,7 +36,7 @@ class StoredTree:
     @property
     def path(self) -> str:
         """The folder or the URL."""
-        return self._files.place
+        return self._files.address
 
     @property
     def generation(self) -> int:
@@ -142,20 +141,21 @@ class StoredTree:
             A shard that cannot be read.
         """
         number = check.integer("level", level, 0, self.levels - 1)
-        at, seen = self._place(number, place), check.integer("direction", direction, 0, len(self.directions) - 1)
+        cell_place = self._place(number, place)
+        direction_number = check.integer("direction", direction, 0, len(self.directions) - 1)
         prefix = BEHIND if check.integer("layer", layer, 0, self.layers - 1) else ""
-        keys = {(seen, name): (number, at, self._layout.array(number, seen, prefix + name)) for name in CHANNELS}
+        keys = [(number, cell_place, self._layout.array(number, direction_number, prefix + name)) for name in CHANNELS]
         with formats.guarded(self.path, "orthoviews"):
-            found = zip(keys, self._chunks.read(list(keys.values())), strict=True)
-            shown = {pair: chunk for pair, chunk in found if chunk}
-            if shown:
-                views, bits = _codec.decoded(shown, self._layout, (seen,))
-                return self._view(views, bits, number, at, self.directions[seen])
-        if (not prefix or self.view(level, place, direction) is None) and (reason := self._missing(number, at)):
-            raise ValueError(f"place: the cell {at} of level {number} is missing: {reason}")
+            contents = zip(CHANNELS, self._chunks.read(keys), strict=True)
+            if chunks := {(direction_number, name): chunk for name, chunk in contents if chunk}:
+                views, bits = _codec.decode(chunks, self._layout, (direction_number,))
+                return self._view(views, bits, number, cell_place, self.directions[direction_number])
+        is_empty = not prefix or self.view(level, place, direction) is None
+        if is_empty and (reason := self._missing_reason(number, cell_place)):
+            raise ValueError(f"place: the cell {cell_place} of level {number} is missing: {reason}")
         return None
 
-    def _missing(self, level: int, place: Place) -> str:
+    def _missing_reason(self, level: int, place: Place) -> str:
         """Reason why an empty cell may be missing; empty text if the cell is really empty."""
         if not self._is_complete and not self._failed:
             return "the build has not ended"
@@ -174,14 +174,18 @@ class StoredTree:
         center = self._layout.grid.box(level, place).mean(axis=0)
         return OrthoView(views.colors()[0], metres, views.vectors()[0], surfel, right, up, toward, lengths, center)
 
+    def _require_complete(self) -> None:
+        if not self._is_complete:
+            raise ValueError(f"path: {self.path} is not complete, build it again")
+
     @property
     def geometry(self) -> dict[str, Any] | None:
         """Numbers of leaves, triangles and bytes of the geometry, and the greatest error of a position in metres.
 
         These are the numbers of the build; None for a tree without geometry.
         """
-        found = self._attributes["geometry"]
-        return None if found is None else dict(found)
+        facts = self._attributes["geometry"]
+        return None if facts is None else dict(facts)
 
     def leaf_glb(self, place: tuple[int, int, int], *, moving: bool = False) -> bytes | None:
         """Read the triangles that belong to a leaf.
@@ -208,11 +212,11 @@ class StoredTree:
         """
         if not self._layout.geometry:
             raise ValueError(f"{self.path}: expected a tree with geometry, see nearfar.orthoview.build")
-        at = self._place(0, place)
+        leaf = self._place(0, place)
         with formats.guarded(self.path, "orthoviews"):
-            content = self._chunks.geometry(names(self._layout.grid, at)[check.flag("moving", moving)])
-        if content is None and (reason := self._missing(0, at)):
-            raise ValueError(f"place: the leaf {at} is missing: {reason}")
+            content = self._chunks.geometry(names(self._layout.grid, leaf)[check.flag("moving", moving)])
+        if content is None and (reason := self._missing_reason(0, leaf)):
+            raise ValueError(f"place: the leaf {leaf} is missing: {reason}")
         return content
 
     def _place(self, level: int, place: tuple[int, int, int]) -> Place:

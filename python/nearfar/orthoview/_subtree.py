@@ -4,24 +4,23 @@ from __future__ import annotations
 
 import hashlib
 from collections import Counter
-from collections.abc import Set as AbstractSet
+from collections.abc import Callable, Set as AbstractSet
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Protocol
 
 from nearfar import _core
 from nearfar._base import formats
 from nearfar._base.errors import FormatError
-from nearfar.orthoview import _codec, _guests
+from nearfar.orthoview import _codec
 from nearfar.orthoview._chunks import Chunks, Generation
 from nearfar.orthoview._files import Local
 from nearfar.orthoview._geometry_store import names
 from nearfar.orthoview._grid import Place
-from nearfar.orthoview._guests import Guests
-from nearfar.orthoview._journal import Journal
-from nearfar.orthoview._layout import FOLDER, Layout
+from nearfar.orthoview._layout import FOLDER, Key, Layout
+from nearfar.orthoview._owners import Guests, encode_guests
 from nearfar.orthoview._presence import Presence
-from nearfar.orthoview._shard import ShardWriter, holds
+from nearfar.orthoview._shard import Journal, ShardWriter, has_bytes
 
 Views = _core.OrthoViews | None
 """Views of a cell; None for an empty cell."""
@@ -55,43 +54,21 @@ def record_of(store: Path, tier: int, place: Place) -> Path:
     return store / FOLDER / DONE / f"{tier}_{'_'.join(map(str, place))}.json"
 
 
-class Held:
-    """Counts the content of shards."""
-
-    def __init__(self) -> None:
-        self._cells: set[tuple[int, Place]] = set()
-        self._chunks, self._bytes = 0, 0
-
-    def add(self, level: int, place: Place, length: int) -> None:
-        """Count a chunk of a cell; length 0 means that it is missing."""
-        if length:
-            self._cells.add((level, place))
-            self._chunks += 1
-            self._bytes += length
-
-    def counts(self) -> dict[str, int]:
-        """Numbers of cells and leaves that are not empty, of their chunks and of the chunks' bytes."""
-        leaves = sum(level == 0 for level, _ in self._cells)
-        return {"cells": len(self._cells), "leaves": leaves, "chunks": self._chunks, "bytes": self._bytes}
-
-
 def size_and_hash(path: Path) -> tuple[int, str]:
     """Size and SHA-256 of a file."""
     content = path.read_bytes()
     return len(content), hashlib.sha256(content).hexdigest()
 
 
-def write_record(
-    path: Path, shards: Described, geometry: Described, held: Held, presence: Presence, guests: Guests
-) -> None:
+def write_record(path: Path, shards: Described, geometry: Described, presence: Presence, guests: Guests) -> None:
     """Write the record of a complete subtree."""
     path.parent.mkdir(parents=True, exist_ok=True)
-    own = {"shards": shards, "geometry": geometry, "held": held.counts(), "views": presence.to_json()}
-    own["guests"] = _guests.encode_guests(guests)
-    formats.write_json(path, formats.header(RECORD, VERSION) | own)
+    content = {"shards": shards, "geometry": geometry, "held": presence.counts(), "views": presence.to_json()}
+    content["guests"] = encode_guests(guests)
+    formats.write_json(path, formats.header(RECORD, VERSION) | content)
 
 
-class Below(Protocol):
+class LowerCells(Protocol):
     """Interface of a subtree to the world and to the subtrees below."""
 
     unchanged: int
@@ -111,23 +88,13 @@ class Below(Protocol):
 
 
 class Subtree:
-    """Builds the cells below one cell of level `top`, whose views are returned to the parent subtree, not written.
+    """Builds the cells below one cell, whose views are returned to the parent subtree, not written.
 
-    Parameters
-    ----------
-    layout
-        Layout of the tree.
-    store
-        Folder of the store.
-    tier
-        Number of subtrees below, up to the leaves.
-    place
-        Place of the cell on top, on level (tier + 1) × `Layout.subtree`.
-    below
-        Provides the cells of this subtree's lowest level.
+    The cell has the place `place` on level (tier + 1) × `Layout.subtree`; there are `tier` subtrees below, down to the
+    leaves. `below` provides the cells of this subtree's lowest level.
     """
 
-    def __init__(self, layout: Layout, store: Path, tier: int, place: Place, below: Below) -> None:
+    def __init__(self, layout: Layout, store: Path, tier: int, place: Place, below: LowerCells) -> None:
         self._layout, self._store, self._tier, self._place, self._below = layout, store, tier, place, below
         self._lowest, self._top = tier * layout.subtree, (tier + 1) * layout.subtree
         self._record = record_of(store, tier, place)
@@ -140,16 +107,16 @@ class Subtree:
         if self._record.exists():
             self._journal.remove()  # an earlier build may have ended before this
             self._below.pass_over(min(self._top, self._root), self._place)
-            return self._reloaded()
+            return self._reload()
         if not self._is_sound():
             self._journal.remove()  # data lost after a system crash: start the subtree again
         if self._top > self._root:
             _, self._outcome.is_complete = self._views(self._root, (0, 0, 0))
         else:
-            self._outcome.views, self._outcome.is_complete = self._composed(self._top, self._place)
+            self._outcome.views, self._outcome.is_complete = self._build_parent(self._top, self._place)
         shards = self._finish_shards()
         if self._outcome.is_complete:
-            self._note(shards)
+            self._write_record(shards)
         return self._outcome
 
     @property
@@ -158,108 +125,104 @@ class Subtree:
 
     def _is_sound(self) -> bool:
         """Whether the shards have all bytes recorded in the journal."""
-        return all(
-            holds(self._store / self._layout.shard_path(array, self._layout.shard_of(level, place)[0]), size)
-            for (level, place, array), size in self._journal.sizes().items()
-        )
+        sizes = self._journal.sizes().items()
+        return all(has_bytes(self._store / self._layout.shard_path(key), size) for key, size in sizes)
 
     def _views(self, level: int, place: Place) -> tuple[Views, bool]:
         """Views of a cell of this subtree, and whether everything below it is complete."""
         if (level, place) in self._journal.cells:
             self._below.pass_over(level, place)
             return self._reread(level, place), True
-        if (known := self._below.finished_outcome(level, place)) is not None:
+        if (finished := self._below.finished_outcome(level, place)) is not None:
             self._below.pass_over(level, place)
-            self._outcome.counts += known.counts
-            return known.views, True
+            self._outcome.counts += finished.counts
+            return finished.views, True
         if level == self._lowest:
-            below = self._below.base(self._tier, place)
-            self._outcome.failed |= below.failed
-            self._outcome.counts += below.counts
-            views, is_complete, guests = below.views, below.is_complete, below.guests
+            outcome = self._below.base(self._tier, place)
+            self._outcome.failed |= outcome.failed
+            self._outcome.counts += outcome.counts
+            views, is_complete, guests = outcome.views, outcome.is_complete, outcome.guests
         else:
-            (views, is_complete), guests = self._composed(level, place), []
+            (views, is_complete), guests = self._build_parent(level, place), []
         if is_complete:
             views = self._write(level, place, views, guests)
         return views, is_complete
 
-    def _composed(self, level: int, place: Place) -> tuple[Views, bool]:
-        """Compose the views of a cell from those of its children, which are built first."""
+    def _build_parent(self, level: int, place: Place) -> tuple[Views, bool]:
+        """Compose the views of a cell, after its children have been built."""
+        views, is_complete = self._compose(level, place, self._views)
+        if views is not None:
+            self._outcome.counts["composed"] += 1
+        return views, is_complete
+
+    def _compose(
+        self, level: int, place: Place, child_views: Callable[[int, Place], tuple[Views, bool]]
+    ) -> tuple[Views, bool]:
+        """Compose the views of a cell from those of its children, unless one of these is not complete."""
         parent, is_complete = None, True
         for octant, child in self._layout.grid.children(level, place):
-            views, is_whole = self._views(level - 1, child)
-            is_complete &= is_whole
+            views, is_child_complete = child_views(level - 1, child)
+            is_complete &= is_child_complete
             if views is not None and is_complete:
-                parent = parent or self._parent()
+                parent = parent or _core.OrthoParent(
+                    self._layout.directions, self._layout.format, behind=self._layout.layers == 2
+                )
                 parent.add(octant, views)
         if parent is None or not is_complete:
             return None, is_complete
-        self._outcome.counts["composed"] += 1
         return _codec.drop_unneeded_layers(parent.finish(), self._layout), True
 
-    def _parent(self) -> _core.OrthoParent:
-        return _core.OrthoParent(self._layout.directions, self._layout.format, behind=self._layout.layers == 2)
-
     def _write(self, level: int, place: Place, views: Views, guests: list[Place]) -> Views:
-        """Write the views of a cell and record its guests; return the views as readers decode them."""
-        shard, within = self._layout.shard_of(level, place)
-        encoded = _codec.encoded(views, self._layout) if views else {}
-        gone = dict.fromkeys(self._below.chunks_before(level, place) - encoded.keys(), b"")
-        chunks = {}
-        for (direction, channel), chunk in (encoded | gone).items():
-            array = self._layout.array(level, direction, channel)
-            chunks[array] = self._writer(array, level, shard).append(within, chunk)
-        self._journal.add(level, place, chunks, guests)
-        return _codec.settled(views, encoded, self._layout) if views else None
+        """Write the views of a cell and record its guests; return the views as readers decode them.
 
-    def _writer(self, array: str, level: int, shard: Place) -> ShardWriter:
+        Parents are composed of these, as in a build that resumes.
+        """
+        _, within = self._layout.shard_of(level, place)
+        encoded, keys = _codec.encode(views, self._layout), self._layout.keys(level, place)
+        removed = dict.fromkeys(self._below.chunks_before(level, place) - encoded.keys(), b"")
+        chunks = {keys[pair]: chunk for pair, chunk in (encoded | removed).items()}
+        written = {key[2]: self._writer(key).append(within, chunk) for key, chunk in chunks.items()}
+        self._journal.add(level, place, written, guests)
+        return views if self._layout.quality is None else _codec.decode_cell(encoded, self._layout)
+
+    def _writer(self, key: Key) -> ShardWriter:
+        """Writer of the shard that holds a chunk."""
+        level, _, array = key
         if array not in self._writers:
-            done = [(self._layout.shard_of(level, place)[1], chunk) for place, chunk in self._journal.of_array(array)]
-            path = self._store / self._layout.shard_path(array, shard)
-            self._writers[array] = ShardWriter(path, self._layout.shard_side(level), done)
+            chunks = [(self._layout.shard_of(level, place)[1], chunk) for place, chunk in self._journal.of_array(array)]
+            path = self._store / self._layout.shard_path(key)
+            self._writers[array] = ShardWriter(path, self._layout.shard_side(level), chunks)
         return self._writers[array]
 
     def _reread(self, level: int, place: Place) -> Views:
         """Read the views of a cell that an interrupted build wrote."""
-        shard, within = self._layout.shard_of(level, place)
-        written = self._journal.cells[level, place]
+        (_, within), written = self._layout.shard_of(level, place), self._journal.cells[level, place]
+        keys = {pair: key for pair, key in self._layout.keys(level, place).items() if key[2] in written}
         with formats.guarded(self._store, "orthoviews"):
-            return self._decoded(
-                {
-                    pair: self._writer(array, level, shard).read(within)
-                    for pair, (_, _, array) in self._layout.keys(level, place).items()
-                    if array in written
-                }
-            )
+            return self._decode({pair: chunk for pair in keys if (chunk := self._writer(keys[pair]).read(within))})
 
-    def _decoded(self, chunks: dict[tuple[int, str], bytes | None]) -> Views:
-        """Decode a cell's views from those of its chunks that exist."""
-        shown = {pair: chunk for pair, chunk in chunks.items() if chunk}
-        self._outcome.counts["reloaded"] += len(shown)
-        return _codec.both(shown, self._layout) if shown else None
+    def _decode(self, chunks: _codec.Encoded) -> Views:
+        """Decode a cell's views, and count their chunks."""
+        self._outcome.counts["reloaded"] += len(chunks)
+        return _codec.decode_cell(chunks, self._layout)
 
     def _finish_shards(self) -> Described:
         """Write the index of all shards and rename them; return sizes and SHA-256 by path.
 
         Shards of an incomplete subtree become `PART` again when it resumes; until then readers find its cells.
         """
-        shards = {}
-        for level, place, array in self._journal.sizes():
-            shard, _ = self._layout.shard_of(level, place)
-            path = self._layout.shard_path(array, shard).as_posix()
-            shards[path] = self._writer(array, level, shard).finish()
+        shards = {self._layout.shard_path(key): self._writer(key).finish() for key in self._journal.sizes()}
         self._writers.clear()
         return shards
 
-    def _note(self, shards: Described) -> None:
+    def _write_record(self, shards: Described) -> None:
         """Write the record of a complete subtree."""
-        held, presence = Held(), Presence(self._layout, self._tier, self._below.unchanged)
+        presence = Presence(self._layout, self._tier, self._below.unchanged)
         for (level, place), chunks in self._journal.cells.items():
-            presence.computed(level, place)
+            presence.add_computed(level, place)
             for array, (_, length) in chunks.items():
-                held.add(level, place, length)
-                presence.add(level, place, array, length)
-        write_record(self._record, shards, self._geometry(), held, presence, self._journal.guests)
+                presence.add((level, place, array), length)
+        write_record(self._record, shards, self._geometry(), presence, self._journal.guests)
         self._journal.remove()
 
     def _geometry(self) -> Described:
@@ -270,24 +233,18 @@ class Subtree:
         paths = [name for place in leaves for name in names(self._layout.grid, place)]
         return {path: size_and_hash(self._store / path) for path in paths if (self._store / path).exists()}
 
-    def _reloaded(self) -> Outcome:
+    def _reload(self) -> Outcome:
         """Outcome of a complete subtree: its views are composed again from those of its highest level."""
         if self._top > self._root:
             return self._outcome
-        self._check(formats.read_json(self._record, RECORD, VERSION)["shards"])
-        chunks, parent = Chunks(Local(self._store), self._layout, [Generation("", None, None)]), None
-        for octant, child in self._layout.grid.children(self._top, self._place):
-            keys = self._layout.keys(self._top - 1, child)
-            with formats.guarded(self._store, "orthoviews"):
-                views = self._decoded(dict(zip(keys, chunks.read(list(keys.values())), strict=True)))
-            if views is not None:
-                parent = parent or self._parent()
-                parent.add(octant, views)
-        self._outcome.views = _codec.drop_unneeded_layers(parent.finish(), self._layout) if parent else None
-        return self._outcome
-
-    def _check(self, shards: dict[str, Any]) -> None:
-        """Raise a FormatError if a shard of a record is missing."""
-        for path in shards:
+        for path in formats.read_json(self._record, RECORD, VERSION)["shards"]:
             if not (self._store / path).exists():
                 raise FormatError(f"{self._store / path}: damaged orthoviews: the shard is gone")
+        chunks = Chunks(Local(self._store), self._layout, [Generation("", None, None)])
+
+        def read(level: int, place: Place) -> tuple[Views, bool]:
+            with formats.guarded(self._store, "orthoviews"):
+                return self._decode(chunks.read_views(level, place)), True
+
+        self._outcome.views, _ = self._compose(self._top, self._place, read)
+        return self._outcome

@@ -22,13 +22,13 @@ from nearfar.orthoview._gaussians import Floats, Surfaces
 
 Integers = NDArray[np.int64]
 
-NEAR = 0.5
+MAX_PLANE_DISTANCE = 0.5
 """Greatest distance between two surfels' planes, in pixels."""
 
-ALIKE = 0.7
+MIN_COSINE = 0.7
 """Least cosine between the normals of surfels of one surface, as of connected pixels."""
 
-LEVEL = 0.5
+FLOOR_COSINE = 0.5
 """Least y component of a unit normal (either sign) at which a surface is a floor."""
 
 _TIE = np.float32(1e-4)
@@ -64,10 +64,10 @@ class Picture:
         """Convert the first of some views, whose pixels have the connections `bits`."""
         width, height, depth = extents.tolist()
         codes, rows = views.depths()[0, ..., 0], axes.astype(np.float32)
-        shown = codes > 0
-        behind = np.where(shown, (codes.astype(np.float32) - 0.5) * np.float32(depth / steps), np.float32(np.nan))
-        normal = np.where(shown[..., None], views.vectors()[0], np.float32(0.0))
-        is_surfel = _core.orthoview_surfels(bits)[0, ..., 0] & shown
+        is_shown = codes > 0
+        behind = np.where(is_shown, (codes.astype(np.float32) - 0.5) * np.float32(depth / steps), np.float32(np.nan))
+        normal = np.where(is_shown[..., None], views.vectors()[0], np.float32(0.0))
+        is_surfel = _core.orthoview_surfels(bits)[0, ..., 0] & is_shown
         pixel = width * height / codes.size
         fineness = np.where(is_surfel, np.maximum(normal @ rows[2], 1e-3) / np.float32(pixel), np.float32(0.0))
         return cls(
@@ -77,7 +77,7 @@ class Picture:
             normal,
             views.colors()[0],
             is_surfel,
-            np.where(shown, fineness, np.float32(-1.0)),
+            np.where(is_shown, fineness, np.float32(-1.0)),
         )
 
     @property
@@ -89,59 +89,46 @@ class Picture:
     def surfaces(self) -> Surfaces:
         """Non-empty pixels, row by row."""
         row, column = np.nonzero(self.fineness >= 0.0)
-        (width, height), half = self.pitch, np.array(self.extents, np.float32) / 2
-        place = np.stack(
+        (width, height), half_extents = self.pitch, np.array(self.extents, np.float32) / 2
+        position = np.stack(
             [
-                (column + np.float32(0.5)) * np.float32(width) - half[0],
-                half[1] - (row + np.float32(0.5)) * np.float32(height),
-                half[2] - self.depth[row, column],
+                (column + np.float32(0.5)) * np.float32(width) - half_extents[0],
+                half_extents[1] - (row + np.float32(0.5)) * np.float32(height),
+                half_extents[2] - self.depth[row, column],
             ],
             axis=1,
         )
         return Surfaces(
-            (place @ self.axes).astype(np.float32),
+            (position @ self.axes).astype(np.float32),
             self.normal[row, column],
             self.color[row, column],
             self.is_surfel[row, column],
         )
 
 
-def seen_better(pictures: list[Picture], number: int, rows: NDArray[np.int64]) -> NDArray[np.bool_]:
-    """Whether other pictures show pixels of one of them better.
-
-    Parameters
-    ----------
-    pictures
-        All views of the cell.
-    number
-        Number of the picture that the pixels are from.
-    rows
-        Indices of pixels in its `surfaces()`.
-
-    Returns
-    -------
-    NDArray
-        Whether each row is left out.
-    """
-    own = pictures[number]
-    shown = own.surfaces()
-    fineness = own.fineness[own.fineness >= 0.0]
-    left = rows
+def is_duplicate(pictures: list[Picture], number: int, rows: NDArray[np.int64]) -> NDArray[np.bool_]:
+    """Whether other pictures of a cell show pixels of one of them better; `rows` are indices in its `surfaces()`."""
+    picture_of_rows = pictures[number]
+    surfaces = picture_of_rows.surfaces()
+    fineness = picture_of_rows.fineness[picture_of_rows.fineness >= 0.0]
+    remaining = rows
     for other, picture in enumerate(pictures):
-        if other == number or not len(left):
+        if other == number or not len(remaining):
             continue
-        balls = left[~shown.is_surfel[left]]
-        surfels = left[shown.is_surfel[left]]
+        balls = remaining[~surfaces.is_surfel[remaining]]
+        surfels = remaining[surfaces.is_surfel[remaining]]
         # Fineness that a surfel of the other view with this normal would have.
         pixel = np.float32(picture.pitch[0] * picture.pitch[1])
-        could = (shown.normal[surfels] @ picture.axes[2]) / pixel
-        surfels = surfels[could >= fineness[surfels] * (1 - _TIE)]
-        same = _same_surfel(picture, shown.middle[surfels], shown.normal[surfels], fineness[surfels], other < number)
-        gone = [surfels[same], balls[_same_ball(picture, shown.middle[balls], own, other < number)]]
-        left = np.setdiff1d(left, np.concatenate(gone), assume_unique=True)
-    surfels = left[shown.is_surfel[left]]
-    backs = surfels[_is_back(pictures, number, shown.middle[surfels], shown.normal[surfels])]
-    return ~np.isin(rows, np.setdiff1d(left, backs, assume_unique=True), assume_unique=True)
+        possible_fineness = (surfaces.normal[surfels] @ picture.axes[2]) / pixel
+        surfels = surfels[possible_fineness >= fineness[surfels] * (1 - _TIE)]
+        middle, normal, is_before = surfaces.middle, surfaces.normal, other < number
+        same_surfel = _same_surfel(picture, middle[surfels], normal[surfels], fineness[surfels], is_before)
+        same_ball = _same_ball(picture, middle[balls], picture_of_rows, is_before)
+        duplicates = np.concatenate([surfels[same_surfel], balls[same_ball]])
+        remaining = np.setdiff1d(remaining, duplicates, assume_unique=True)
+    surfels = remaining[surfaces.is_surfel[remaining]]
+    backs = surfels[_is_back(pictures, number, surfaces.middle[surfels], surfaces.normal[surfels])]
+    return ~np.isin(rows, np.setdiff1d(remaining, backs, assume_unique=True), assume_unique=True)
 
 
 def _is_back(pictures: list[Picture], number: int, middle: Floats, normal: Floats) -> NDArray[np.bool_]:
@@ -151,31 +138,31 @@ def _is_back(pictures: list[Picture], number: int, middle: Floats, normal: Float
     for picture in others:
         behind += _has_plane(picture, middle, -normal)
     thin = np.flatnonzero(behind)
-    own = np.ones(len(thin), np.int32)  # their own picture shows this side
+    same_side = np.ones(len(thin), np.int32)  # their own picture shows this side
     for picture in others:
-        own += _has_plane(picture, middle[thin], normal[thin])
+        same_side += _has_plane(picture, middle[thin], normal[thin])
     up = normal[thin, 1]
     is_back = np.zeros(len(middle), bool)
-    is_back[thin] = np.where(np.abs(up) > LEVEL, up < 0, behind[thin] > own)
+    is_back[thin] = np.where(np.abs(up) > FLOOR_COSINE, up < 0, behind[thin] > same_side)
     return is_back
 
 
 def _has_plane(picture: Picture, middle: Floats, normal: Floats) -> NDArray[np.bool_]:
     """Whether the pixels of a picture at points (N,) are surfels of planes with the given normals."""
     has = np.zeros(len(middle), bool)
-    at = np.flatnonzero(normal @ picture.axes[2] > 0)
-    column, row, depth = _project(picture, middle[at])
+    index = np.flatnonzero(normal @ picture.axes[2] > 0)
+    column, row, depth = _project(picture, middle[index])
     size, (width, height) = len(picture.depth), picture.pitch
     is_inside = (column >= 0) & (column < size) & (row >= 0) & (row < size)
-    at, column, row, depth = at[is_inside], column[is_inside], row[is_inside], depth[is_inside]
+    index, column, row, depth = index[is_inside], column[is_inside], row[is_inside], depth[is_inside]
     c, r = column.astype(np.int64), row.astype(np.int64)
-    near = np.float32(NEAR * max(width, height))
-    # On a plane tilted by 75.5° depths differ by 4.8 pixels within reach of a pixel and `near`.
-    could = picture.is_surfel[r, c] & (np.abs(depth - picture.depth[r, c]) <= 10 * near)
-    at, column, row, depth, c, r = at[could], column[could], row[could], depth[could], c[could], r[could]
-    could = np.einsum("ni,ni->n", picture.normal[r, c], normal[at]) >= ALIKE
-    could &= _off_plane(picture, (c, column), (r, row), depth) <= near
-    has[at[could]] = True
+    reach = np.float32(MAX_PLANE_DISTANCE * max(width, height))
+    # On a plane tilted by 75.5° depths differ by 4.8 pixels between points that are a pixel and `reach` apart.
+    is_match = picture.is_surfel[r, c] & (np.abs(depth - picture.depth[r, c]) <= 10 * reach)
+    index, column, row, depth, c, r = (values[is_match] for values in (index, column, row, depth, c, r))
+    is_match = np.einsum("ni,ni->n", picture.normal[r, c], normal[index]) >= MIN_COSINE
+    is_match &= _off_plane(picture, (c, column), (r, row), depth) <= reach
+    has[index[is_match]] = True
     return has
 
 
@@ -197,22 +184,22 @@ def _same_surfel(
     """Whether surfels (N,) lie between four finer surfels of a picture that are in their plane."""
     column, row, depth = _project(picture, middle)
     size, (width, height) = len(picture.depth), picture.pitch
-    same = (column >= 0) & (column < size) & (row >= 0) & (row < size)
-    near = np.float32(NEAR * max(width, height))
+    is_same = (column >= 0) & (column < size) & (row >= 0) & (row < size)
+    reach = np.float32(MAX_PLANE_DISTANCE * max(width, height))
     first_column, first_row = np.floor(column - 0.5), np.floor(row - 0.5)
-    for down, along in ((0, 0), (0, 1), (1, 0), (1, 1)):
-        at = np.flatnonzero(same)
-        if not len(at):
+    for down, right in ((0, 0), (0, 1), (1, 0), (1, 1)):
+        index = np.flatnonzero(is_same)
+        if not len(index):
             break
         # Beyond the picture's sides the outermost pixels are repeated.
-        c = np.clip(first_column[at] + along, 0, size - 1).astype(np.int64)
-        r = np.clip(first_row[at] + down, 0, size - 1).astype(np.int64)
-        theirs = picture.fineness[r, c]
-        better = theirs >= fineness[at] if is_before else theirs > fineness[at]
+        c = np.clip(first_column[index] + right, 0, size - 1).astype(np.int64)
+        r = np.clip(first_row[index] + down, 0, size - 1).astype(np.int64)
+        other_fineness = picture.fineness[r, c]
+        better = other_fineness >= fineness[index] if is_before else other_fineness > fineness[index]
         better &= picture.is_surfel[r, c]
-        better &= np.einsum("ni,ni->n", picture.normal[r, c], normal[at]) >= ALIKE
-        same[at] = better & (_off_plane(picture, (c, column[at]), (r, row[at]), depth[at]) <= near)
-    return same
+        better &= np.einsum("ni,ni->n", picture.normal[r, c], normal[index]) >= MIN_COSINE
+        is_same[index] = better & (_off_plane(picture, (c, column[index]), (r, row[index]), depth[index]) <= reach)
+    return is_same
 
 
 def _off_plane(
@@ -229,20 +216,20 @@ def _off_plane(
     return distance
 
 
-def _same_ball(picture: Picture, middle: Floats, own: Picture, is_before: bool) -> NDArray[np.bool_]:
+def _same_ball(picture: Picture, middle: Floats, picture_of_balls: Picture, is_before: bool) -> NDArray[np.bool_]:
     """Whether balls (N,) lie at places where another picture shows a surfel, or an earlier one a ball."""
     column, row, depth = _project(picture, middle)
     size = len(picture.depth)
-    same = (column >= 0) & (column < size) & (row >= 0) & (row < size)
-    at = np.flatnonzero(same)
-    c, r = column[at].astype(np.int64), row[at].astype(np.int64)
+    is_same = (column >= 0) & (column < size) & (row >= 0) & (row < size)
+    index = np.flatnonzero(is_same)
+    c, r = column[index].astype(np.int64), row[index].astype(np.int64)
     counts = picture.fineness[r, c] >= (0.0 if is_before else np.finfo(np.float32).tiny)
     width, height = picture.pitch
     squared = (
-        ((column[at] - c - np.float32(0.5)) * np.float32(width)) ** 2
-        + ((row[at] - r - np.float32(0.5)) * np.float32(height)) ** 2
-        + (depth[at] - picture.depth[r, c]) ** 2
+        ((column[index] - c - np.float32(0.5)) * np.float32(width)) ** 2
+        + ((row[index] - r - np.float32(0.5)) * np.float32(height)) ** 2
+        + (depth[index] - picture.depth[r, c]) ** 2
     )
-    radius = np.hypot(*own.pitch) / 2
-    same[at] = counts & (np.nan_to_num(squared, nan=np.inf) <= radius * radius)
-    return same
+    radius = np.hypot(*picture_of_balls.pitch) / 2
+    is_same[index] = counts & (np.nan_to_num(squared, nan=np.inf) <= radius * radius)
+    return is_same

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-from pathlib import Path
 from typing import SupportsIndex
 
 import numpy as np
@@ -11,10 +10,12 @@ from numpy.typing import ArrayLike, NDArray
 
 from nearfar._base import card, check
 from nearfar._source.protocol import SceneSource, source_of
-from nearfar.orthoview import _compact, _preview, _splat_export, _update, _verify
+from nearfar.orthoview import _compact, _splat_export, _update
 from nearfar.orthoview._files import Local
 from nearfar.orthoview._near_far import NearFarTree
 from nearfar.orthoview._shown import CACHE_BYTES
+from nearfar.orthoview._splat_cells import Cells
+from nearfar.orthoview._view import sheet
 
 
 class OrthoTree(NearFarTree):
@@ -37,6 +38,11 @@ class OrthoTree(NearFarTree):
         A URL that fsspec cannot open.
     ImportError
         The package zarr is missing.
+
+    References
+    ----------
+    Chaudhuri et al. (2009), Image-Based Exploration of Massive Online Environments, section 4: pictures, flights and
+    prefetching.
     """
 
     def preview(
@@ -55,10 +61,8 @@ class OrthoTree(NearFarTree):
             As in `view`.
         """
         number = self.levels - 1 if level is None else check.integer("level", level, 0, self.levels - 1)
-        at = (0, 0, 0) if place is None else place
-        return _preview.sheet(
-            [self.view(number, at, direction) for direction in range(len(self.directions))], self.size
-        )
+        cell_place = (0, 0, 0) if place is None else place
+        return sheet([self.view(number, cell_place, direction) for direction in range(len(self.directions))], self.size)
 
     def update(self, aabb: ArrayLike, source: SceneSource) -> OrthoTree:
         """Write a new generation, in which a part of the world has changed.
@@ -94,7 +98,9 @@ class OrthoTree(NearFarTree):
             Any exception of the source.
         """
         box, world = check.box("aabb", aabb), source_of("source", source)
-        _update.update(self._folder("update"), box, world)
+        if not isinstance(self._files, Local):
+            raise ValueError(f"path: expected a local folder to update, got {check.shortened(self.path)}")
+        _update.update(self._files.folder, box, world)
         return OrthoTree(self.path)
 
     def compact(self, path: str | os.PathLike[str]) -> OrthoTree:
@@ -118,8 +124,7 @@ class OrthoTree(NearFarTree):
             Files that cannot be written.
         """
         target = check.path("path", path)
-        if not self._is_complete:
-            raise ValueError(f"path: {self.path} is not complete, build it again")
+        self._require_complete()
         if isinstance(self._files, Local) and target.resolve() == self._files.folder.resolve():
             raise ValueError("path: expected another place than that of the tree, whose readers go on")
         _compact.compact(self._files, self._attributes, target)
@@ -183,19 +188,9 @@ class OrthoTree(NearFarTree):
         """
         target, lowest = check.path("path", path), check.integer("level", level, 0, self.levels - 1)
         box = np.array([[-np.inf] * 3, [np.inf] * 3]) if aabb is None else check.box("aabb", aabb)
-        if not self._is_complete:
-            raise ValueError(f"path: {self.path} is not complete, build it again")
-        return _splat_export.export(
-            self._files,
-            self._layout,
-            self.generation,
-            target,
-            format=format,
-            level=lowest,
-            box=box,
-            light=light,
-            compression=compression,
-        )
+        self._require_complete()
+        cells = Cells(self._files, self._layout, self.generation, box, _splat_export.sun_of(light))
+        return _splat_export.export(cells, target, format=format, level=lowest, compression=compression)
 
     def verify(self) -> int:
         """Read every shard and compare its size and hash with the store's records.
@@ -212,14 +207,8 @@ class OrthoTree(NearFarTree):
         ValueError
             An incomplete store.
         """
-        if not self._is_complete:
-            raise ValueError(f"path: {self.path} is not complete, build it again")
-        return _verify.verify(self._files, self.generation)
-
-    def _folder(self, deed: str) -> Path:
-        if not isinstance(self._files, Local):
-            raise ValueError(f"path: expected a local folder to {deed}, got {check.shortened(self.path)}")
-        return self._files.folder
+        self._require_complete()
+        return _compact.verify(self._files, self.generation)
 
     @card.repr_html
     def _repr_html_(self) -> str:
@@ -246,23 +235,16 @@ class OrthoTree(NearFarTree):
 
 
 def open(path: str | os.PathLike[str], *, cache_bytes: SupportsIndex = CACHE_BYTES) -> OrthoTree:  # noqa: A001 - the name of the public face
-    """Open a store of orthoviews.
+    """Open a store of orthoviews; parts of shards are read on demand.
 
     Parameters
     ----------
-    path
-        The folder that `nearfar.orthoview.build` wrote, or the URL of one: https://…, s3://… or any other that fsspec
-        knows. Parts of shards are read on demand.
-    cache_bytes
-        Size of the view cache, bytes. Views of one picture may exceed it; older ones stay while there is room.
+    path, cache_bytes
+        As in `OrthoTree`.
 
     Raises
     ------
-    FileNotFoundError
-        A place without a store.
-    FormatError
-        A store of another kind, or of a newer version.
-    ValueError
-        A URL that fsspec cannot open.
+    FileNotFoundError, FormatError, ValueError, ImportError
+        As in `OrthoTree`.
     """
     return OrthoTree(path, cache_bytes=cache_bytes)

@@ -38,18 +38,17 @@ def update(path: Path, aabb: NDArray[np.float64], source: SceneSource) -> None:
         layout = Layout.from_described(attributes["layout"])
         _check_reach(layout, aabb, source)
         newest = int(attributes["generation"])
-        folder = path / _store.overlay(newest + 1)
+        folder = path / _store.overlay_folder(newest + 1)
         shutil.rmtree(folder, ignore_errors=True)  # left by an interrupted update
-        changed = Changed(
-            source, folder, layout, Chunks(store, layout, _store.recorded_generations(store, layout, newest)), aabb
-        )
+        chunks, _ = _store.open_generation(store, layout, newest)
+        changed = Changed(source, folder, layout, chunks, aabb)
         with progress.bar("orthoviews") as report:
             outcome = changed.run(report)
         held = Counter(attributes["held"])
         held.subtract(changed.replaced)
         written = _store.held_below(folder)
         held.update(written)
-        _store.end_generation(path, newest + 1, aabb, written)
+        _store.finish_generation(path, newest + 1, aabb, written)
         shutil.rmtree(folder / FOLDER)
         _store.change(path, generation=newest + 1, held=dict(held), done=dict(outcome.counts))
 
@@ -62,9 +61,9 @@ def _check_reach(layout: Layout, aabb: NDArray[np.float64], source: SceneSource)
     part = np.array([np.maximum(aabb[0], bounds[0]), np.minimum(aabb[1], bounds[1])])
     margin = 1e-9 * grid.cell
     for axis in range(3):
-        below, above = part.copy(), part.copy()
-        below[1, axis], above[0, axis] = low[axis] - margin, high[axis] + margin
-        for slab in (below, above):
+        lower, upper = part.copy(), part.copy()
+        lower[1, axis], upper[0, axis] = low[axis] - margin, high[axis] + margin
+        for slab in (lower, upper):
             if (slab[0] <= slab[1]).all() and may_touch(source, slab):
                 raise ValueError(
                     f"aabb: expected a change within the tree's box {[low.tolist(), high.tolist()]}, "
@@ -102,15 +101,11 @@ class Changed(Leaves):
 
     def finished_outcome(self, level: int, place: Place) -> Outcome | None:
         """Read the views of a cell that the change does not touch; None if it must be rendered again."""
-        keys = self.layout.keys(level, place)
-        if not self.layout.grid.touches(level, place, self._aabb):
-            with formats.guarded(self.folder, "orthoviews"):
-                found = dict(zip(keys, self._chunks.read(list(keys.values())), strict=True))
-                shown = {pair: chunk for pair, chunk in found.items() if chunk}
-                views = _codec.both(shown, self.layout) if shown else None
-            return Outcome(views, counts=Counter(reloaded=len(shown)))
         with formats.guarded(self.folder, "orthoviews"):
-            had_views = any(self._chunks.lengths(list(keys.values())))
+            if not self.layout.grid.touches(level, place, self._aabb):
+                chunks = self._chunks.read_views(level, place)
+                return Outcome(_codec.decode_cell(chunks, self.layout), counts=Counter(reloaded=len(chunks)))
+            had_views = any(self._chunks.lengths([*self.layout.keys(level, place).values()]))
         if had_views or self._had_geometry(level, place):
             return None
         return super().finished_outcome(level, place)
@@ -119,16 +114,15 @@ class Changed(Leaves):
         """Whether leaves of a cell may have geometry in the store: some triangles are too small for any pixel."""
         if not self.layout.geometry or level >= self.layout.subtree:
             return self.layout.geometry
-        first = [number << level for number in place]
-        leaves = (tuple(a + b for a, b in zip(first, within, strict=True)) for within in depth_first(1 << level))
+        corner = [number << level for number in place]
+        leaves = (tuple(a + b for a, b in zip(corner, within, strict=True)) for within in depth_first(1 << level))
         return any(self._chunks.has_geometry(name) for x, y, z in leaves for name in names(self.layout.grid, (x, y, z)))
 
     def chunks_before(self, level: int, place: Place) -> AbstractSet[tuple[int, str]]:
         """Chunks of a cell in the store."""
         keys = self.layout.keys(level, place)
         lengths = dict(zip(keys, self._chunks.lengths(list(keys.values())), strict=True))
-        there = {pair for pair, length in lengths.items() if length}
-        self.replaced.update(
-            cells=bool(there), leaves=bool(there) and level == 0, chunks=len(there), bytes=sum(lengths.values())
-        )
-        return there
+        existing = {pair for pair, length in lengths.items() if length}
+        cells, size = int(bool(existing)), sum(lengths.values())
+        self.replaced.update(cells=cells, leaves=cells if level == 0 else 0, chunks=len(existing), bytes=size)
+        return existing

@@ -1,7 +1,9 @@
-"""The `OrthoView` class: a view of a cell."""
+"""The `OrthoView` class: a view of a cell; and a contact sheet of a cell's views."""
 
 from __future__ import annotations
 
+import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -33,14 +35,36 @@ class OrthoView:
 
     def points(self) -> NDArray[np.float64]:
         """World positions (size, size, 3) of the surfaces, metres; NaN for empty pixels."""
-        place = (np.arange(len(self.depth)) + 0.5) / len(self.depth) - 0.5
-        across, down = np.meshgrid(place, place)
+        steps = (np.arange(len(self.depth)) + 0.5) / len(self.depth) - 0.5
+        columns, rows = np.meshgrid(steps, steps)
         behind = np.where(np.isfinite(self.depth), self.depth, np.nan).astype(np.float64)
         width, height, depth = self.extents
         points: NDArray[np.float64] = (
             self.center
-            + (across * width)[..., None] * self.right
-            - (down * height)[..., None] * self.up
+            + (columns * width)[..., None] * self.right
+            - (rows * height)[..., None] * self.up
             + (depth / 2 - behind)[..., None] * self.toward
         )
         return points
+
+
+NOTHING = (28, 30, 48)
+"""sRGB of empty pixels: dark blue, which few worlds have."""
+
+GAP = 4
+"""Pixels between two views."""
+
+
+def sheet(views: Sequence[OrthoView | None], size: int) -> NDArray[np.uint8]:
+    """Arrange views in a square grid, or with one more column than rows."""
+    columns = math.isqrt(len(views) - 1) + 1
+    rows, pitch = -(-len(views) // columns), size + GAP
+    picture = np.full((rows * pitch - GAP, columns * pitch - GAP, 3), 255, np.uint8)
+    for number, view in enumerate(views):
+        row, column = (pitch * n for n in divmod(number, columns))
+        cell = picture[row : row + size, column : column + size]
+        cell[:] = NOTHING
+        if view is not None:
+            is_shown = np.isfinite(view.depth)
+            cell[is_shown] = view.color[is_shown]
+    return picture

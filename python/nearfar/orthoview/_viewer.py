@@ -1,27 +1,39 @@
-"""Draws pictures of a tree: views of the cut as splats, and the nearest leaves as geometry."""
+"""Draws pictures of a tree: views of the cut as splats, and the nearest leaves as geometry.
+
+`Opened` is a store opened for viewing; a newer generation takes over its unchanged views and leaves.
+"""
 
 from __future__ import annotations
 
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from itertools import islice
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nearfar import _core
+from nearfar._base import formats
+from nearfar._base.errors import FormatError
 from nearfar._camera.camera import Camera
 from nearfar._camera.shot import Shot
 from nearfar._render.renderable import Images
 from nearfar._scene.joined import join_scenes
 from nearfar._scene.scene import Scene
+from nearfar.orthoview import _store
 from nearfar.orthoview._budget import Fitter
-from nearfar.orthoview._cut import Cutter, Settings, grid_of
+from nearfar.orthoview._chunks import Chunks, Generation
+from nearfar.orthoview._cut import GEOMETRY, Cutter, Part, Settings, grid_of
+from nearfar.orthoview._files import Files
+from nearfar.orthoview._geometry_store import names
+from nearfar.orthoview._grid import Grid, Place
+from nearfar.orthoview._layout import CHANNELS, Layout, ViewKey
 from nearfar.orthoview._near import Near
 from nearfar.orthoview._views import Views
 
-SAMPLED = ("color", "coverage")
+AVERAGED = ("color", "coverage")
 """Channels averaged over all samples of a pixel; the others are taken at its centre."""
 
 Report = Callable[[int, int], None] | None
@@ -41,17 +53,7 @@ class Parts:
 
 
 class Viewer:
-    """Draws a tree.
-
-    Parameters
-    ----------
-    cutter
-        Cuts the tree.
-    views
-        Reads the tree's views.
-    near
-        Reads the geometry of leaves.
-    """
+    """Draws a tree."""
 
     def __init__(self, cutter: Cutter, views: Views, near: Near) -> None:
         self.cutter, self.views, self.near = cutter, views, near
@@ -72,93 +74,147 @@ class Viewer:
         device: _core.GpuDevice | None = None,
     ) -> list[Images]:
         """Draw the pictures of a shot with moving objects, one for each camera."""
-        several = ((camera, self._gathered(camera, settings, movers)) for camera in shot.cameras)
-        return [self.picture(camera, shot, parts, report, device) for camera, parts in several]
+        parts_by_camera = ((camera, self._gather(camera, settings, movers)) for camera in shot.cameras)
+        return [self.picture(camera, shot, parts, report, device) for camera, parts in parts_by_camera]
 
     def picture(
-        self,
-        camera: Camera,
-        shot: Shot,
-        parts: Parts,
-        report: Report = None,
-        device: _core.GpuDevice | None = None,
+        self, camera: Camera, shot: Shot, parts: Parts, report: Report = None, device: _core.GpuDevice | None = None
     ) -> Images:
         """Draw the picture of one of a shot's cameras from given parts, on a device or on the CPU."""
         grid = grid_of(shot.samples)
-        sampled = tuple(name for name in shot.channels if name in SAMPLED)
-        middle = tuple(name for name in shot.channels if name not in SAMPLED)
+        sampled = tuple(name for name in shot.channels if name in AVERAGED)
+        middle = tuple(name for name in shot.channels if name not in AVERAGED)
         if sampled and middle and grid > 1:
             passes = [(1, middle), (grid, sampled)]  # the splat at a pixel's centre must not depend on `samples`
         else:
             passes = [(grid if sampled else 1, shot.channels)]
         images: Images = {}
-        for samples, channels in passes:
-            drawn = self._pass(camera, shot, channels, samples, parts, report, device)
-            images |= {"stats": drawn["stats"]} | {name: drawn[name] for name in channels}
-        return images
-
-    def _pass(
-        self,
-        camera: Camera,
-        shot: Shot,
-        channels: tuple[str, ...],
-        grid: int,
-        parts: Parts,
-        report: Report,
-        device: _core.GpuDevice | None,
-    ) -> dict[str, Any]:
         x, y, z = self.origin.tolist()
-        own = replace(shot, cameras=(camera,), channels=channels)
-        images = _core.splat_orthoviews(
-            parts.splats,
-            camera._core,
-            own.settings,
-            origin=(x, y, z),
-            grid=grid,
-            before=_geometry(parts, self.origin, camera, own, grid, device),
-            report=report,
-            device=device,
-        )
-        images["stats"] |= parts.counts
+        for samples, channels in passes:
+            request = replace(shot, cameras=(camera,), channels=channels)
+            drawn = _core.splat_orthoviews(
+                parts.splats,
+                camera._core,
+                request.settings,
+                origin=(x, y, z),
+                grid=samples,
+                before=_geometry(parts, self.origin, camera, request, samples, device),
+                report=report,
+                device=device,
+            )
+            images |= {"stats": drawn["stats"] | parts.counts} | {name: drawn[name] for name in channels}
         return images
 
-    def _gathered(self, camera: Camera, settings: Settings, movers: Scene | None) -> Parts:
+    def _gather(self, camera: Camera, settings: Settings, movers: Scene | None) -> Parts:
         """Read a picture's parts, one picture at a time: threads may share the viewer."""
         with self._lock:
             fitted = self._fitter.fit(camera, settings)
-            near = self.near.scene(self.cutter.with_guests(fitted.cut.leaf_places()))
+            near_leaves = self.near.scene(self.cutter.with_guests(fitted.cut.leaf_places()))
             counts = {"cells": len(fitted.cut), "views": len(fitted.layers), "leaves": len(fitted.cut.leaves)}
-            return Parts(fitted.splats, near, movers, {**counts, "error_px": fitted.error_px})
+            return Parts(fitted.splats, near_leaves, movers, {**counts, "error_px": fitted.error_px})
 
 
 def _geometry(
-    parts: Parts,
-    origin: NDArray[np.float64],
-    camera: Camera,
-    shot: Shot,
-    grid: int,
-    device: _core.GpuDevice | None,
+    parts: Parts, origin: NDArray[np.float64], camera: Camera, shot: Shot, grid: int, device: _core.GpuDevice | None
 ) -> dict[str, Any] | None:
     """Render geometry and moving objects, with a pixel for each sample."""
-    several = [scene for scene in (parts.near, parts.movers) if scene is not None]
-    if not several:
+    scenes = [scene for scene in (parts.near, parts.movers) if scene is not None]
+    if not scenes:
         return None
-    scene = join_scenes(several) if len(several) > 1 else several[0]
+    scene = join_scenes(scenes) if len(scenes) > 1 else scenes[0]
     width, height = camera.size
     finer = replace(camera, size=(width * grid, height * grid))
     mask = None if shot.mask is None else np.repeat(np.repeat(shot.mask, grid, axis=0), grid, axis=1)
-    wanted = tuple(dict.fromkeys((*shot.channels, "range")))
-    own = replace(shot, cameras=(finer,), channels=wanted, samples=1, mask=mask)
-    (images,) = scene.trace(own) if device is None else [job.finish() for job in scene.begin(device, own)]
-    found = dict(images)
-    if "position" in found:
-        found["position"] += (scene.origin - origin).astype(np.float32)
-    if "object_id" in found and parts.movers is not None:
-        found["object_id"] = _numbered(scene, parts.movers)[found["object_id"]]
-    return found
+    channels = tuple(dict.fromkeys((*shot.channels, "range")))
+    request = replace(shot, cameras=(finer,), channels=channels, samples=1, mask=mask)
+    (images,) = scene.trace(request) if device is None else [job.finish() for job in scene.begin(device, request)]
+    result = dict(images)
+    if "position" in result:
+        result["position"] += (scene.origin - origin).astype(np.float32)
+    if "object_id" in result and parts.movers is not None:
+        result["object_id"] = _object_numbers(scene, parts.movers)[result["object_id"]]
+    return result
 
 
-def _numbered(scene: Scene, movers: Scene) -> NDArray[np.int32]:
+def _object_numbers(scene: Scene, movers: Scene) -> NDArray[np.int32]:
     """Map a scene's object numbers to those of the moving objects, −1 for others; the last entry is for misses."""
     numbers = {name: number for number, name in enumerate(movers.object_names)}
     return np.array([*(numbers.get(name, -1) for name in scene.object_names), -1], np.int32)
+
+
+@dataclass(frozen=True)
+class Opened:
+    """A complete store at one of its generations."""
+
+    files: Files
+    layout: Layout
+    generation: int
+    cache_bytes: int
+    chunks: Chunks
+    viewer: Viewer
+
+    @classmethod
+    def from_files(cls, files: Files, layout: Layout, generation: int, cache_bytes: int) -> Opened:
+        """Open the documents of a generation."""
+        chunks, read_cells = _store.open_generation(files, layout, generation)
+        views, near = Views(files.address, chunks, layout, cache_bytes), Near(files.address, chunks, layout.grid)
+        return cls(files, layout, generation, cache_bytes, chunks, Viewer(Cutter(layout, read_cells), views, near))
+
+    @property
+    def grid(self) -> Grid:
+        """Grid of the tree's cells."""
+        return self.layout.grid
+
+    @property
+    def units(self) -> NDArray[np.float64]:
+        """Unit vectors (D, 3) of the tree's directions."""
+        return np.array([_core.orthoview_axes(direction)[0][2] for direction in self.layout.directions])
+
+    def sizes(self, parts: Sequence[Part]) -> list[int]:
+        """Bytes of views, and of leaves' geometry without textures."""
+        views = [part for part in parts if part[2] != GEOMETRY]
+        lengths, count = iter(self.chunks.lengths(self.layout.view_keys(views))), len(self.layout.channels)
+        return [
+            self._geometry_size(place) if direction == GEOMETRY else sum(islice(lengths, count))
+            for _, place, direction in parts
+        ]
+
+    def _geometry_size(self, place: Place) -> int:
+        return sum(len(self.chunks.geometry(name) or b"") for name in names(self.grid, place))
+
+    def newer(self) -> Opened | None:
+        """Open the newest generation, with the unchanged views and leaves of this one; None if this is the newest."""
+        attributes = _store.read(self.files)
+        with formats.guarded(f"{self.files.address}/{_store.DOCUMENT}"):
+            newest = int(attributes["generation"])
+            is_same_layout = Layout.from_described(attributes["layout"]) == self.layout
+        if newest <= self.generation:
+            return None
+        if not is_same_layout:
+            raise FormatError(f"{self.files.address}: another tree was built in this place, open it anew")
+        opened = Opened.from_files(self.files, self.layout, newest, self.cache_bytes)
+        overlays = _store.generations(self.files, newest)[: newest - self.generation]
+        opened.viewer.views.take_over(self.viewer.views, _changed_views(self.layout, overlays))
+        opened.viewer.near.take_over(self.viewer.near, _changed_leaves(self.grid, overlays))
+        return opened
+
+
+def _changed_views(layout: Layout, overlays: list[Generation]) -> Callable[[ViewKey], bool]:
+    """Return whether generations may have changed a view: one of them has a shard with its place."""
+
+    def is_changed(key: ViewKey) -> bool:
+        level, place, direction = key
+        path = layout.shard_path((level, place, layout.array(level, direction, CHANNELS[0])))
+        return any(overlay.has_shard is not None and overlay.has_shard(path) for overlay in overlays)
+
+    return is_changed
+
+
+def _changed_leaves(grid: Grid, overlays: list[Generation]) -> Callable[[Place], bool]:
+    """Return whether one of the generations has another file of a leaf."""
+
+    def is_changed(place: Place) -> bool:
+        checks = [overlay.has_geometry for overlay in overlays]
+        return any(has_file is not None and any(map(has_file, names(grid, place))) for has_file in checks)
+
+    return is_changed

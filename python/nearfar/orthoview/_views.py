@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Callable, Container, Iterable, Iterator, Sequence
+from collections.abc import Callable, Container, Iterator, Sequence
 from functools import partial
 
 from nearfar import _core
@@ -12,46 +12,34 @@ from nearfar._base.errors import UnusableError
 from nearfar.orthoview import _codec
 from nearfar.orthoview._chunks import Chunks
 from nearfar.orthoview._grid import Place
-from nearfar.orthoview._layout import BEHIND, CHANNELS, Layout
+from nearfar.orthoview._layout import CHANNELS, Layout, ViewKey
 from nearfar.orthoview._recent import Recent
-
-ViewKey = tuple[int, Place, int]
-"""Level, place and direction of a view."""
 
 Splats = tuple[_core.OrthoSplats, ...]
 """Splats of a view, layer by layer."""
 
-_SHOWN = 0.125
+_ASSUMED_SHARE = 0.125
 """Assumed share of non-empty pixels before any view has been read."""
 
 _ALL = -1
 """Key of the totals over all levels."""
 
-_AT_ONCE = 64
+_BATCH = 64
 """Number of views whose chunks are read at once."""
 
 
 class Views:
-    """Reads views, and caches those used last.
+    """Reads views, and caches those used last: up to `max_bytes` bytes, which the views of one picture may exceed.
 
-    Parameters
-    ----------
-    place
-        Folder or URL of the store, for messages.
-    chunks
-        Chunks of the store.
-    layout
-        Layout of the tree.
-    most
-        Size of the cache, bytes; the views of one picture may exceed it.
+    Messages name the store by `address`, its folder or URL.
     """
 
-    def __init__(self, place: str, chunks: Chunks, layout: Layout, most: int) -> None:
-        self._place, self._chunks, self._layout, self._most = place, chunks, layout, most
-        self._kept: Recent[ViewKey, Splats] = Recent(lambda layers: sum(layer.bytes for layer in layers))
+    def __init__(self, address: str, chunks: Chunks, layout: Layout, max_bytes: int) -> None:
+        self._address, self._chunks, self._layout, self._max_bytes = address, chunks, layout, max_bytes
+        self._cache: Recent[ViewKey, Splats] = Recent(lambda layers: sum(layer.bytes for layer in layers))
         self._lock = threading.Lock()
         self._counts: dict[ViewKey, int] = {}
-        self._of_level: dict[int, tuple[int, int]] = {}
+        self._totals: dict[int, tuple[int, int]] = {}
         self.read_bytes = 0
         """Bytes of chunks read so far."""
         self.reads = 0
@@ -59,12 +47,12 @@ class Views:
 
     def __contains__(self, key: ViewKey) -> bool:
         """Whether a view is cached in its newest version."""
-        return key in self._kept
+        return key in self._cache
 
     @property
     def cached_bytes(self) -> int:
         """Bytes of the cached views."""
-        return self._kept.size
+        return self._cache.size
 
     def get(self, keys: Sequence[ViewKey]) -> list[_core.OrthoSplats]:
         """Splats of views, of both layers; views that are not cached are read."""
@@ -73,16 +61,16 @@ class Views:
     def layers(self, keys: Sequence[ViewKey]) -> list[Splats]:
         """Splats of views layer by layer; views that are not cached are read."""
         self.load(keys)
-        found = [self.cached_layers(key) for key in keys]
+        splats = [self.cached_layers(key) for key in keys]
         self.trim(set(keys))
-        return found
+        return splats
 
     def expected(self, key: ViewKey) -> float:
         """Number of a view's splats; if it was never read, the mean of its level, else of all views."""
-        known = self._counts.get(key)
-        if known is not None:
-            return known
-        total, views = self._of_level.get(key[0]) or self._of_level.get(_ALL) or (self._layout.size**2 * _SHOWN, 1)
+        if key in self._counts:
+            return self._counts[key]
+        default = self._layout.size**2 * _ASSUMED_SHARE, 1
+        total, views = self._totals.get(key[0]) or self._totals.get(_ALL) or default
         return total / views
 
     def is_counted(self, key: ViewKey) -> bool:
@@ -92,45 +80,38 @@ class Views:
     def load(self, keys: Sequence[ViewKey]) -> None:
         """Read the views that are not cached; thread-safe."""
         missing = [key for key in keys if key not in self]
-        for first in range(0, len(missing), _AT_ONCE):
-            self._read(missing[first : first + _AT_ONCE])
+        for start in range(0, len(missing), _BATCH):
+            self._read(missing[start : start + _BATCH])
 
     def cached_layers(self, key: ViewKey) -> Splats:
         """Layers of a view, which becomes the most recently used; empty if it is not cached."""
-        return self._kept.get(key, ())
+        return self._cache.get(key, ())
 
     def of_cell(self, level: int, place: Place) -> frozenset[int]:
         """Directions of a cell's cached views, of any version."""
-        count = len(self._layout.directions)
-        return frozenset(direction for direction in range(count) if self._kept.keeps((level, place, direction)))
+        keys = ((level, place, direction) for direction in range(len(self._layout.directions)))
+        return frozenset(key[2] for key in keys if self._cache.has_any_version(key))
 
     def take_over(self, older: Views, changed: Callable[[ViewKey], bool]) -> None:
         """Take the cached views of an older generation; changed ones serve until they are read again."""
-        self._kept.take_over(older._kept, changed)
-        for key, splats in self._kept.values.items():
+        self._cache.take_over(older._cache, changed)
+        for key, splats in self._cache.values.items():
             self._count(key, sum(layer.count for layer in splats))
         self.read_bytes, self.reads = older.read_bytes, older.reads
 
     def trim(self, needed: Container[ViewKey]) -> None:
         """Evict the least recently used views, but none that are needed, until the cache fits its size."""
-        self._kept.trim(needed, self._most)
+        self._cache.trim(needed, self._max_bytes)
 
     def _read(self, keys: Sequence[ViewKey]) -> None:
-        layers = ("", BEHIND)[: self._layout.layers]
-        chunks = [
-            (level, place, self._layout.array(level, direction, layer + channel))
-            for level, place, direction in keys
-            for layer in layers
-            for channel in CHANNELS
-        ]
-        with formats.guarded(self._place, "orthoviews"):
-            contents = iter(self._chunks.read(chunks))
-            taken = [self._take_chunks(key, contents, len(layers)) for key in keys]
-            jobs = [partial(self._decoded, key, channels) for key, channels in zip(keys, taken, strict=True)]
-            for key, channels, splats in zip(keys, taken, side_by_side.results(jobs), strict=True):
-                self._kept.put(key, splats)
+        with formats.guarded(self._address, "orthoviews"):
+            contents = iter(self._chunks.read(self._layout.view_keys(keys)))
+            by_view = [self._take_chunks(key, contents) for key in keys]
+            jobs = [partial(self._decode, key, chunks) for key, chunks in zip(keys, by_view, strict=True)]
+            for key, chunks, splats in zip(keys, by_view, side_by_side.results(jobs), strict=True):
+                self._cache.put(key, splats)
                 with self._lock:
-                    self.read_bytes += sum(len(chunk) for layer in channels for chunk in layer.values())
+                    self.read_bytes += sum(map(len, chunks.values()))
                     self.reads += 1
                     self._count(key, sum(layer.count for layer in splats))
 
@@ -138,23 +119,19 @@ class Views:
         if key not in self._counts:
             self._counts[key] = splats
             for level in (key[0], _ALL):
-                total, views = self._of_level.get(level, (0, 0))
-                self._of_level[level] = total + splats, views + 1
+                total, views = self._totals.get(level, (0, 0))
+                self._totals[level] = total + splats, views + 1
 
-    def _take_chunks(self, key: ViewKey, contents: Iterator[bytes | None], layers: int) -> list[dict[str, bytes]]:
-        """Chunks by channel of the next view's layers that show something; the first layer always does."""
-        taken = [{channel: chunk for channel in CHANNELS if (chunk := next(contents))} for _ in range(layers)]
-        if any(len(layer) not in (0, len(CHANNELS)) for layer in taken) or not taken[0]:
-            level, place, direction = key
-            raise UnusableError(f"{self._layout.array(level, direction, '')}: a chunk of the cell {place} is missing")
-        return [layer for layer in taken if layer]
-
-    def _decoded(self, key: ViewKey, layers: Iterable[dict[str, bytes]]) -> Splats:
+    def _take_chunks(self, key: ViewKey, contents: Iterator[bytes | None]) -> _codec.Encoded:
+        """Chunks of the next view, whose first layer must show something; the second one need not."""
         level, place, direction = key
-        grid = self._layout.grid
-        cell, splats = (grid.corner(level, place), grid.side(level)), []
-        for layer in layers:
-            chunks = {(direction, channel): chunk for channel, chunk in layer.items()}
-            views, bits = _codec.decoded(chunks, self._layout, (direction,))
-            splats.append(_core.OrthoSplats(views, 0, bits, cell))
-        return tuple(splats)
+        chunks = {(direction, channel): chunk for channel in self._layout.channels if (chunk := next(contents))}
+        if [channel for _, channel in chunks] not in ([*CHANNELS], [*self._layout.channels]):
+            raise UnusableError(f"{self._layout.array(level, direction, '')}: a chunk of the cell {place} is missing")
+        return chunks
+
+    def _decode(self, key: ViewKey, chunks: _codec.Encoded) -> Splats:
+        level, place, direction = key
+        cell = self._layout.grid.corner(level, place), self._layout.grid.side(level)
+        layers = (_codec.decode(layer, self._layout, (direction,)) for layer in _codec.split_layers(chunks))
+        return tuple(_core.OrthoSplats(views, 0, bits, cell) for views, bits in layers)

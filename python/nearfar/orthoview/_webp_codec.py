@@ -47,8 +47,8 @@ class WebpCodec(ArrayBytesCodec):  # type: ignore[misc]  # zarr's types are not 
 
     def _encode_sync(self, chunk: Any, spec: Any) -> Any:
         array = chunk.as_numpy_array()
-        *others, height, width, values = array.shape
-        if array.dtype != "u1" or values != 3 or height != width or any(number != 1 for number in others):
+        *leading, height, width, values = array.shape
+        if array.dtype != "u1" or values != 3 or height != width or any(number != 1 for number in leading):
             raise ValueError(f"chunk: expected a square picture of 3 × uint8, got {array.shape} {array.dtype}")
         quality = None if self.lossless or self.level is None else round(self.level)
         return spec.prototype.buffer.from_bytes(_webp.encode(array.reshape(height, width, values), quality))

@@ -24,7 +24,7 @@ PAGE = re.compile(rf"https?://(?:{HOST.pattern})(?::\d+)?(?:/[^\s?#]*)?", re.ASC
 """Pattern of a page's address without a query."""
 
 
-def address(host: str) -> str:
+def parse_host(host: str) -> str:
     """Parse the address to listen at; ValueError if it is invalid."""
     text = check.text("host", host)
     if text == "localhost":
@@ -32,10 +32,8 @@ def address(host: str) -> str:
     try:
         return str(ipaddress.ip_address(text))
     except ValueError:
-        got = check.shortened(host)
-        raise ValueError(
-            f"host: expected an address of this machine such as {LOCAL}, or 0.0.0.0 for all of them, got {got}"
-        ) from None
+        expected = f"an address of this machine such as {LOCAL}, or 0.0.0.0 for all of them"
+        raise ValueError(f"host: expected {expected}, got {check.shortened(host)}") from None
 
 
 def is_local(listened: str) -> bool:
@@ -43,37 +41,35 @@ def is_local(listened: str) -> bool:
     return ipaddress.ip_address(listened).is_loopback
 
 
-def reached(listened: str) -> list[str]:
+def hosts_of(listened: str) -> list[str]:
     """Return addresses and names at which clients reach a server, the most useful first."""
-    where = ipaddress.ip_address(listened)
-    if not where.is_unspecified:
-        return ["localhost", listened] if where.is_loopback else [listened]
+    address = ipaddress.ip_address(listened)
+    if not address.is_unspecified:
+        return ["localhost", listened] if address.is_loopback else [listened]
     name = socket.gethostname()
-    found = [_outward(), f"{name}.local" if "." not in name else name, "localhost", LOCAL]
-    return list(dict.fromkeys(host for host in found if host))
+    hosts = [_network_address(), f"{name}.local" if "." not in name else name, "localhost", LOCAL]
+    return list(dict.fromkeys(host for host in hosts if host))
 
 
-def names(given: Sequence[str]) -> list[str]:
+def parse_names(names: Sequence[str]) -> list[str]:
     """Check host names and return them in lower case; ValueError for invalid names."""
-    found = [name.lower() for name in check.texts("names", given)]
-    for name in found:
+    lower = [name.lower() for name in check.texts("names", names)]
+    for name in lower:
         if not HOST.fullmatch(name):
             got = check.shortened(name)
             raise ValueError(f"names: expected names of hosts without a port, such as example.org, got {got}")
-    return found
+    return lower
 
 
-def origin(given: str) -> str:
+def check_origin(origin: str) -> str:
     """Check the origin whose pages may read the files; ValueError for an invalid origin."""
-    if check.text("origin", given) != "*" and not ORIGIN.fullmatch(given):
-        got = check.shortened(given)
-        raise ValueError(
-            f"origin: expected one such as https://example.org without a slash at its end, or *, got {got}"
-        )
-    return given
+    if check.text("origin", origin) != "*" and not ORIGIN.fullmatch(origin):
+        expected = "one such as https://example.org without a slash at its end, or *"
+        raise ValueError(f"origin: expected {expected}, got {check.shortened(origin)}")
+    return origin
 
 
-def _outward() -> str | None:
+def _network_address() -> str | None:
     """Return the address of this machine in its network; None without a network. Nothing is sent."""
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
         try:
@@ -89,7 +85,7 @@ def in_url(host: str) -> str:
     return f"[{host}]" if ":" in host and not host.startswith("[") else host
 
 
-def page(url: str) -> str:
+def check_page(url: str) -> str:
     """Check the address of a page or a server, without a query; ValueError for an invalid address."""
     if not PAGE.fullmatch(check.text("url", url)):
         got = check.shortened(url)

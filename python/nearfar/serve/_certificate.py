@@ -4,33 +4,23 @@ from __future__ import annotations
 
 import os
 import time
+from contextlib import suppress
 from dataclasses import dataclass, field
 from pathlib import Path
 
 from nearfar import _core
 from nearfar._base import check, files
 
-_DAYS_LEFT = 30
+_MIN_DAYS = 30
 """Remaining days below which an own certificate is replaced."""
-
-_DAY = 86400.0
 
 
 @dataclass(frozen=True)
 class Certificate:
     """A certificate and its key, both in PEM files.
 
-    Parameters
-    ----------
-    certificate, key
-        PEM files of the certificate chain, with the server's certificate first, and of its key.
-
-    Raises
-    ------
-    ValueError
-        If a file cannot be read, the key does not match the certificate, or the certificate is not valid today.
-    TypeError
-        If an argument is not a path.
+    The chain of certificates begins with the server's. ValueError if a file cannot be read, the key does not match the
+    certificate, or the certificate is not valid today; TypeError if an argument is not a path.
     """
 
     certificate: Path
@@ -57,38 +47,24 @@ class Certificate:
     @property
     def days(self) -> int:
         """Days until the certificate expires."""
-        return int((self.ends - time.time()) / _DAY)
+        return int((self.ends - time.time()) / 86_400.0)
 
     @classmethod
     def self_signed(cls, folder: str | os.PathLike[str], names: list[str]) -> Certificate:
         """Load the self-signed certificate of a folder, or generate one that lasts 13 months.
 
-        It is kept as long as it is valid and has the names, so that a headset must accept it only once.
-
-        Parameters
-        ----------
-        folder
-            Folder of `certificate.pem` and `key.pem`; only its owner can read the key.
-        names
-            Host names and addresses that the certificate must include.
-
-        Raises
-        ------
-        OSError
-            If the folder cannot be written.
-        ValueError
-            If a name is not a valid host name.
+        It is kept as long as it is valid and has the host names and addresses `names`, so that a headset must accept it
+        only once. The folder has `certificate.pem` and `key.pem`; only its owner can read the key. OSError if the
+        folder cannot be written, ValueError if a name is not a valid host name.
         """
-        place, wanted = check.path("folder", folder), check.texts("names", names)
-        certificate, key = place / "certificate.pem", place / "key.pem"
-        try:
-            found = cls(certificate, key)
-            if found.days >= _DAYS_LEFT and set(wanted) <= set(found.names):
-                return found
-        except ValueError:
-            pass
-        made = _core.self_signed(wanted)
-        place.mkdir(parents=True, exist_ok=True)
-        for path, text, mode in zip((key, certificate), reversed(made), (0o600, 0o644), strict=True):
-            files.write_with_mode(path, text.encode(), mode)
+        path, names = check.path("folder", folder), list(check.texts("names", names))
+        certificate, key = path / "certificate.pem", path / "key.pem"
+        with suppress(ValueError):
+            stored = cls(certificate, key)
+            if stored.days >= _MIN_DAYS and set(names) <= set(stored.names):
+                return stored
+        certificate_pem, key_pem = _core.self_signed(names)
+        path.mkdir(parents=True, exist_ok=True)
+        files.write_with_mode(key, key_pem.encode(), 0o600)
+        files.write_with_mode(certificate, certificate_pem.encode(), 0o644)
         return cls(certificate, key)

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from nearfar._base import check
 
 _MAX_SECONDS = 86400.0
-_MAX = 2**20
+_MAX_COUNT = 2**20
 
 
 @dataclass(frozen=True)
@@ -58,9 +58,9 @@ class Limits:
 
     def __post_init__(self) -> None:
         for name in ("connections", "per_client", "regions", "regions_per_client"):
-            check.integer(name, getattr(self, name), 1, _MAX)
+            check.integer(name, getattr(self, name), 1, _MAX_COUNT)
         # Smaller limits would reject the headers that browsers send.
-        check.integer("header_bytes", self.header_bytes, 1 << 13, _MAX)
+        check.integer("header_bytes", self.header_bytes, 1 << 13, 1 << 20)
         for name in ("header_seconds", "silent_seconds"):
             check.in_range(name, getattr(self, name), 0.01, _MAX_SECONDS)
         check.in_range("grace_seconds", self.grace_seconds, 0.0, _MAX_SECONDS)

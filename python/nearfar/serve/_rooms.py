@@ -9,13 +9,13 @@ from dataclasses import dataclass, field
 
 from nearfar import _core
 from nearfar._base import check, files
-from nearfar.stream import _room_names
+from nearfar.stream._room_arguments import room_name
 
 KEY_BYTES = 16
 """Least size of a key, bytes."""
 
-_MADE_BYTES = 32
-_MAX = 2**20
+_NEW_KEY_BYTES = 32
+_MAX_COUNT = 2**20
 _MAX_RATE = 1e9
 _MAX_SECONDS = 86400.0
 _MAX_HOURS = 24.0 * 366
@@ -88,14 +88,13 @@ class Rooms:
     datagrams: bool = True
 
     def __post_init__(self) -> None:
-        check.integer("rooms", self.rooms, 1, _MAX)
         # Numbers of users have 16 bits, and one must stay free.
         check.integer("users", self.users, 1, 2**16 - 2)
-        for name in ("sockets_per_client", "rooms_per_client"):
-            check.integer(name, getattr(self, name), 1, _MAX)
+        for name in ("rooms", "sockets_per_client", "rooms_per_client"):
+            check.integer(name, getattr(self, name), 1, _MAX_COUNT)
         # Smaller limits would reject the largest signal.
-        check.integer("message_bytes", self.message_bytes, 1 << 15, 1 << 24)
-        check.integer("queue_bytes", self.queue_bytes, 1 << 15, 1 << 24)
+        for name in ("message_bytes", "queue_bytes"):
+            check.integer(name, getattr(self, name), 1 << 15, 1 << 24)
         for name in ("messages_per_second", "bytes_per_second", "said_bytes_per_second", "poses_per_second"):
             check.in_range(name, getattr(self, name), 1.0, _MAX_RATE)
         for name in ("burst_seconds", "hello_seconds", "ping_seconds", "silent_seconds", "linger_seconds"):
@@ -109,25 +108,12 @@ class Rooms:
 
 
 def token(room: str, key: bytes, *, hours: float = 24.0) -> str:
-    """Make a token that admits one user at a time to a room of a server with the same key.
+    """Make a token that admits one user at a time to the named room of a server with the same key.
 
-    Parameters
-    ----------
-    room
-        The room's name.
-    key
-        Secret bytes of the key.
-    hours
-        Validity from now on, hours; a user who is in the room at its end may stay.
-
-    Raises
-    ------
-    ValueError
-        For an invalid room name, for a short key, and for times outside (0, 366 days].
-    TypeError
-        If an argument has another type.
+    It is valid for `hours` from now on; a user who is in the room at its end may stay. ValueError for an invalid room
+    name, for a short key, and for times outside (0, 366 days]; TypeError if an argument has another type.
     """
-    name, secret = _room_names.room("room", room), _check_key("key", key)
+    name, secret = room_name("room", room), _check_key("key", key)
     if check.in_range("hours", hours, 0.0, _MAX_HOURS) == 0.0:
         raise ValueError("hours: expected more than 0, got 0")
     # Rounded up to whole seconds, so that a short validity does not expire at once.
@@ -137,32 +123,24 @@ def token(room: str, key: bytes, *, hours: float = 24.0) -> str:
 
 def read_key(path: str | os.PathLike[str]) -> bytes:
     """Read a key from a file; ValueError if it is too short, OSError if it cannot be read."""
-    place = check.path("path", path)
-    secret = place.read_bytes()
-    if len(secret) < KEY_BYTES:
-        raise ValueError(f"{place}: expected a key of {KEY_BYTES} bytes or more, got {len(secret)}")
-    return secret
+    file = check.path("path", path)
+    return _check_key(str(file), file.read_bytes())
 
 
-def kept_key(path: str | os.PathLike[str]) -> bytes:
+def ensure_key(path: str | os.PathLike[str]) -> bytes:
     """Read a key from a file; if there is none, first generate one that only its owner can read.
 
-    Raises
-    ------
-    ValueError
-        If the file is too short for a key.
-    OSError
-        If the file can be neither read nor written.
+    ValueError if the file is too short for a key, OSError if it can be neither read nor written.
     """
-    place = check.path("path", path)
-    if not place.exists():
-        place.parent.mkdir(parents=True, exist_ok=True)
-        files.write_with_mode(place, secrets.token_bytes(_MADE_BYTES), 0o600)
-    return read_key(place)
+    file = check.path("path", path)
+    if not file.exists():
+        file.parent.mkdir(parents=True, exist_ok=True)
+        files.write_with_mode(file, secrets.token_bytes(_NEW_KEY_BYTES), 0o600)
+    return read_key(file)
 
 
 def _check_key(name: str, key: bytes) -> bytes:
     secret = check.instance(name, key, bytes, "bytes")
     if len(secret) < KEY_BYTES:
-        raise ValueError(f"{name}: expected {KEY_BYTES} bytes or more, got {len(secret)}")
+        raise ValueError(f"{name}: expected a key of {KEY_BYTES} bytes or more, got {len(secret)}")
     return secret

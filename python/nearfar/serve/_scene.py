@@ -2,22 +2,26 @@
 
 from __future__ import annotations
 
+import hashlib
+import json
 import math
 import os
+import re
 import secrets
 import time
 from collections.abc import Callable, Iterator, Mapping
 from functools import partial
 from pathlib import Path
 from typing import Any, TypeVar
+from urllib.parse import unquote
 
 from nearfar._base import background, cache, check, formats, progress
+from nearfar._base.version import __version__
 from nearfar._scene.builder import SceneBuilder
 from nearfar._scene.options import LoadOptions
 from nearfar._scene.scene import Scene
 from nearfar._trace import viewpoint
 from nearfar._trace.viewpoint import Viewpoint
-from nearfar.serve import _sources
 from nearfar.stream._growth import Growth
 from nearfar.stream._manifest import NEAR_SHARE
 from nearfar.stream._on_demand import OnDemand, Part
@@ -28,30 +32,23 @@ SITE, SCENE, VERSION = "on_demand", "scene", 1
 
 Result = TypeVar("Result")
 
-POLL = 0.05
-"""Seconds between two checks whether a scene is loaded."""
+POLL_SECONDS = 0.05
+"""Time between two checks whether a scene is loaded."""
+
+LIBRARY = re.compile(rb"^\s*mtllib\s+(.+?)\s*$", re.MULTILINE)
+"""Pattern of material libraries that an OBJ refers to."""
+
+PICTURE = re.compile(rb"^\s*(?:map_\w+|bump|disp|decal|refl)\s+(?:.*\s)?(\S+)\s*$", re.MULTILINE)
+"""Pattern of pictures that materials refer to."""
 
 
 class LoadedScene:
     """Loads a scene in a background thread, and makes its regions; requests wait until it is loaded.
 
-    Parameters
-    ----------
-    load
-        Returns the scene. If it raises, requests fail with its message.
-    title
-        Title of the scene for users.
-    source
-        Hash of all input files and settings of `load`; None disables the disk cache between runs.
-    start
-        Chooses the start pose of pages whose address has none; by default in an open area of the scene.
-    **settings
-        As for `nearfar.stream._on_demand.OnDemand`.
-
-    Raises
-    ------
-    ValueError, TypeError
-        For invalid settings.
+    `load` returns the scene; if it raises, requests fail with its message. `title` names the scene for users. `source`
+    is the hash of all input files and settings of `load`; None disables the disk cache between runs. `start` chooses
+    the start pose of pages whose address has none, by default in an open area of the scene. `settings`, and their
+    errors, are those of `nearfar.stream._on_demand.OnDemand`.
     """
 
     def __init__(
@@ -69,34 +66,29 @@ class LoadedScene:
         self._begin(lambda: OnDemand(load(), **settings), start)
 
     @classmethod
-    def of_file(
-        cls,
-        path: str | os.PathLike[str],
-        options: LoadOptions | None = None,
-        **settings: Any,
-    ) -> LoadedScene:
+    def of_file(cls, path: str | os.PathLike[str], options: LoadOptions | None = None, **settings: Any) -> LoadedScene:
         """Load a file as `nearfar.Scene.load` does; `settings` are those of the class."""
-        place, how = check.path("path", path), options or LoadOptions()
-        load = partial(Scene.load, place, how)
-        source = _sources.key(place, {name: getattr(how, name) for name in ("up", "on_invalid", "scale", "blend")})
-        return cls(load, **{"title": place.name, "source": source, **settings})
+        file, loading = check.path("path", path), options or LoadOptions()
+        load = partial(Scene.load, file, loading)
+        source = _source_key(file, {name: getattr(loading, name) for name in ("up", "on_invalid", "scale", "blend")})
+        return cls(load, **{"title": file.name, "source": source, **settings})
 
     @classmethod
-    def of_made(cls, scene: OnDemand) -> LoadedScene:
+    def of_regions(cls, regions: OnDemand) -> LoadedScene:
         """Wrap a scene that is already loaded."""
-        made = cls.__new__(cls)
-        made.title, made.grid = "scene", scene.grid
-        made._source, made._settings = None, {}
-        made._begin(lambda: scene, viewpoint.find)
-        return made
+        scene = cls.__new__(cls)
+        scene.title, scene.grid = "scene", regions.grid
+        scene._source, scene._settings = None, {}
+        scene._begin(lambda: regions, viewpoint.find)
+        return scene
 
-    def _begin(self, make: Callable[[], OnDemand], start: Callable[[Scene], Viewpoint]) -> None:
-        loaded = background.Later(make)
-        self._loaded, self._start = loaded, background.Later(lambda: start(loaded.result().scene))
+    def _begin(self, load: Callable[[], OnDemand], start: Callable[[Scene], Viewpoint]) -> None:
+        self._regions = background.Later(load)
+        self._start = background.Later(lambda: start(self._regions.result().scene))
 
     def wait(self) -> Scene:
         """Wait for the scene and return it; ValueError with a message if it cannot be loaded."""
-        return self._result(self._loaded).scene
+        return self._result(self._regions).scene
 
     def cache_folder(self) -> Path | None:
         """Return the cache folder for this scene with these settings; None if regions must not outlast the server."""
@@ -107,10 +99,10 @@ class LoadedScene:
 
     def parts(self, center: list[float]) -> Iterator[Part]:
         """Make the region of a place as `OnDemand.parts` does; the first part waits for the scene."""
-        while not self._loaded.ready:
+        while not self._regions.ready:
             progress.look()
-            time.sleep(POLL)
-        yield from self._result(self._loaded).parts(center)
+            time.sleep(POLL_SECONDS)
+        yield from self._result(self._regions).parts(center)
 
     def documents(self) -> Mapping[str, bytes | Callable[[], bytes]]:
         """List the documents that a page loads first: a manifest, and a scene document that waits for the scene.
@@ -124,10 +116,10 @@ class LoadedScene:
     def _scene_document(self) -> dict[str, Any]:
         """Return the scene document; if loading failed, it has the reason."""
         try:
-            made, start = self._result(self._loaded), self._result(self._start)
+            regions, start = self._result(self._regions), self._result(self._start)
         except ValueError as error:
             return formats.header(SCENE, VERSION, failed=str(error))
-        scene, (x, _, z) = made.scene, start.forward
+        scene, settings, (x, _, z) = regions.scene, regions.settings, start.forward
         return formats.header(
             SCENE,
             VERSION,
@@ -135,9 +127,9 @@ class LoadedScene:
             objects=len(scene.object_names),
             bounds=scene.bounds.tolist(),
             start={"position": list(start.eye), "yaw": math.atan2(-x, -z)},
-            face_size=made.settings.face_size,
+            face_size=settings.face_size,
             near_share=NEAR_SHARE,
-            growth=Growth((1.0,), speed=made.settings.speed).to_manifest(),
+            growth=Growth((1.0,), speed=settings.speed).to_manifest(),
             is_static=not scene.poses,
             notes=list(scene._notes),
         )
@@ -163,3 +155,43 @@ def _encoded(document: dict[str, Any]) -> bytes:
 def _plain(value: Any) -> Any:
     """Convert a setting to a type that cache keys accept."""
     return value if value is None or isinstance(value, bool | int | float | str | tuple | list) else repr(value)
+
+
+def _source_key(path: Path, settings: Mapping[str, object]) -> str | None:
+    """Hash a file, the files that it refers to, the loading settings, and the version of nearfar.
+
+    References of glTF and OBJ are followed; other formats are assumed to be self-contained. None if the file cannot be
+    read, so that the loader reports the error.
+    """
+    try:
+        digests = {path.name: _digest(path)}
+        for name in _referred(path):
+            # A missing file changes the scene, so it changes the key.
+            digests[name] = _digest(path.parent / name) if (path.parent / name).is_file() else "none"
+    except (OSError, ValueError):
+        return None
+    return cache.key("serve.source", __version__, digests, dict(settings))
+
+
+def _referred(path: Path) -> Iterator[str]:
+    """Yield the names of the files that a file refers to, relative to its folder."""
+    kind = path.suffix.lower()
+    if kind == ".gltf":
+        document = json.loads(path.read_bytes())
+        for section in ("buffers", "images"):
+            uris = (entry.get("uri", "data:") for entry in document.get(section, ()))
+            yield from (unquote(uri) for uri in uris if not uri.startswith("data:"))
+    elif kind == ".obj":
+        for library in _names(LIBRARY, path):
+            yield library
+            library_path = path.parent / library
+            yield from _names(PICTURE, library_path) if library_path.is_file() else ()
+
+
+def _names(pattern: re.Pattern[bytes], path: Path) -> list[str]:
+    return [name.decode(errors="replace") for name in pattern.findall(path.read_bytes())]
+
+
+def _digest(path: Path) -> str:
+    with path.open("rb") as file:
+        return hashlib.file_digest(file, "sha256").hexdigest()

@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 import errno
+import html
 import os
 import weakref
 from collections.abc import Mapping, Sequence
 from types import TracebackType
+from urllib.parse import quote
 
 from nearfar import _core
 from nearfar._base import check
 from nearfar.serve import _addresses
 from nearfar.serve._addresses import LOCAL
 from nearfar.serve._certificate import Certificate
-from nearfar.serve._index import index
 from nearfar.serve._limits import Limits
 from nearfar.serve._rooms import Rooms
 from nearfar.serve._site import Site
@@ -34,6 +35,19 @@ HEADERS = {
     "permissions-policy": "xr-spatial-tracking=(self)",
 }
 """Headers of all responses."""
+
+_STYLE = """
+:root { color-scheme: light dark; font: 16px/1.5 system-ui, sans-serif }
+body { max-width: 44rem; margin: 0 auto; padding: 2rem 1rem }
+h1 { font-size: 1.4rem; font-weight: 600 }
+ul { list-style: none; padding: 0; display: grid; gap: .75rem }
+a { display: block; padding: .9rem 1.1rem; border: 1px solid color-mix(in srgb, currentcolor 25%, transparent);
+    border-radius: .6rem; color: inherit; text-decoration: none; overflow-wrap: anywhere }
+a:hover, a:focus-visible { border-color: #3b7ddd; outline: 2px solid #3b7ddd; outline-offset: 1px }
+strong { display: block }
+span { opacity: .75 }
+"""
+"""Style of the index page."""
 
 
 class Server:
@@ -85,23 +99,24 @@ class Server:
     ) -> None:
         if rooms is not None:
             check.instance("rooms", rooms, Rooms)
-        found = _check_sites(sites, RESERVED if rooms is None else (*RESERVED, ROOMS))
-        listened, number = _addresses.address(host), check.integer("port", port, 0, 65535)
+        sites = _check_sites(sites, RESERVED if rooms is None else (*RESERVED, ROOMS))
+        self._host, number = _addresses.parse_host(host), check.integer("port", port, 0, 65535)
         if certificate is not None:
             check.instance("certificate", certificate, Certificate)
-        chosen = Limits() if limits is None else check.instance("limits", limits, Limits)
-        self._certificate, self._host = certificate, listened
-        self._names = None if names is None else _addresses.names(names)
+        limits = Limits() if limits is None else check.instance("limits", limits, Limits)
+        self._certificate = certificate
+        self._names = None if names is None else _addresses.parse_names(names)
+        local_names = list(_addresses.NAMES) if _addresses.is_local(self._host) else None
         try:
             self._server = _core.Server(
-                [(name, site.documents(), site.demand) for name, site in found.items()],
-                host=listened,
+                [(name, site.documents(), site.demand) for name, site in sites.items()],
+                host=self._host,
                 port=number,
-                hosts=_hosts(self._names, listened),
+                hosts=local_names if self._names is None else self._names,
                 headers=list(_headers(origin).items()),
                 origin=origin,
                 certificate=None if certificate is None else certificate.files,
-                limits=chosen,
+                limits=limits,
                 rooms=rooms,
             )
         except OSError as error:
@@ -109,7 +124,7 @@ class Server:
                 raise
             what = "address of this machine" if error.errno == errno.EADDRNOTAVAIL else "port"
             reason = f"{os.strerror(error.errno)}: choose another {what}"
-            raise OSError(error.errno, reason, f"{_addresses.in_url(listened)}:{number}") from None
+            raise OSError(error.errno, reason, f"{_addresses.in_url(self._host)}:{number}") from None
         # Region threads need the interpreter, so the server is closed before it exits.
         self._end = weakref.finalize(self, self._server.close)
 
@@ -122,13 +137,12 @@ class Server:
     @property
     def url(self) -> str:
         """Address of the server for programs on this machine, or in its network."""
-        where = LOCAL if self._host == "0.0.0.0" else "::1" if self._host == "::" else self._host
-        return self._address(where)
+        return self._address({"0.0.0.0": LOCAL, "::": "::1"}.get(self._host, self._host))
 
     @property
     def urls(self) -> list[str]:
         """Addresses at which clients reach the server, the most useful first; only with `names`, if given."""
-        return [self._address(host) for host in self._names or _addresses.reached(self._host)]
+        return [self._address(host) for host in self._names or _addresses.hosts_of(self._host)]
 
     @property
     def port(self) -> int:
@@ -156,28 +170,48 @@ class Server:
 
 
 def _check_sites(sites: Mapping[str, Site], reserved: Sequence[str]) -> dict[str, Site]:
-    found = dict(check.mapping("sites", sites, "a mapping of names to sites"))
-    for name, site in found.items():
+    checked = dict(check.mapping("sites", sites, "a mapping of names to sites"))
+    for name, site in checked.items():
         check.instance("sites", site, Site)
         if name in reserved or "/" in name or name in (".", ".."):
             taken = ", ".join(reserved)
             raise ValueError(f"sites: expected names without a slash, but not {taken}, . or .., got {name!r}")
-    if not found:
+    if not checked:
         raise ValueError("sites: expected one or more, got none")
-    if len(found) > 1 and "" not in found:
-        titles = {name: site.title for name, site in found.items()}
-        found[""] = Site(index(titles), has_page=False)
-    return found
-
-
-def _hosts(names: Sequence[str] | None, listened: str) -> list[str] | None:
-    if names is not None:
-        return list(names)
-    return list(_addresses.NAMES) if _addresses.is_local(listened) else None
+    if len(checked) > 1 and "" not in checked:
+        titles = {name: site.title for name, site in checked.items()}
+        checked[""] = Site(_index_page(titles), has_page=False)
+    return checked
 
 
 def _headers(origin: str | None) -> dict[str, str]:
     if origin is None:
         return HEADERS
-    _addresses.origin(origin)
+    _addresses.check_origin(origin)
     return {**HEADERS, "cross-origin-resource-policy": "cross-origin"}
+
+
+def _index_page(titles: Mapping[str, str]) -> dict[str, bytes]:
+    """Return the documents of the index page: links to the sites with their titles."""
+    items = "\n".join(
+        f'<li><a href="{html.escape(quote(name, safe=""))}/"><strong>{html.escape(name)}</strong>'
+        f"<span>{html.escape(title)}</span></a></li>"
+        for name, title in sorted(titles.items())
+    )
+    page = (
+        '<!doctype html>\n<html lang="en">\n<meta charset="utf-8">\n'
+        '<meta name="viewport" content="width=device-width, initial-scale=1">\n<title>Scenes</title>\n'
+        '<link rel="icon" href="data:,">\n<link rel="stylesheet" href="index.css">\n'
+        f"<h1>Scenes</h1>\n<ul>\n{items}\n</ul>\n</html>\n"
+    )
+    return {"index.html": page.encode(), "index.css": _STYLE.strip().encode()}
+
+
+def begin_log(*, as_json: bool = False, level: str = "info") -> bool:
+    """Start writing the log of all servers of this process to standard error, as text or as a JSON object per line.
+
+    The least level is `error`, `warn`, `info` (each response) or `debug` (broken connections); ValueError for others.
+    Returns False if logging was started already; it continues unchanged.
+    """
+    check.choice("level", level, ("error", "warn", "info", "debug"))
+    return _core.begin_log(level, check.flag("as_json", as_json))

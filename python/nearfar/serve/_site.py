@@ -23,10 +23,10 @@ CACHE_BYTES = 2 * 10**9
 Source = bytes | tuple[str, int] | Callable[[], bytes]
 """Content of a document: bytes, path and size of a file, or a function that reads it."""
 
-Listed = tuple[str, str, bool, Source]
+Document = tuple[str, str, bool, Source]
 """Name, media type, whether the name identifies the content, and the content."""
 
-Made = tuple[Callable[[list[float]], object], Callable[..., object], float, str | None, int]
+Demand = tuple[Callable[[list[float]], object], Callable[..., object], float, str | None, int]
 """Functions that begin a region and make its next part, the grid's spacing, and the cache's folder and bytes."""
 
 
@@ -36,7 +36,7 @@ class Site:
 
     content: Mapping[str, Source] = field(default_factory=dict)
     """Documents besides the page, by name."""
-    demand: Made | None = None
+    demand: Demand | None = None
     """Maker of regions on demand."""
     title: str = ""
     """Short description of the scene."""
@@ -62,35 +62,33 @@ class Site:
         The cache is a folder for only this scene with these settings, such as `LoadedScene.cache_folder()`; None keeps
         regions in memory, up to a quarter of a gigabyte.
         """
-        maker = LoadedScene.of_made(scene) if isinstance(scene, OnDemand) else scene
+        loaded = LoadedScene.of_regions(scene) if isinstance(scene, OnDemand) else scene
         folder = None if cache is None else os.fspath(cache)
-        made = (maker.parts, next_part, maker.grid, folder, cache_bytes)
-        return cls(maker.documents(), made, title="regions are made where you go")
+        demand = (loaded.parts, next_part, loaded.grid, folder, cache_bytes)
+        return cls(loaded.documents(), demand, title="regions are made where you go")
 
-    def documents(self) -> list[Listed]:
+    def documents(self) -> list[Document]:
         """List the site's documents, including the page's."""
         content = {**(page_files() if self.has_page else {}), **self.content}
-        listed: list[Listed] = []
-        if INDEX in content:
-            listed.append(("", _media(INDEX), False, _read(content[INDEX])))
-        for name, source in content.items():
-            is_named = name.startswith(f"{FOLDER}/")
-            listed.append((name, _media(name), is_named, source if is_named else _read(source)))
-        return listed
+        paths = {"": INDEX} if INDEX in content else {}
+        return [_document(path, name, content[name]) for path, name in {**paths, **{n: n for n in content}}.items()]
 
 
 def _check_folder(path: str | os.PathLike[str]) -> None:
     """Raise FileNotFoundError for a folder without content that can be served."""
     if not is_url(path) and Path(path).is_dir() and not (Path(path) / MANIFEST).exists():
-        what = (
+        message = (
             "expected a folder that `nearfar export` or `nearfar reduce` wrote, or a store of orthoviews; "
             "it has no manifest.json, reduced.json or zarr.json"
         )
-        raise FileNotFoundError(errno.ENOENT, what, os.fspath(path))
+        raise FileNotFoundError(errno.ENOENT, message, os.fspath(path))
 
 
-def _read(source: Source) -> Source:
-    return source() if callable(source) else source
+def _document(path: str, name: str, source: Source) -> Document:
+    """Return a document below a path; it is read now, unless its name identifies the content."""
+    is_content_name = name.startswith(f"{FOLDER}/")
+    content = source() if callable(source) and not is_content_name else source
+    return path, TYPES.get(name.rpartition(".")[2], TYPES["bin"]), is_content_name, content
 
 
 def _title(bundle: stream.Bundle) -> str:
@@ -100,11 +98,8 @@ def _title(bundle: stream.Bundle) -> str:
 
 def _local_files(bundle: stream.Bundle) -> dict[str, tuple[str, int]]:
     """Return path and size of a local bundle's files, which the server reads itself; ValueError for a linked folder."""
-    place = Path(bundle._reader.place).resolve() / FOLDER
-    if place.is_symlink():
-        raise ValueError(f"{place}: expected a folder of the bundle, got a link")
-    return {name: (os.fspath(place.parent / name), entry["bytes"]) for name, entry in bundle._manifest["files"].items()}
-
-
-def _media(name: str) -> str:
-    return TYPES.get(name.rpartition(".")[2], TYPES["bin"])
+    folder = Path(bundle._reader.location).resolve() / FOLDER
+    if folder.is_symlink():
+        raise ValueError(f"{folder}: expected a folder of the bundle, got a link")
+    files = bundle._manifest["files"]
+    return {name: (os.fspath(folder.parent / name), entry["bytes"]) for name, entry in files.items()}

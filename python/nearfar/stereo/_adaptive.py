@@ -50,8 +50,8 @@ class AdaptivePlane:
         self._nearest = check.in_range("nearest", nearest, NEAREST, FARTHEST)
         self._hysteresis, self._rate = check.at_least_zero("hysteresis", hysteresis), check.positive("rate", rate)
         # For an infinite depth, the plane of the closed form: e = E/m.
-        self._far = mono_plane_for(hmd=hmd, error_px=error_px, size=size)
-        self._rig = HybridRig.of(hmd, mono_plane=max(self._far, self._nearest), size=size)
+        self._plane_for_infinity = mono_plane_for(hmd=hmd, error_px=error_px, size=size)
+        self._rig = HybridRig.of(hmd, mono_plane=max(self._plane_for_infinity, self._nearest), size=size)
 
     @property
     def rig(self) -> HybridRig:
@@ -60,13 +60,13 @@ class AdaptivePlane:
 
     def wanted(self, depth: float) -> float:
         """Return the least distance of the plane in metres for points up to a depth in metres from the eyes."""
-        deep, s = check.number("depth", depth, finite=False), self._rig.center_offset
-        if deep <= 0.0:
-            raise ValueError(f"depth: expected a distance above 0 metres, got {deep:g}")
-        if math.isinf(deep):
-            return max(self._far, self._nearest)
+        depth_m, s = check.number("depth", depth, finite=False), self._rig.center_offset
+        if depth_m <= 0.0:
+            raise ValueError(f"depth: expected a distance above 0 metres, got {depth_m:g}")
+        if math.isinf(depth_m):
+            return max(self._plane_for_infinity, self._nearest)
         # (z − m) E/((z + s) m) = e with E = e m∞, m∞ being the plane for an infinite depth.
-        return max(deep * self._far / (self._far + deep + s), self._nearest)
+        return max(depth_m * self._plane_for_infinity / (self._plane_for_infinity + depth_m + s), self._nearest)
 
     def update(self, depth: float, seconds: float) -> HybridRig:
         """Move the plane for the greatest depth in view, metres, within a time in seconds; return the rig."""

@@ -37,11 +37,11 @@ class EyeDifference:
 
 def compare_eye(plain: Frame, hybrid: Frame) -> EyeDifference:
     """Compare one eye's hybrid picture with plain stereo."""
-    before, after = plain.to_image(), hybrid.to_image()
-    similarity = ssim(before, after, data_range=255.0, window="uniform", size=4, convention="full", full=True)
+    codes = plain.to_image(), hybrid.to_image()
+    similarity = ssim(*codes, data_range=255.0, window="uniform", size=4, convention="full", full=True)
     return EyeDifference(
         ssim=float(similarity),
-        psnr=psnr(before, after, data_range=255.0),
-        codes=np.abs(before.astype(np.float32) - after.astype(np.float32)).max(axis=-1),
+        psnr=psnr(*codes, data_range=255.0),
+        codes=np.abs(np.subtract(*codes, dtype=np.float32)).max(axis=-1),
         dissimilarity=1.0 - similarity.map.mean(axis=-1),
     )

@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from nearfar import _core
 from nearfar._base import check, memory
 from nearfar._base.pickling import WithTwin
+from nearfar._base.settings import set_fields
 from nearfar._camera.camera import Camera, Fov, quaternion
 from nearfar._camera.clip import Clip
 from nearfar._camera.rotation import compose_rotations, rotation
@@ -20,6 +21,7 @@ from nearfar.hmd._eye import Eye
 from nearfar.hmd._hmd import EYES, Hmd
 from nearfar.stereo._kink import kink_angles
 from nearfar.stereo._layer import QuadLayer
+from nearfar.stereo._settings import check_depths
 from nearfar.stereo._view_vectors import view_vectors
 
 AXES = ("horizontal", "vertical", "both")
@@ -41,8 +43,7 @@ class RigGeometry(WithTwin):
     def __post_init__(self) -> None:
         for side in EYES:
             check.instance(side, getattr(self, side), Eye, "Eye")
-        object.__setattr__(self, "mono_plane", _plane(self.mono_plane))
-        object.__setattr__(self, "size", check.size("size", self.size))
+        set_fields(self, mono_plane=_plane(self.mono_plane), size=check.size("size", self.size))
         if self.hmd is not None:
             check.instance("hmd", self.hmd, Hmd, "an Hmd")
         # Creating it checks the rest now rather than on first use.
@@ -103,15 +104,15 @@ class RigGeometry(WithTwin):
         The pose of the head is a world position in metres and a unit quaternion (x, y, z, w) that rotates head axes to
         world axes, as for `Hmd.camera`.
         """
-        head, place = quaternion(orientation), np.array(check.vector("position", position))
+        head, head_position = quaternion(orientation), np.array(check.vector("position", position))
         turn = rotation(head)
-        x, y, z = place + turn @ np.add(self._core.middle, (0.0, 0.0, self.center_offset))
-        center = Camera((float(x), float(y), float(z)), head, fov=self.center_fov, size=self.center_size)
+        middle = head_position + turn @ np.add(self._core.middle, (0.0, 0.0, self.center_offset))
+        center = Camera(check.vector("position", middle), head, fov=self.center_fov, size=self.center_size)
         views = []
         for eye in (self.left, self.right):
-            x, y, z = place + turn @ np.array(eye.position)
-            way = compose_rotations(eye.orientation, head)
-            views.append(Camera((float(x), float(y), float(z)), way, fov=eye.fov, size=self.size))
+            eye_position = check.vector("position", head_position + turn @ np.array(eye.position))
+            eye_orientation = compose_rotations(eye.orientation, head)
+            views.append(Camera(eye_position, eye_orientation, fov=eye.fov, size=self.size))
         return views[0], views[1], center
 
     def clip(
@@ -136,26 +137,24 @@ class RigGeometry(WithTwin):
         ValueError, TypeError
             Depths below 0 or out of order, and invalid poses.
         """
-        begin, end = check.at_least_zero("near", near), check.number("far", far, finite=False)
-        if not end > begin:
-            raise ValueError(f"far: expected more than near, {begin:g} m, got {end:g}")
+        begin, end = check_depths(near, far)
         turn = rotation(quaternion(orientation))
-        ahead = turn @ np.array((0.0, 0.0, -1.0))
+        forward = turn @ np.array((0.0, 0.0, -1.0))
         middle = np.array(check.vector("position", position)) + turn @ np.array(self._core.middle)
-        offset = float(ahead @ middle)
-        planes = [(*ahead.tolist(), -offset - begin)]
+        offset = float(forward @ middle)
+        planes = [(*forward.tolist(), -offset - begin)]
         if math.isfinite(end):
-            planes.append((*(-ahead).tolist(), offset + end))
+            planes.append((*(-forward).tolist(), offset + end))
         return Clip(planes=planes)
 
     @property
     def quad_layer(self) -> QuadLayer:
         """The rectangle on the plane m that the third camera sees, for compositors (OpenXR, WebXR)."""
         fov, m = self.center_fov, self._core.mono
-        away = m + self.center_offset
+        distance = m + self.center_offset
         x, y, z = self._core.middle
-        middle = (x + 0.5 * away * (fov.left + fov.right), y + 0.5 * away * (fov.down + fov.up), z - m)
-        return QuadLayer(middle, (away * (fov.right - fov.left), away * (fov.up - fov.down)))
+        middle = (x + 0.5 * distance * (fov.left + fov.right), y + 0.5 * distance * (fov.down + fov.up), z - m)
+        return QuadLayer(middle, (distance * (fov.right - fov.left), distance * (fov.up - fov.down)))
 
     def view_vectors(
         self,
@@ -196,16 +195,16 @@ class RigGeometry(WithTwin):
         ----------
         Fink et al. (2019).
         """
-        places = check.array("points", points, columns=3, dtype=np.float64, finite=True)
+        positions = check.array("points", points, columns=3, dtype=np.float64, finite=True)
         length = check.positive("blend", blend)
         side = EYES.index(check.choice("eye", eye, EYES))
         cameras = self.cameras(position, orientation)
-        ahead = rotation(quaternion(orientation)) @ np.array((0.0, 0.0, -1.0))
+        forward = rotation(quaternion(orientation)) @ np.array((0.0, 0.0, -1.0))
         return view_vectors(
-            places,
+            positions,
             np.array(cameras[side].position),
             np.array(cameras[2].position),
-            ahead,
+            forward,
             plane=self.planes[1],
             setback=self.center_offset,
             blend=length,
@@ -227,9 +226,9 @@ class RigGeometry(WithTwin):
         plain = check.plain("at", at)
         if plain.shape != (2,):
             raise ValueError(f"at: expected two tangents, got {check.value_or_type(at)}")
-        place = check.array("at", plain[None], columns=2, dtype=np.float64, finite=True)[0]
+        tangents = check.array("at", plain[None], columns=2, dtype=np.float64, finite=True)[0]
         x, y = self._core.displayed_tangents(
-            check.choice("eye", eye, EYES), (float(place[0]), float(place[1])), _depth(depth)
+            check.choice("eye", eye, EYES), (float(tangents[0]), float(tangents[1])), _depth(depth)
         )
         return x, y
 
@@ -300,13 +299,13 @@ class RigGeometry(WithTwin):
         m, end = self.planes
         if end > m:
             raise ValueError(f"mono_plane: expected one plane for a kink, got the zone from {m:g} to {end:g} m")
-        chosen: Eye = getattr(self, check.choice("eye", eye, EYES))
-        relative = replace(chosen, position=tuple(np.subtract(chosen.position, self._core.middle).tolist()))
-        places = check.array("at", at, columns=2, dtype=np.float64, finite=True)
-        ways = check.array("direction", direction, columns=2, dtype=np.float64, finite=True)
-        if len(places) != len(ways):
-            raise ValueError(f"direction: expected one for each of {len(places)} places, got {len(ways)}")
-        return kink_angles(relative, m, self.center_offset, places, ways)
+        eye_on_head: Eye = getattr(self, check.choice("eye", eye, EYES))
+        relative = replace(eye_on_head, position=tuple(np.subtract(eye_on_head.position, self._core.middle).tolist()))
+        tangents = check.array("at", at, columns=2, dtype=np.float64, finite=True)
+        directions = check.array("direction", direction, columns=2, dtype=np.float64, finite=True)
+        if len(tangents) != len(directions):
+            raise ValueError(f"direction: expected one for each of {len(tangents)} places, got {len(directions)}")
+        return kink_angles(relative, m, self.center_offset, tangents, directions)
 
     def _in_arc_minutes(self, eye: str, field: NDArray[np.float64]) -> NDArray[np.float64]:
         """Convert errors in pixels to angles: pixels far from the eye's axis subtend smaller angles."""
@@ -314,11 +313,11 @@ class RigGeometry(WithTwin):
         pitch = np.array([(fov.right - fov.left) / width, (fov.up - fov.down) / height])
         x = fov.left + pitch[0] * (np.arange(width) + 0.5)
         y = fov.up - pitch[1] * (np.arange(height) + 0.5)
-        moved = field * pitch
+        errors = field * pitch
         # atan changes by 1/(1 + x²) per unit of tangent; the exact value is the difference of two angles.
-        across = np.arctan2(moved[..., 0], 1.0 + x * (x + moved[..., 0]))
-        upright = np.arctan2(moved[..., 1], 1.0 + y[:, None] * (y[:, None] + moved[..., 1]))
-        return np.asarray(np.degrees(np.stack([across, upright], axis=-1)) * 60.0)
+        horizontal = np.arctan2(errors[..., 0], 1.0 + x * (x + errors[..., 0]))
+        vertical = np.arctan2(errors[..., 1], 1.0 + y[:, None] * (y[:, None] + errors[..., 1]))
+        return np.asarray(np.degrees(np.stack([horizontal, vertical], axis=-1)) * 60.0)
 
     @cached_property
     def _core(self) -> _core.HybridRig:

@@ -11,7 +11,7 @@ from nearfar.hmd._eye import Eye
 Array = NDArray[np.float64]
 
 
-def kink_angles(eye: Eye, m: float, s: float, at: Array, direction: Array) -> Array:
+def kink_angles(eye: Eye, m: float, s: float, tangents: Array, direction: Array) -> Array:
     """Compute the angles (N,) in degrees between the images of lines just before and just behind the plane m.
 
     The eye's position is relative to the middle between both; s is the third camera's distance behind it. Let X be the
@@ -20,20 +20,20 @@ def kink_angles(eye: Eye, m: float, s: float, at: Array, direction: Array) -> Ar
     third camera's ray with the plane.
     """
     turn, position = rotation(eye.orientation), np.array(eye.position)
-    ways = np.column_stack([at, -np.ones(len(at))]) @ turn.T
-    from_eye = ways * ((m + position[2]) / -ways[:, 2:])
-    through = from_eye[:, :2] + position[:2]
+    directions = np.column_stack([tangents, -np.ones(len(tangents))]) @ turn.T
+    from_eye = directions * ((m + position[2]) / -directions[:, 2:])
+    on_plane = from_eye[:, :2] + position[:2]
     before = np.column_stack([direction, -np.ones(len(direction))])
-    behind = np.column_stack([direction - through / (m + s), np.zeros(len(direction))])
-    one, other = (_image_of(from_eye @ turn, change @ turn) for change in (before, behind))
-    cross = one[:, 0] * other[:, 1] - one[:, 1] * other[:, 0]
-    dot = (one * other).sum(axis=1)
+    behind = np.column_stack([direction - on_plane / (m + s), np.zeros(len(direction))])
+    image_before, image_behind = (_image_of(from_eye @ turn, change @ turn) for change in (before, behind))
+    cross = image_before[:, 0] * image_behind[:, 1] - image_before[:, 1] * image_behind[:, 0]
+    dot = (image_before * image_behind).sum(axis=1)
     angles = np.degrees(np.arctan2(np.abs(cross), dot))
-    is_point = (np.abs(one).max(axis=1) < 1e-12) | (np.abs(other).max(axis=1) < 1e-12)
+    is_point = (np.abs(image_before).max(axis=1) < 1e-12) | (np.abs(image_behind).max(axis=1) < 1e-12)
     return np.where(is_point, np.nan, angles)
 
 
-def _image_of(place: Array, change: Array) -> Array:
+def _image_of(point: Array, change: Array) -> Array:
     """Changes (N, 2) of the tangents of a moving point (N, 3) in an eye's axes."""
-    ahead = -place[:, 2:]
-    return np.asarray(change[:, :2] / ahead + place[:, :2] * change[:, 2:] / ahead**2)
+    depth = -point[:, 2:]
+    return np.asarray(change[:, :2] / depth + point[:, :2] * change[:, 2:] / depth**2)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -41,11 +42,11 @@ def moment_before(source: Renderable, before: object, at: Mapping[str, ArrayLike
         return None
     if not isinstance(before, (tuple, list)) or len(before) != 2:
         raise TypeError(f"before: expected a pair (position, orientation), got {check.type_and_value(before)}")
-    place, way = check.vector("before", before[0]), quaternion(before[1], "before")
-    return Moment(place, way, source if at is None else posed_at(source, at, "before_at"))
+    position, orientation = check.vector("before", before[0]), quaternion(before[1], "before")
+    return Moment(position, orientation, source if at is None else posed_at(source, at, "before_at"))
 
 
-def shifted(camera: Camera, jitter: tuple[float, float]) -> Camera:
+def shift_pixels(camera: Camera, jitter: tuple[float, float]) -> Camera:
     """Shift a camera's pixels to the right and down by a fraction of a pixel."""
     fov, (width, height) = camera.fov, camera.size
     assert isinstance(fov, Fov)
@@ -55,19 +56,19 @@ def shifted(camera: Camera, jitter: tuple[float, float]) -> Camera:
     return replace(camera, fov=Fov(fov.left + x, fov.right + x, fov.down - y, fov.up - y))
 
 
-def carried(homography: list[list[float]], shown: NDArray[np.bool_], moved: NDArray[np.float32]) -> NDArray[np.float32]:
-    """Motion (N, 2) in an eye's picture at pixels `shown` (H, W) of the shared one, which moved by `moved` (N, 2).
+def map_motion(homography: Any, mask: NDArray[np.bool_], motions: NDArray[np.float32]) -> NDArray[np.float32]:
+    """Map motions (N, 2) of the shared picture's pixels to an eye's picture, at its pixels in a mask (H, W).
 
     The homography depends on the rig only, so that it was the same before. To first order this is Eq. 9 of Fink et al.
     """
     to_eye = np.array(homography)
-    rows, columns = np.nonzero(shown)
-    here = np.stack([columns + 0.5, rows + 0.5], axis=-1)
-    at = _mapped(np.linalg.inv(to_eye), here) - moved
-    return np.asarray(here - _mapped(to_eye, at), np.float32)
+    rows, columns = np.nonzero(mask)
+    pixels = np.stack([columns + 0.5, rows + 0.5], axis=-1)
+    previous = _map_points(np.linalg.inv(to_eye), pixels) - motions
+    return np.asarray(pixels - _map_points(to_eye, previous), np.float32)
 
 
-def _mapped(matrix: NDArray[np.float64], places: NDArray[np.float64]) -> NDArray[np.float64]:
+def _map_points(matrix: NDArray[np.float64], points: NDArray[np.float64]) -> NDArray[np.float64]:
     """Map places (N, 2) by a homography."""
-    mapped = np.column_stack([places, np.ones(len(places))]) @ matrix.T
+    mapped = np.column_stack([points, np.ones(len(points))]) @ matrix.T
     return np.asarray(mapped[:, :2] / mapped[:, 2:])

@@ -27,7 +27,7 @@ from nearfar._scene.scene import Scene
 from nearfar.hmd._hmd import EYES
 from nearfar.hmd._stereo import StereoFrame
 from nearfar.stereo._geometry import RigGeometry
-from nearfar.stereo._moments import Moment, carried, shifted
+from nearfar.stereo._moments import Moment, map_motion, shift_pixels
 from nearfar.stereo._settings import UNUSED, HybridSettings
 
 _BITS = {"left": 1, "right": 2, "center": 4}
@@ -42,8 +42,8 @@ class Passes:
     moment: Moment
     view: View
     device: _core.GpuDevice | None
-    how: HybridSettings
-    before: Moment | None = None
+    settings: HybridSettings
+    previous: Moment | None = None
     """Moment that motion is relative to; None for this one."""
     jitter: tuple[float, float] = (0.0, 0.0)
     """Fraction of a pixel by which the pixels of all three pictures are shifted to the right and down."""
@@ -62,7 +62,7 @@ class Passes:
         with progress.bar("rendering") as self._report:
             if not has_far:
                 return *self._plain(left, right), None
-            near = self._between(self.how.near, min(self.rig.planes[0], self.how.far))
+            near = self._clip_between(self.settings.near, min(self.rig.planes[0], self.settings.far))
             eyes = [
                 self._pass(side, camera, near, near=True) if has_near else self._nothing(camera)
                 for side, camera in zip(EYES, (left, right), strict=True)
@@ -78,15 +78,15 @@ class Passes:
     def _shared(self, camera: Camera, eyes: list[Images]) -> Images:
         """Draw the pixels of the third camera that an eye looks up."""
         mask = None
-        if self.how.cull != "frustum":
+        if self.settings.cull != "frustum":
             with self._timed("culling"):
-                samples = self.view.shot.samples if self.how.assembly == "resolved" else 1
+                samples = self.view.shot.samples if self.settings.assembly == "resolved" else 1
                 mask = self._core.needed(eyes[0]["coverage"], eyes[1]["coverage"], samples)
-        images = self._pass("center", camera, self._far_clip, mask=mask, faces=self.how.assembly == "resolved")
+        images = self._pass("center", camera, self._far_clip, mask=mask, faces=self.settings.assembly == "resolved")
         if mask is not None and "color" in images:
             images["color"][~mask] = 0.0
-        drawn = camera.width * camera.height if mask is None else int(mask.sum())
-        self.stats["pixels"] |= {"center": drawn, "discarded": camera.width * camera.height - drawn}
+        drawn_count = camera.width * camera.height if mask is None else int(mask.sum())
+        self.stats["pixels"] |= {"center": drawn_count, "discarded": camera.width * camera.height - drawn_count}
         return images
 
     def _pass(
@@ -102,7 +102,7 @@ class Passes:
     ) -> Images:
         """Draw one picture; its seconds count for `stage`, by default the picture's name."""
         extra = ["coverage"] if near or self._fills else []
-        if faces or (near and self._others):
+        if faces or (near and self._centered_channels):
             extra += ["face_id", "range"]  # surfaces other than triangles have a range only
         channels = dict.fromkeys([*self.view.shot.channels, *extra])
         shot = Shot(
@@ -113,7 +113,7 @@ class Passes:
             clip=clip,
             mask=mask,
             bare=near,
-            occlusion=self.how.cull == "occlusion",
+            occlusion=self.settings.cull == "occlusion",
             instances=None if self._views is None else (self._views & _BITS[name]) > 0,
         )
         with self._timed(stage or name):
@@ -121,7 +121,7 @@ class Passes:
                 images = self._zone(name, camera, shot)
             else:
                 (images,) = self._pictures(shot)
-        if "motion" in self.view.wanted:
+        if "motion" in self.view.channels:
             with self._timed("motion"):
                 images["motion"] = self._motion(name, camera, images, np.isfinite(images["range"]) if near else mask)
         if near:
@@ -135,11 +135,11 @@ class Passes:
             channels=self.view.shot.channels,
             samples=self.view.shot.samples,
             user=self.moment.head(self.rig),
-            clip=self._between(self.how.near, self.how.far),
+            clip=self._clip_between(self.settings.near, self.settings.far),
         )
         with self._timed("eyes"):
             eyes = self._pictures(shot)
-        if "motion" in self.view.wanted:
+        if "motion" in self.view.channels:
             with self._timed("motion"):
                 for name, camera, images in zip(EYES, (left, right), eyes, strict=True):
                     images["motion"] = self._motion(name, camera, images, None)
@@ -156,7 +156,7 @@ class Passes:
         """Draw an eye's own picture up to m₂, along rays that bend beyond m₁."""
         scene, pose = self.view.drawn, (self.moment.position, self.moment.orientation)
         assert isinstance(scene, Scene)
-        depths = (self.how.near, self.how.far)
+        depths = (self.settings.near, self.settings.far)
         return self._core.render_zone(
             side, scene._core, camera._core, shot.settings, *pose, depths, report=self._report
         )
@@ -165,7 +165,7 @@ class Passes:
         """Put the shared picture behind an eye's own, in place."""
         core, coverage = self._core, images["coverage"]
         if "color" in images:
-            if self.how.assembly == "resolved":
+            if self.settings.assembly == "resolved":
                 settings = Shot(
                     cameras=(center,), channels=("color",), samples=self.view.shot.samples, clip=self._far_clip
                 ).settings
@@ -175,19 +175,19 @@ class Passes:
                 core.resolve(side, coverage, scene._core, center._core, settings, picture, images["color"])
             else:
                 core.assemble(side, coverage, shared["color"], images["color"])
-        if set(self.view.wanted) == {"color"} and "coverage" not in shared:
+        if set(self.view.channels) == {"color"} and "coverage" not in shared:
             return
         nearest = core.nearest(side, coverage)
-        if self._others:
+        if self._centered_channels:
             # These are sampled at the pixel's centre: the eye's own surface counts if there is one.
-            far = np.isinf(images["range"])
-            for name in self._others:
-                values = shared[name].reshape(-1, *shared[name].shape[2:])[nearest[far]]
+            is_open = np.isinf(images["range"])
+            for name in self._centered_channels:
+                values = shared[name].reshape(-1, *shared[name].shape[2:])[nearest[is_open]]
                 if name == "range":
-                    values = self._range(values, nearest[far], camera, center)
+                    values = self._range(values, nearest[is_open], camera, center)
                 elif name == "motion":
-                    values = carried(core.homography(side), far, values)
-                images[name][far] = values
+                    values = map_motion(core.homography(side), is_open, values)
+                images[name][is_open] = values
         if "coverage" in shared:
             # Coverage by the eye's own surfaces, plus that by the shared picture's on the rest.
             images["coverage"] = coverage + (1.0 - coverage) * shared["coverage"].reshape(-1)[nearest]
@@ -198,15 +198,15 @@ class Passes:
         A surface that is seen edge-on, or crosses the plane beside the line of sight, shows one side to the eye and the
         other one to the third camera.
         """
-        beyond = self._between(self.rig.planes[1], self.how.far)
+        far_clip = self._clip_between(self.rig.planes[1], self.settings.far)
         covered, tried = images["coverage"] > 0.0, np.zeros(images["coverage"].shape, bool)
         self.stats["pixels"].setdefault("filled", 0)
         # After a gap is filled, its neighbour may be a narrow gap.
         while (holes := narrow_gaps(covered) & ~tried).any():
-            found = self._pass(side, camera, beyond, mask=holes, stage="filling")
-            filled = holes & (found["coverage"] > 0.0)
-            for name in {*self.view.wanted, "coverage"}:
-                images[name][filled] = found[name][filled]
+            far_images = self._pass(side, camera, far_clip, mask=holes, stage="filling")
+            filled = holes & (far_images["coverage"] > 0.0)
+            for name in {*self.view.channels, "coverage"}:
+                images[name][filled] = far_images[name][filled]
             covered, tried = covered | filled, tried | holes
             self.stats["pixels"]["filled"] += int(filled.sum())
 
@@ -216,34 +216,32 @@ class Passes:
         return self.device is None and not self.rig.has_zone
 
     @property
-    def _others(self) -> list[str]:
+    def _centered_channels(self) -> list[str]:
         """Requested channels with one sample per pixel."""
-        return [name for name in self.view.wanted if name not in ("color", "coverage")]
+        return [name for name in self.view.channels if name not in ("color", "coverage")]
 
     def _cameras(self, moment: Moment) -> list[Camera]:
         """Cameras of the eyes and the third one."""
-        return [shifted(camera, self.jitter) for camera in self.rig.cameras(moment.position, moment.orientation)]
+        return [shift_pixels(camera, self.jitter) for camera in self.rig.cameras(moment.position, moment.orientation)]
 
-    def _motion(
-        self, name: str, camera: Camera, images: Images, wanted: NDArray[np.bool_] | None
-    ) -> NDArray[np.float32]:
-        """Compute the motion of each pixel's surface in one of the pictures; NaN outside `wanted`."""
-        before = self.moment if self.before is None else self.before
+    def _motion(self, name: str, camera: Camera, images: Images, mask: NDArray[np.bool_] | None) -> NDArray[np.float32]:
+        """Compute the motion of each pixel's surface in one of the pictures; NaN outside a mask."""
+        before = self.moment if self.previous is None else self.previous
         origin = check.vector("origin", self.view.drawn.origin)
         frame = Frame(camera, origin, position=images["position"], object_id=images.get("object_id"))
         earlier = self._cameras(before)[(*EYES, "center").index(name)]
         now = Sight(camera, self.view.drawn, self.moment.head(self.rig))
-        return motion(frame, now, Sight(earlier, before.source, before.head(self.rig)), wanted)
+        return motion(frame, now, Sight(earlier, before.source, before.head(self.rig)), mask)
 
     def _range(
         self, values: NDArray[np.float32], pixels: NDArray[np.uint32], camera: Camera, center: Camera
     ) -> NDArray[np.float32]:
         """Distances from an eye to the points that pixels of the third camera show at distances `values` from it."""
-        starts, ways = (rays.reshape(-1, 3)[pixels] for rays in center.rays())
+        starts, directions = (rays.reshape(-1, 3)[pixels] for rays in center.rays())
         hit = np.isfinite(values)
-        points = starts + ways * np.where(hit, values, 0.0)[:, None].astype(np.float64)
-        away = np.linalg.norm(points - np.array(camera.position), axis=1)
-        return np.where(hit, away, np.inf).astype(np.float32)
+        points = starts + directions * np.where(hit, values, 0.0)[:, None].astype(np.float64)
+        distances = np.linalg.norm(points - np.array(camera.position), axis=1)
+        return np.where(hit, distances, np.inf).astype(np.float32)
 
     def _nothing(self, camera: Camera) -> Images:
         """Images of an eye without surfaces before the plane."""
@@ -251,20 +249,20 @@ class Passes:
         misses = {"face_id": np.int64(-1), "object_id": np.int32(-1), "range": np.float32(math.inf)}
         dark = {"color": np.float32(0.0), "coverage": np.float32(0.0)}
         empty: Images = {}
-        for name in {*self.view.wanted, "coverage", "face_id", "range"}:
+        for name in {*self.view.channels, "coverage", "face_id", "range"}:
             value = (misses | dark).get(name, np.float32(math.nan))
-            deep = (3,) if name in VECTORS else (2,) if name == "motion" else ()
-            empty[name] = np.full((height, width, *deep), value)
+            components = (3,) if name in VECTORS else (2,) if name == "motion" else ()
+            empty[name] = np.full((height, width, *components), value)
         return empty
 
     def _has_near_and_far(self) -> tuple[bool, bool]:
         """Whether anything is drawn before the plane, and beyond it; both if the source does not tell."""
         scene, has_zone = self.view.drawn, self.rig.has_zone
-        if self.how.far <= self.rig.planes[1] and not has_zone:
+        if self.settings.far <= self.rig.planes[1] and not has_zone:
             return True, False
         if not isinstance(scene, Scene):
             return True, True
-        depths = (self.how.near, self.how.far)
+        depths = (self.settings.near, self.settings.far)
         position, orientation = self.moment.position, self.moment.orientation
         views, near, far = self._core.contents(scene._core, position, orientation, depths, self.device is None)
         self.stats["instances"] = {"all": len(views)} | {
@@ -276,15 +274,12 @@ class Passes:
         return near, far or has_zone
 
     @property
-    def _begin(self) -> float:
-        """Depth from which the third camera draws, metres."""
-        return max(self.how.near, min(self.rig.planes[1], self.how.far) - self.rig.overlap)
-
-    @property
     def _far_clip(self) -> Clip:
-        return self._between(self._begin, self.how.far)
+        """Space that the third camera draws."""
+        begin = max(self.settings.near, min(self.rig.planes[1], self.settings.far) - self.rig.overlap)
+        return self._clip_between(begin, self.settings.far)
 
-    def _between(self, begin: float, end: float) -> Clip:
+    def _clip_between(self, begin: float, end: float) -> Clip:
         return self.rig.clip(self.moment.position, self.moment.orientation, near=begin, far=end)
 
     @contextmanager
@@ -306,8 +301,8 @@ def narrow_gaps(covered: NDArray[np.bool_]) -> NDArray[np.bool_]:
 def _bridged(covered: NDArray[np.bool_]) -> NDArray[np.bool_]:
     """Find pixels with covered ones to the left and to the right that are at most three pixels apart."""
     padded = np.pad(covered, ((0, 0), (2, 2)), constant_values=True)
-    second, first, after, behind = padded[:, :-4], padded[:, 1:-3], padded[:, 3:-1], padded[:, 4:]
-    bridged: NDArray[np.bool_] = (first & after) | (first & behind) | (second & after)
+    previous_2, previous_1, next_1, next_2 = padded[:, :-4], padded[:, 1:-3], padded[:, 3:-1], padded[:, 4:]
+    bridged: NDArray[np.bool_] = (previous_1 & next_1) | (previous_1 & next_2) | (previous_2 & next_1)
     return bridged
 
 
@@ -324,28 +319,28 @@ def render(
     pose: tuple[ArrayLike, ArrayLike],
     *,
     at: Mapping[str, ArrayLike] | None,
-    how: HybridSettings,
+    hybrid: HybridSettings,
     before: Moment | None = None,
     jitter: tuple[float, float] = (0.0, 0.0),
 ) -> tuple[StereoFrame, Moment]:
     """Check the arguments of `HybridRig.render`, and draw; `pose` is the head's, `at` has the objects' poses."""
-    check_near(rig, how.near)
+    check_near(rig, hybrid.near)
     settings = renderer.settings
     require_defaults(settings, "a rig", *UNUSED)
     kind = type(renderer.source).__name__
-    if how.assembly == "resolved" and not isinstance(renderer.source, Scene):
+    if hybrid.assembly == "resolved" and not isinstance(renderer.source, Scene):
         raise ValueError(f"assembly: expected 'bilinear' for {kind}, whose triangles are not looked up, got 'resolved'")
     if rig.has_zone and not isinstance(renderer.source, Scene):
         raise ValueError(f"mono_plane: expected one plane for {kind}, got a zone, which is drawn for scenes only")
     device = None if rig.has_zone and settings.backend != "gpu" else renderer.device()
     if rig.has_zone and device is not None:
         raise ValueError("mono_plane: expected one plane on a graphics adapter, got a zone: backend='cpu' draws it")
-    place, way = check.vector("position", pose[0]), quaternion(pose[1])
-    left, right, center = rig.cameras(place, way)
+    position, orientation = check.vector("position", pose[0]), quaternion(pose[1])
+    left, right, center = rig.cameras(position, orientation)
     # Levels of detail are chosen for both eyes at once.
     view = renderer.view(renderer.shot([left, right]), at)
-    moment = Moment(place, way, view.drawn)
-    passes = Passes(rig, moment, view, device, how, before, jitter)
+    moment = Moment(position, orientation, view.drawn)
+    passes = Passes(rig, moment, view, device, hybrid, before, jitter)
     *images, shared = passes.draw()
     origin = check.vector("origin", view.drawn.origin)
 
@@ -353,5 +348,5 @@ def render(
         assert drawn is not None
         return Frame(camera, origin, **{name: drawn[name] for name in renderer.channels}, lod=view.shown)
 
-    behind = None if shared is None else frame(center, shared)
-    return StereoFrame(rig.hmd, frame(left, images[0]), frame(right, images[1]), behind, passes.stats), moment
+    shared_frame = None if shared is None else frame(center, shared)
+    return StereoFrame(rig.hmd, frame(left, images[0]), frame(right, images[1]), shared_frame, passes.stats), moment

@@ -62,16 +62,16 @@ def mono_plane_for(
     """
     check.instance("hmd", hmd, Hmd, "an Hmd")
     check.choice("axis", axis, AXES)
-    deep = check.number("depth", depth, finite=False)
-    if deep <= 0.0:
-        raise ValueError(f"depth: expected a distance above 0 metres, got {deep:g}")
-    least = check.positive("slope", slope)
+    depth_m = check.number("depth", depth, finite=False)
+    if depth_m <= 0.0:
+        raise ValueError(f"depth: expected a distance above 0 metres, got {depth_m:g}")
+    min_slope = check.positive("slope", slope)
     if (error_px is None) == (kink_deg is None):
         raise ValueError("error_px: expected either this or kink_deg, got both or none")
     if error_px is not None:
-        return _for_error(hmd, size, check.positive("error_px", error_px), deep, axis)
+        return _for_error(hmd, size, check.positive("error_px", error_px), depth_m, axis)
     assert kink_deg is not None
-    return _for_kink(hmd, size, check.number("kink_deg", kink_deg), least)
+    return _for_kink(hmd, size, check.number("kink_deg", kink_deg), min_slope)
 
 
 def _for_kink(hmd: Hmd, size: tuple[int, int] | None, bend: float, slope: float) -> float:
@@ -79,8 +79,8 @@ def _for_kink(hmd: Hmd, size: tuple[int, int] | None, bend: float, slope: float)
         raise ValueError(f"kink_deg: expected an angle between 0 and 90 degrees, got {bend:g}")
     rig = HybridRig.of(hmd, mono_plane=1.0, size=size)
     # At m = 1 and for infinitely far points the error, in tangents, is E.
-    greatest = max(math.dist(rig.shown(eye, at), at) for eye in EYES for at in _corners(rig, eye))
-    return max(greatest / (slope * math.sin(math.radians(bend))) - rig.center_offset, NEAREST)
+    max_error = max(math.dist(rig.shown(eye, tangents), tangents) for eye in EYES for tangents in _corners(rig, eye))
+    return max(max_error / (slope * math.sin(math.radians(bend))) - rig.center_offset, NEAREST)
 
 
 def _for_error(hmd: Hmd, size: tuple[int, int] | None, error: float, depth: float, axis: str) -> float:

@@ -131,8 +131,8 @@ class HybridRig(RigGeometry):
         ----------
         Fink et al. (2019).
         """
-        rest, own = split(HybridSettings, keywords)
-        renderer = Renderer(source, gather(RenderSettings, settings, rest))
+        render_keywords, hybrid_keywords = split(HybridSettings, keywords)
+        renderer = Renderer(source, gather(RenderSettings, settings, render_keywords))
         earlier = moment_before(source, before, before_at)
         if earlier is None and "motion" in renderer.channels:
             raise ValueError("channels: expected motion with the head's pose in an earlier frame, `before`")
@@ -141,7 +141,7 @@ class HybridRig(RigGeometry):
             renderer,
             (position, orientation),
             at=at,
-            how=gather(HybridSettings, hybrid, own, argument="hybrid"),
+            hybrid=gather(HybridSettings, hybrid, hybrid_keywords, argument="hybrid"),
             before=earlier,
         )
         return frame
@@ -181,7 +181,7 @@ class HybridRig(RigGeometry):
         check.instance("scene", scene, Scene)
         depths = HybridSettings(near=near, far=far)
         check_near(self, depths.near)
-        place, way = check.vector("position", position), quaternion(orientation)
+        pose = check.vector("position", position), quaternion(orientation)
         with progress.bar("counting") as report:
-            views, thrice, plain = self._core.triangles(scene._core, place, way, (depths.near, depths.far), report)
+            views, thrice, plain = self._core.triangles(scene._core, *pose, (depths.near, depths.far), report)
         return dict(zip((*EYES, "center"), views, strict=True)) | {"thrice": thrice, "plain": sum(plain)}

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Literal, TypedDict, get_args
 
 from nearfar._base import check
+from nearfar._base.settings import set_fields
 from nearfar._render.settings import RenderKeywords
 
 Cull = Literal["frustum", "discard", "occlusion"]
@@ -50,11 +51,8 @@ class HybridSettings:
     def __post_init__(self) -> None:
         check.choice("cull", self.cull, get_args(Cull))
         check.choice("assembly", self.assembly, get_args(Assembly))
-        near, far = check.at_least_zero("near", self.near), check.number("far", self.far, finite=False)
-        if not far > near:
-            raise ValueError(f"far: expected more than near, {near:g} m, got {far:g}")
-        object.__setattr__(self, "near", near)
-        object.__setattr__(self, "far", far)
+        near, far = check_depths(self.near, self.far)
+        set_fields(self, near=near, far=far)
 
 
 class HybridKeywords(TypedDict, total=False):
@@ -64,6 +62,14 @@ class HybridKeywords(TypedDict, total=False):
     assembly: Assembly
     near: float
     far: float
+
+
+def check_depths(near: float, far: float) -> tuple[float, float]:
+    """Check depths in metres in front of the eyes, 0 ≤ near < far; ValueError or TypeError otherwise."""
+    nearest, farthest = check.at_least_zero("near", near), check.number("far", far, finite=False)
+    if not farthest > nearest:
+        raise ValueError(f"far: expected more than near, {nearest:g} m, got {farthest:g}")
+    return nearest, farthest
 
 
 class HybridOptions(RenderKeywords, HybridKeywords, total=False):

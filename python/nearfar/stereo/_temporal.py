@@ -53,13 +53,13 @@ class TemporalAntialiasing:
 
     def __init__(self, *, share: float = 0.1, offsets: int = 8) -> None:
         self._share = check.in_range("share", share, 1e-6, 1.0)
-        self._offsets = _in_turn(check.integer("offsets", offsets, 1, 1024))
+        self._offsets = _spread_offsets(check.integer("offsets", offsets, 1, 1024))
         self.restart()
 
     def restart(self) -> None:
         """Discard all accumulated pictures; for a change of scene."""
-        self._gathered: dict[str, NDArray[np.float32]] = {}
-        self._before: Moment | None = None
+        self._accumulated: dict[str, NDArray[np.float32]] = {}
+        self._last_moment: Moment | None = None
         self._rig: HybridRig | None = None
         self._count = 0
 
@@ -101,9 +101,9 @@ class TemporalAntialiasing:
             As in `HybridRig.render`.
         """
         check.instance("rig", rig, HybridRig)
-        rest, own = split(HybridSettings, keywords)
-        wanted = Renderer(source, gather(RenderSettings, settings, rest))
-        needed = replace(wanted.settings, channels=(*wanted.channels, "color", "motion", "range"))
+        render_keywords, hybrid_keywords = split(HybridSettings, keywords)
+        requested = Renderer(source, gather(RenderSettings, settings, render_keywords))
+        needed = replace(requested.settings, channels=(*requested.channels, "color", "motion", "range"))
         renderer = Renderer(source, needed)
         if self._rig is None or (self._rig.left, self._rig.right, self._rig.size) != (rig.left, rig.right, rig.size):
             self.restart()
@@ -112,33 +112,34 @@ class TemporalAntialiasing:
             renderer,
             (position, orientation),
             at=at,
-            how=gather(HybridSettings, hybrid, own, argument="hybrid"),
-            before=self._before,
+            hybrid=gather(HybridSettings, hybrid, hybrid_keywords, argument="hybrid"),
+            before=self._last_moment,
             jitter=self._offsets[self._count % len(self._offsets)],
         )
-        self._count, self._rig, self._before = self._count + 1, rig, moment
-        left, right = (_only(wanted.channels, self._mixed(side, getattr(frame, side))) for side in EYES)
-        center = None if frame.center is None else _only(wanted.channels, frame.center)
+        self._count, self._rig, self._last_moment = self._count + 1, rig, moment
+        left, right = (self._accumulate(side, getattr(frame, side)) for side in EYES)
+        left, right = _with_channels(requested.channels, left), _with_channels(requested.channels, right)
+        center = None if frame.center is None else _with_channels(requested.channels, frame.center)
         return replace(frame, left=left, right=right, center=center)
 
-    def _mixed(self, side: str, frame: Frame) -> Frame:
+    def _accumulate(self, side: str, frame: Frame) -> Frame:
         """Return the frame with accumulated colours."""
-        color, share = frame.require("color"), max(self._share, 1.0 / self._count)
-        if side in self._gathered:
-            moved, away = frame.require("motion"), frame.require("range")
-            color = _core.gather_frames(color, moved, away, self._gathered[side], share)
-        self._gathered[side] = color
+        color, weight = frame.require("color"), max(self._share, 1.0 / self._count)
+        if side in self._accumulated:
+            motions, distances = frame.require("motion"), frame.require("range")
+            color = _core.gather_frames(color, motions, distances, self._accumulated[side], weight)
+        self._accumulated[side] = color
         return replace(frame, color=color)
 
 
-def _only(channels: Iterable[str], frame: Frame) -> Frame:
+def _with_channels(channels: Iterable[str], frame: Frame) -> Frame:
     """Return the frame without channels that were not requested."""
     dropped: dict[str, Any] = {name: None for name in frame.channels if name not in set(channels)}
     return replace(frame, **dropped)
 
 
-def _in_turn(count: int) -> list[tuple[float, float]]:
+def _spread_offsets(count: int) -> list[tuple[float, float]]:
     """Shifts of the pixels, ordered so that successive ones are far apart."""
-    places = [(x - 0.5, y - 0.5) for x, y in _core.sample_offsets(count)]
+    offsets = [(x - 0.5, y - 0.5) for x, y in _core.sample_offsets(count)]
     step = next(n for n in range(max(round(count * _GOLDEN), 1), count + 1) if math.gcd(n, count) == 1)
-    return [places[n * step % count] for n in range(count)]
+    return [offsets[n * step % count] for n in range(count)]

@@ -38,7 +38,7 @@ def view_vectors(
     points: NDArray[np.float64],
     eye: NDArray[np.float64],
     center: NDArray[np.float64],
-    ahead: NDArray[np.float64],
+    forward: NDArray[np.float64],
     *,
     plane: float,
     setback: float,
@@ -46,10 +46,12 @@ def view_vectors(
 ) -> NDArray[np.float64]:
     """Unit vectors (N, 3) from points to the viewer; NaN for a point at the viewer."""
     to_eye, to_center = eye - points, center - points
-    depths = -(to_center @ ahead) - setback
+    depths = -(to_center @ forward) - setback
     with np.errstate(invalid="ignore", over="ignore"):
-        share = np.clip((plane - depths) / blend, 0.0, 1.0)[:, None]
+        eye_weight = np.clip((plane - depths) / blend, 0.0, 1.0)[:, None]
         units = [v / np.linalg.norm(v, axis=1, keepdims=True) for v in (to_eye, to_center)]
         # If only one viewer counts, the other one may be at the point.
-        mixed = np.where(share > 0.0, share * units[0], 0.0) + np.where(share < 1.0, (1.0 - share) * units[1], 0.0)
+        weights = (eye_weight, 1.0 - eye_weight)
+        parts = [np.where(weight > 0.0, weight * unit, 0.0) for weight, unit in zip(weights, units, strict=True)]
+        mixed = parts[0] + parts[1]
         return np.asarray(mixed / np.linalg.norm(mixed, axis=1, keepdims=True))

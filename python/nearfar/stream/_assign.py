@@ -61,8 +61,7 @@ class Rings:
             0 for dynamic objects, 1 to n for rings, n + 1 for the objects beyond the last radius.
         """
         number = check.integer("ring", ring, 0, self.count + 1)
-        names = self.scene.object_names
-        return tuple(names[place] for place in np.flatnonzero(self.ring == number))
+        return tuple(self.scene.object_names[index] for index in np.flatnonzero(self.ring == number))
 
     def summary(self) -> list[dict[str, Any]]:
         """Count objects and triangles of each ring.
@@ -85,9 +84,8 @@ class Rings:
         facts = [("centre", card.point(self.center)), ("rule", self.rule)]
         for number, row in enumerate(self.summary(), 1):
             name = f"ring {number}, to {row['radius']:g} m" if number <= self.count else "beyond"
-            facts.append(
-                (name, f"{row['objects']:,} objects, {row['triangles']:,} triangles, {row['stored']:,} stored")
-            )
+            counts = (f"{row[kind]:,} {kind}" for kind in ("objects", "triangles", "stored"))
+            facts.append((name, ", ".join(counts)))
         return card.page("Rings", facts)
 
     def __repr__(self) -> str:
@@ -133,8 +131,7 @@ def assign(scene: Scene, *, center: ArrayLike, radii: Iterable[float], rule: Rul
     bounds = ascending("radii", radii)
     least, rest, measured = object_radii(scene, middle, bounds[-1], rule)
     ring = 1 + np.searchsorted(bounds, least, side="left").astype(np.int32)
-    owner = scene._core.moving_objects()
-    ring[owner] = 0
+    ring[scene._core.moving_objects()] = 0
     return Rings(scene, middle, bounds, rule, least, ring, 1 + int(np.searchsorted(bounds, rest)), measured)
 
 
@@ -158,8 +155,8 @@ def object_radii(
 
 def ascending(name: str, radii: Iterable[float]) -> tuple[float, ...]:
     """Convert radii to numbers; ValueError unless they are positive and ascending."""
-    listed = islice(check.iterable(name, radii, "radii"), MAX_RINGS + 1)
-    bounds = tuple(check.positive(f"{name}[{n}]", radius) for n, radius in enumerate(listed))
+    limited = islice(check.iterable(name, radii, "radii"), MAX_RINGS + 1)
+    bounds = tuple(check.positive(f"{name}[{n}]", radius) for n, radius in enumerate(limited))
     if not 1 <= len(bounds) <= MAX_RINGS:
         got = len(bounds) if len(bounds) <= MAX_RINGS else "more"
         raise ValueError(f"{name}: expected 1 to {MAX_RINGS} radii, got {got}")

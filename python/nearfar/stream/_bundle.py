@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
@@ -18,7 +18,7 @@ from nearfar._scene.report import count
 from nearfar.stream import _manifest, _store
 from nearfar.stream._decode import Layout, decode_map, join_rings, ring_scene
 from nearfar.stream._growth import Growth
-from nearfar.stream._manifest import NEAR_SHARE, layout_of, names_of
+from nearfar.stream._manifest import NEAR_SHARE, geometry_files, layout_of, names_of
 from nearfar.stream._moving import moving_scene
 from nearfar.stream._regions import InRegions
 from nearfar.stream._strategies import Strategy
@@ -39,7 +39,8 @@ class Bundle(InRegions):
     _manifest: dict[str, Any]
     number: int = 0
     """Number of the described region."""
-    _kept: dict[str, bytes] = field(default_factory=dict)
+    _contents: dict[str, bytes] = field(default_factory=dict)
+    """Contents of read files, by name."""
 
     @property
     def center(self) -> tuple[float, float, float]:
@@ -54,8 +55,8 @@ class Bundle(InRegions):
     @property
     def growth(self) -> Growth:
         """Growth of a client's morph after a ring has arrived."""
-        described = self._manifest["growth"]
-        return Growth(self.radii, **{name: described[name] for name in ("speed", "reach", "fade")})
+        entry = self._manifest["growth"]
+        return Growth(self.radii, **{name: entry[name] for name in ("speed", "reach", "fade")})
 
     @property
     def pixels_per_degree(self) -> float | None:
@@ -81,13 +82,14 @@ class Bundle(InRegions):
         """
         color, ranges = self._rings[0]["map"]["color"][0], self._region["range"]["error"]
         positions = max((ring.get("error", 0.0) for ring in self._rings), default=0.0)
-        found = ["colours are 8-bit sRGB" if self.read(color)[12:16] == LOSSLESS else "colours are lossy WebP images"]
-        found.append(f"ranges of maps have a relative error of at most {ranges:.2g}")
+        is_lossless = self.read(color)[12:16] == LOSSLESS
+        losses = ["colours are 8-bit sRGB" if is_lossless else "colours are lossy WebP images"]
+        losses.append(f"ranges of maps have a relative error of at most {ranges:.2g}")
         if positions > 0.0:
-            found.append(f"positions are rounded by at most {positions:.2g} m")
+            losses.append(f"positions are rounded by at most {positions:.2g} m")
         if self.pixels_per_degree is not None:
-            found.append(f"textures suffice for {self.pixels_per_degree:g} pixels per degree")
-        return tuple(found)
+            losses.append(f"textures suffice for {self.pixels_per_degree:g} pixels per degree")
+        return tuple(losses)
 
     @property
     def count(self) -> int:
@@ -124,19 +126,18 @@ class Bundle(InRegions):
             with ring 0, because every picture shows them. A file counts only in the first ring and column that has it,
             so that the bytes of a bundle with one region add up to `nbytes`, unless it has objects by footprint too.
         """
-        seen: set[str] = set()
+        counted: set[str] = set()
         rows = []
         for number, ring in enumerate(self._rings):
             row = {name: ring[name] for name in ("radius", "objects", "triangles")}
             files = {
-                "dynamic": [] if number else _geometry_files(self._manifest["dynamic"]),
-                "geometry": _geometry_files(ring),
+                "dynamic": () if number else geometry_files(self._manifest["dynamic"]),
+                "geometry": geometry_files(ring),
                 **{kind: names_of(ring["map"].get(kind)) for kind in ("color", "range")},
             }
-            for kind, listed in files.items():
-                names = set(listed) - seen
-                seen |= names
-                row[kind] = sum(self._manifest["files"][name]["bytes"] for name in names)
+            for kind, names in files.items():
+                row[kind] = sum(self._manifest["files"][name]["bytes"] for name in {*names} - counted)
+                counted |= {*names}
             rows.append(row)
         return rows
 
@@ -157,9 +158,9 @@ class Bundle(InRegions):
         """
         if check.text("name", name) not in self._file_entries:
             raise ValueError(f"name: expected a file of the manifest, got {check.shortened(name)}")
-        if name not in self._kept:
-            self._kept[name] = self._fetched(name)
-        return self._kept[name]
+        if name not in self._contents:
+            self._contents[name] = self._read_again(name)
+        return self._contents[name]
 
     def verify(self) -> None:
         """Read every file again and check its size and hash.
@@ -170,7 +171,7 @@ class Bundle(InRegions):
             For the first file that is missing or differs; the message names it.
         """
         for name in self._file_entries:
-            self._fetched(name)
+            self._read_again(name)
 
     def map(self, ring: int) -> EnvMap:
         """Return a client's map of the scene beyond a ring; rings from 1 on have range too.
@@ -221,18 +222,18 @@ class Bundle(InRegions):
         """
         number = check.integer("ring", ring, 0, self.count)
         greatest = self.radii[max(number, 1) - 1]
-        shown = (greatest if number else 0.0) if radius is None else check.in_range("radius", radius, 0.0, greatest)
-        rings = []
-        for place, entry in enumerate(self._rings[1 : number + 1], 1):
-            if entry["geometry"] is not None:
-                name = entry["geometry"]
-                rings.append((f"ring {place}", ring_scene(name, entry["parts"], self.read, self._place(name))))
+        full = greatest if number else 0.0
+        morph_radius = full if radius is None else check.in_range("radius", radius, 0.0, greatest)
+        rings = [
+            (f"ring {n}", ring_scene(name, entry["parts"], self.read, self._location_of(name)))
+            for n, entry in enumerate(self._rings[1 : number + 1], 1)
+            if (name := entry["geometry"]) is not None
+        ]
         scene = join_rings(self._moving, rings)
         zones = partition(scene, center=self.center, r1=NEAR_SHARE * greatest, r2=greatest)
         counts = {**zones.summary(), "triangles": self._manifest["triangles"], "rays": 0}
-        kept: dict[str, Any] = {"morph": "cylinder", "boundary": "r2", "counts": counts, "is_whole": False}
-        reduced = ReducedScene(scene, zones, self.map(number), **kept)
-        return reduced.with_growth(shown, strength)
+        settings: dict[str, Any] = {"morph": "cylinder", "boundary": "r2", "counts": counts, "is_whole": False}
+        return ReducedScene(scene, zones, self.map(number), **settings).with_growth(morph_radius, strength)
 
     def show(
         self, *, size: tuple[int, int] = (640, 400), camera: Camera | None = None, strategy: Strategy = "clovr"
@@ -273,26 +274,24 @@ class Bundle(InRegions):
 
     @cached_property
     def _moving(self) -> Any:
-        described = self._manifest["dynamic"]
-        if described is None:
-            return None
-        return moving_scene(described, self.read, self._place(described["geometry"]))
+        entry = self._manifest["dynamic"]
+        return None if entry is None else moving_scene(entry, self.read, self._location_of(entry["geometry"]))
 
-    def _fetched(self, name: str) -> bytes:
-        place = self._reader.place
+    def _read_again(self, name: str) -> bytes:
+        location = self._reader.location
         try:
             data = self._reader.read(name)
         except FileNotFoundError:
-            raise _store.missing(place, name) from None
-        return _store.verify(place, name, data, self._file_entries[name])
+            raise _store.missing(location, name) from None
+        return _store.verify(location, name, data, self._file_entries[name])
 
     def _decoded(self, name: str, decode: Callable[[bytes], Any]) -> Any:
         data = self.read(name)
-        with formats.guarded(self._place(name)):
+        with formats.guarded(self._location_of(name)):
             return decode(data)
 
-    def _place(self, name: str) -> str:
-        return f"{self._reader.place}/{name}"
+    def _location_of(self, name: str) -> str:
+        return f"{self._reader.location}/{name}"
 
     @card.repr_html
     def _repr_html_(self) -> str:
@@ -314,12 +313,7 @@ class Bundle(InRegions):
     def __repr__(self) -> str:
         region = f"region {self.number} of {len(self.centers)}, {count(self.count, 'ring')} to {self.radii[-1]:g} m"
         split = "" if self.split_px is None else f", split to {self.split_px:g} px"
-        return f"Bundle({self._reader.place!r}: {region}{split}, {self.nbytes:,} bytes)"
-
-
-def _geometry_files(entry: Mapping[str, Any] | None) -> list[str]:
-    """Return the file names of an entry with a GLB: the GLB, its buffers and its images."""
-    return [] if entry is None else [*names_of(entry["geometry"]), *entry["parts"]]
+        return f"Bundle({self._reader.location!r}: {region}{split}, {self.nbytes:,} bytes)"
 
 
 def open(path: str | os.PathLike[str]) -> Bundle:  # noqa: A001

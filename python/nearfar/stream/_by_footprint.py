@@ -1,4 +1,4 @@
-"""Near objects in the sending order of vis0 and vis1: by their footprint, the solid angle seen from the centre."""
+"""Footprints (solid angles of objects seen from a centre), and the order of sending by them, as in vis0 and vis1."""
 
 from __future__ import annotations
 
@@ -7,20 +7,64 @@ from functools import partial
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
-from nearfar._base import side_by_side
+from nearfar._base import check, side_by_side
 from nearfar._cubemap.envmap import EnvMap
-from nearfar._scene.scene import Scene
+from nearfar._cubemap.lookup import cube_solid_angles
+from nearfar._render.bake import bake
+from nearfar._scene.scene import Scene, core_of
 from nearfar.stream import _map_files as codec
 from nearfar.stream._assign import Rings, loads
 from nearfar.stream._encode import Files
-from nearfar.stream._footprints import footprints
 from nearfar.stream._map_files import RangeScale
 from nearfar.stream._maps import TILE
 
+FACE_SIZE = 256
+"""Texels along a face for measuring footprints; a texel spans 0.35 degrees."""
+
 PORTIONS = 32
 """Greatest number of files that the objects of a region are divided into."""
+
+
+def footprints(scene: Scene, *, center: ArrayLike, face_size: int = FACE_SIZE) -> NDArray[np.float64]:
+    """Measure the solid angle of the visible part of each object, over all six faces of a cube map.
+
+    Parameters
+    ----------
+    scene
+        The scene. Moving objects neither count nor hide others.
+    center
+        World position of the centre O, metres.
+    face_size
+        Texels along a face, 1 to 16384. Objects narrower than a texel may be missed.
+
+    Returns
+    -------
+    NDArray
+        (objects,) float64, steradians, by object number; the sum is at most 4π. The error of an object with an outline
+        of L radians is about 0.4 L/`face_size`, from the texels that the outline cuts.
+
+    Raises
+    ------
+    ValueError
+        For a centre that is not finite and sizes out of range.
+    TypeError
+        For arguments of another type.
+
+    References
+    ----------
+    CloVR (2024), "vis0" and "vis1": objects by their visible footprint.
+    """
+    core_of(scene)
+    size = check.integer("face_size", face_size, 1, check.MAX_SIZE)
+    middle = check.vector("center", center)
+    settings: dict[str, Any] = {"size": size, "samples": 1, "half": False, "device": None}
+    env, _ = bake(scene, middle, 0.0, channels=("object_id",), **settings)
+    assert env.object_id is not None
+    is_hit = env.object_id >= 0
+    weights = np.broadcast_to(cube_solid_angles(size), env.object_id.shape)[is_hit]
+    return np.bincount(env.object_id[is_hit], weights, len(scene.object_names)).astype(np.float64)
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,9 +86,9 @@ class Portions:
 
         Faces without an object have no footprint, so they belong to the last portion.
         """
-        seen = footprints(rings.scene, center=rings.center)
-        chosen = np.flatnonzero((rings.ring > 0) & (rings.ring <= rings.count) & (seen > 0.0))
-        ordered = chosen[np.argsort(-seen[chosen], kind="stable")]
+        angles = footprints(rings.scene, center=rings.center)
+        visible = np.flatnonzero((rings.ring > 0) & (rings.ring <= rings.count) & (angles > 0.0))
+        ordered = visible[np.argsort(-angles[visible], kind="stable")]
         count = max(min(PORTIONS, len(ordered)), 1)
         portion = np.where(rings.ring == 0, 0, count + 1).astype(np.int32)
         portion[ordered] = 1 + np.arange(len(ordered)) * count // max(len(ordered), 1)
@@ -63,11 +107,10 @@ def encode_whole(env: EnvMap, files: Files, quality: int | None, scale: RangeSca
     """Encode a map like ring 0's colour and ring 1's range: one file per face for each of the two."""
     assert env.range is not None
     codes = scale.codes(env.range)
-    nothing, no_tiles = np.zeros((1, *codes.shape[1:]), bool), np.zeros(0, np.int64)
+    unchanged, no_tiles = np.zeros((1, *codes.shape[1:]), bool), np.zeros(0, np.int64)
+    encode_ranges = partial(codec.encode_ranges, tile=TILE, step=scale.step)
     jobs = [partial(codec.encode_color, face, quality) for face in env.color]
-    jobs += [
-        partial(codec.encode_ranges, face[None], None, nothing, no_tiles, tile=TILE, step=scale.step) for face in codes
-    ]
+    jobs += [partial(encode_ranges, face[None], None, unchanged, no_tiles) for face in codes]
     encoded = list(side_by_side.results(jobs))
     return {
         "color": [files.add(data, "webp") for data in encoded[:6]],

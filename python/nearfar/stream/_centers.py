@@ -18,13 +18,13 @@ Floats = NDArray[np.float64]
 MAX_CENTERS = 1000
 """Greatest number of centres in a bundle; the manifest describes each centre's rings and tiles."""
 
-APART = 1e-3
+MIN_DISTANCE = 1e-3
 """Least distance between two centres, metres; about the step to which geometry is rounded."""
 
-RIGHT_ANGLE = 1e-9
+RIGHT_ANGLE_COSINE = 1e-9
 """Cosine below which an angle counts as right: grid corners lie on the circles up to rounding errors."""
 
-NEAREST = 16
+NEAREST_COUNT = 16
 """Number of nearest centres that are tested first, because they rule out almost all pairs."""
 
 
@@ -63,15 +63,12 @@ def snap(center: ArrayLike, grid: SupportsFloat) -> Point:
 def centers_of(center: ArrayLike | Regions, grid: SupportsFloat | None) -> Floats:
     """Return the centres (K, 3) of a point, of several points or of regions, with duplicates on `grid` merged.
 
-    ValueError for none, for too many, and for two that are closer than `APART`.
+    ValueError for none, for too many, and for two that are closer than `MIN_DISTANCE`.
     """
-    given = center.centers if isinstance(center, Regions) else center
-    values = check.plain("center", given)
-    points = (
-        np.array([check.vector("center", values)])
-        if values.ndim == 1
-        else check.array("center", values, dtype=np.float64, finite=True)
-    )
+    values = check.plain("center", center.centers if isinstance(center, Regions) else center)
+    if values.ndim == 1:
+        values = np.array([check.vector("center", values)])
+    points = check.array("center", values, dtype=np.float64, finite=True)
     if not 1 <= len(points) <= MAX_CENTERS:
         raise ValueError(f"center: expected 1 to {MAX_CENTERS} centres, got {len(points)}")
     if np.abs(points).max() > check.FARTHEST:
@@ -79,71 +76,55 @@ def centers_of(center: ArrayLike | Regions, grid: SupportsFloat | None) -> Float
     if grid is not None:
         # A dict keeps the order of the requests.
         points = np.array(list(dict.fromkeys(snap(point, grid) for point in points)))
-    _check_apart(points)
+    _check_distances(points)
     return points
 
 
 def neighbours(centers: Floats) -> list[list[int]]:
-    """Find the neighbours of each centre: the edges of the Gabriel graph, which is connected.
+    """Find the neighbours of each of the centres (K, 3), in ascending order: the edges of the Gabriel graph.
 
     Two centres are neighbours if no third one lies within or on the sphere whose diameter joins them, that is, sees
-    them at an angle of 90° or more. On a square grid the neighbours are the four nearest centres.
-
-    Parameters
-    ----------
-    centers
-        (K, 3) positions, metres.
-
-    Returns
-    -------
-    list
-        Neighbours of each centre, in ascending order.
-
-    References
-    ----------
-    Gabriel, Sokal (1969): A new statistical approach to geographic variation analysis.
+    them at an angle of 90° or more. On a square grid the neighbours are the four nearest centres. The graph is
+    connected. Gabriel, Sokal (1969): A new statistical approach to geographic variation analysis.
     """
-    found: list[list[int]] = [[] for _ in centers]
-    for first, place in enumerate(centers):
-        ways = centers - place
-        nearest = np.argsort((ways**2).sum(axis=1))[1 : 1 + NEAREST]
+    neighbours_of: list[list[int]] = [[] for _ in centers]
+    for first, center in enumerate(centers):
+        offsets = centers - center
+        nearest = np.argsort((offsets**2).sum(axis=1))[1 : 1 + NEAREST_COUNT]
         later = np.arange(first + 1, len(centers))
-        for between in (ways[nearest], ways):
-            later = later[~_is_between(ways[later], between)]
+        for between in (offsets[nearest], offsets):
+            later = later[~_is_between(offsets[later], between)]
         for second in later.tolist():
-            found[first].append(second)
-            found[second].append(first)
-    return found
+            neighbours_of[first].append(second)
+            neighbours_of[second].append(first)
+    return neighbours_of
 
 
-def halfway(centers: Floats, near: list[list[int]]) -> float:
+def half_gap(centers: Floats, near: list[list[int]]) -> float:
     """Return half the greatest distance in metres between a centre and a neighbour; 0 without neighbours.
 
     It bounds the distance to the nearest centre of a user who walks straight from one centre to the next.
     """
-    ways = [
-        np.linalg.norm(centers[others] - place, axis=1).max()
-        for place, others in zip(centers, near, strict=True)
-        if others
-    ]
-    return float(max(ways, default=0.0)) / 2.0
+    pairs = zip(centers, near, strict=True)
+    gaps = (np.linalg.norm(centers[numbers] - center, axis=1).max() for center, numbers in pairs if numbers)
+    return float(max(gaps, default=0.0)) / 2.0
 
 
-def reach_of(grid: float | None, halfway: float = 0.0) -> float:
+def reach_of(grid: float | None, half_gap: float = 0.0) -> float:
     """Return the greatest horizontal distance in metres of a user from a centre, which a grid may have moved."""
-    return max(Growth.reach, halfway) + (0.0 if grid is None else math.sqrt(0.5) * float(grid))
+    return max(Growth.reach, half_gap) + (0.0 if grid is None else math.sqrt(0.5) * float(grid))
 
 
-def _check_apart(points: Floats) -> None:
+def _check_distances(points: Floats) -> None:
     for number, point in enumerate(points[1:], 1):
-        near = np.flatnonzero(np.abs(points[:number] - point).max(axis=1) < APART)
+        near = np.flatnonzero(np.abs(points[:number] - point).max(axis=1) < MIN_DISTANCE)
         if len(near):
-            text = f"expected centres at least {APART:g} m apart, got ({', '.join(f'{v:g}' for v in point)}) twice"
-            raise ValueError(f"center: {text}, at index {near[0]} and {number}")
+            got = f"({', '.join(f'{v:g}' for v in point)}) twice, at index {near[0]} and {number}"
+            raise ValueError(f"center: expected centres at least {MIN_DISTANCE:g} m apart, got {got}")
 
 
-def _is_between(ends: Floats, others: Floats) -> NDArray[np.bool_]:
+def _is_between(ends: Floats, points: Floats) -> NDArray[np.bool_]:
     """Return whether any of the points (M, 3) sees the origin and each end (N, 3) at an angle of 90° or more."""
-    back = ends[:, None] - others
-    lengths = np.linalg.norm(back, axis=2) * np.linalg.norm(others, axis=1)
-    return np.asarray(((-others * back).sum(axis=2) < RIGHT_ANGLE * lengths).any(axis=1))
+    to_ends = ends[:, None] - points
+    lengths = np.linalg.norm(to_ends, axis=2) * np.linalg.norm(points, axis=1)
+    return np.asarray(((-points * to_ends).sum(axis=2) < RIGHT_ANGLE_COSINE * lengths).any(axis=1))

@@ -1,14 +1,17 @@
-"""Pictures, with object numbers, of a partly loaded scene as a client shows it; for measurements."""
+"""Pictures of a partly loaded scene as a client shows it, and their measures: completeness and continuity."""
 
 from __future__ import annotations
 
+import math
 from collections import OrderedDict
 from dataclasses import dataclass, field, replace
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from nearfar._base import progress
 from nearfar._camera.camera import Camera, CubeFace
 from nearfar._partition.partition import partition
 from nearfar._reduce.reduced_scene import ReducedScene
@@ -17,16 +20,20 @@ from nearfar._render.blend import blend
 from nearfar._render.frame import Frame
 from nearfar._scene.scene import Scene
 from nearfar.metrics import _inputs as inputs
+from nearfar.metrics._pixel_errors import object_completion
+from nearfar.metrics._similarity import visual_continuity
 from nearfar.stream._assign import Rings, assign
 from nearfar.stream._bundle import Bundle
 from nearfar.stream._by_footprint import Portions
+from nearfar.stream._client_settings import HeadPath
 from nearfar.stream._manifest import NEAR_SHARE
 from nearfar.stream._maps import RingMaps, bake_maps
 from nearfar.stream._stage import Shown
+from nearfar.stream._timeline import Timeline
 
 TEXELS = 3
 """Map texels along a pixel of a cube face; odd, so that a pixel's centre is also a texel's centre."""
-KEPT = 4
+MAX_CACHED = 4
 """Greatest number of cached pictures, and of cached client states; consecutive frames often share them."""
 CHANNELS = ("color", "object_id")
 
@@ -49,8 +56,8 @@ class SceneParts:
     maps: RingMaps
     cameras: tuple[Camera, ...]
     """Views, which are moved to the user's eye."""
-    most: int = KEPT
-    """Number of cached states; the least recently used one is dropped."""
+    max_cached: int = MAX_CACHED
+    """Greatest number of cached states; the least recently used one is dropped."""
     reduced: OrderedDict[tuple[bool, int], ReducedScene] = field(default_factory=OrderedDict)
     """Cached states by (whether objects are ordered by footprint, number of the ring or portion)."""
     portions: Portions | None = None
@@ -62,18 +69,18 @@ class SceneParts:
         if rings.rest <= rings.count:
             raise ValueError("scene: expected faces that all belong to objects, which are counted; name the objects")
         if camera is None:
-            faces = (Camera(bundle.center, fov=CubeFace(face), size=(size, size)) for face in range(6))
-            maps = bake_maps(rings, face_size=TEXELS * size, object_id=True)
-            return cls(rings, maps, tuple(faces))
-        maps = bake_maps(rings, face_size=int(bundle._manifest["map"]["face_size"]), object_id=True)
-        return cls(rings, maps, (camera,))
+            cameras = tuple(Camera(bundle.center, fov=CubeFace(face), size=(size, size)) for face in range(6))
+            face_size = TEXELS * size
+        else:
+            cameras, face_size = (camera,), int(bundle._manifest["map"]["face_size"])
+        return cls(rings, bake_maps(rings, face_size=face_size, samples=1, object_id=True), cameras)
 
     def state(self, number: int, *, by_footprint: bool) -> ReducedScene:
         """Return the scene of a client that has all rings, or portions by footprint, up to a number."""
         key = (by_footprint, number)
         if key not in self.reduced:
             self.reduced[key] = self._portion(number) if by_footprint else self._ring(number)
-            if len(self.reduced) > self.most:
+            if len(self.reduced) > self.max_cached:
                 self.reduced.popitem(last=False)
         self.reduced.move_to_end(key)
         return self.reduced[key]
@@ -87,23 +94,17 @@ class SceneParts:
         scene, rings = self.rings.scene, self.rings
         if self.portions is None:
             self.portions = Portions.from_rings(rings, scene=scene)
-        there = np.flatnonzero(self.portions.portion <= min(number, self.portions.count))
-        names = [scene.object_names[place] for place in there]
-        ring = rings.count if number > self.portions.count else None
-        return self._whole_objects(names, ring, rings.radii[-1])
+        sent = np.flatnonzero(self.portions.portion <= min(number, self.portions.count))
+        names = [scene.object_names[index] for index in sent]
+        return self._whole_objects(names, rings.count if number > self.portions.count else None, rings.radii[-1])
 
     def _whole_objects(self, names: list[str], ring: int | None, radius: float) -> ReducedScene:
         """Return whole objects in front of a ring's map, or without a map."""
-        zones = partition(
-            self.rings.scene.subset(objects=names),
-            center=self.rings.center,
-            r1=NEAR_SHARE * radius,
-            r2=radius,
-            unit="object",
-        )
+        scene, center = self.rings.scene.subset(objects=names), self.rings.center
+        zones = partition(scene, center=center, r1=NEAR_SHARE * radius, r2=radius, unit="object")
         env = None if ring is None else self.maps.map(ring)
-        kept: dict[str, Any] = {"morph": "cylinder", "boundary": "r2", "is_whole": False}
-        return ReducedScene(zones.scene, zones, env, counts={**zones.summary(), "rays": 0}, **kept)
+        settings: dict[str, Any] = {"morph": "cylinder", "boundary": "r2", "is_whole": False}
+        return ReducedScene(zones.scene, zones, env, counts={**zones.summary(), "rays": 0}, **settings)
 
 
 @dataclass(eq=False)
@@ -113,50 +114,90 @@ class Pictures:
     parts: SceneParts
     by_footprint: bool
     renders: int = 0
-    _kept: OrderedDict[tuple[Shown | None, Eye], Picture] = field(default_factory=OrderedDict)
 
-    def client_picture(self, shown: Shown, eye: Eye) -> Picture:
+    def __post_init__(self) -> None:
+        self._picture = lru_cache(MAX_CACHED)(self._render)
+
+    def client_picture(self, state: Shown, eye: Eye) -> Picture:
         """Return the picture of a client in a state."""
-        return self._find(shown, eye)
+        return self._picture(state, eye)
 
     def truth(self, eye: Eye) -> Picture:
         """Return the picture of the full scene."""
-        return self._find(None, eye)
+        return self._picture(None, eye)
 
-    def _find(self, shown: Shown | None, eye: Eye) -> Picture:
-        key = (shown, eye)
-        if key not in self._kept:
-            self._kept[key] = self._make(shown, eye)
-            if len(self._kept) > KEPT:
-                self._kept.popitem(last=False)
-        self._kept.move_to_end(key)
-        return self._kept[key]
-
-    def _make(self, shown: Shown | None, eye: Eye) -> Picture:
+    def _render(self, state: Shown | None, eye: Eye) -> Picture:
         views = [replace(camera, position=eye) for camera in self.parts.cameras]
-        if shown is not None and shown.ring < 0:
+        if state is not None and state.ring < 0:
             blank = np.concatenate([np.zeros(view.size[::-1]) for view in views])
             return Picture(blank, np.full(blank.shape, -1, np.int32))
-        frames = [self._frame(shown, view) for view in views]
-        self.renders += 1 if shown is None or shown.share == 0.0 else 2
+        frames = [self._frame(state, view) for view in views]
+        self.renders += 1 if state is None or state.share == 0.0 else 2
         objects = np.concatenate([frame.require("object_id") for frame in frames])
         return Picture(np.concatenate([inputs.luma(frame) for frame in frames]), objects)
 
-    def _frame(self, shown: Shown | None, view: Camera) -> Frame:
-        if shown is None:
+    def _frame(self, state: Shown | None, view: Camera) -> Frame:
+        if state is None:
             return truth.render(self.parts.rings.scene, view, channels=CHANNELS)
-        frame = self._of_ring(shown, shown.ring, view)
-        if shown.share == 0.0:
+        frame = self._ring_frame(state, state.ring, view)
+        if state.share == 0.0:
             return frame
-        both = blend(frame, self._of_ring(shown, shown.ring + 1, view), shown.share)
+        blended = blend(frame, self._ring_frame(state, state.ring + 1, view), state.share)
         # Object numbers are taken from the picture with the greater share of the colour.
-        return both if shown.share >= 0.5 else replace(both, object_id=frame.object_id)
+        return blended if state.share >= 0.5 else replace(blended, object_id=frame.object_id)
 
-    def _of_ring(self, shown: Shown, ring: int, view: Camera) -> Frame:
+    def _ring_frame(self, state: Shown, ring: int, view: Camera) -> Frame:
         reduced = self.parts.state(ring, by_footprint=self.by_footprint)
-        frame = reduced.with_growth(shown.radius, shown.strength).render(view, channels=CHANNELS)
+        frame = reduced.with_growth(state.radius, state.strength).render(view, channels=CHANNELS)
         if reduced.env is not None:
             return frame
         # The page shows black until the map has arrived.
         is_near = frame.require("object_id") >= 0
         return replace(frame, color=frame.require("color") * is_near[..., None])
+
+
+def measured(
+    line: Timeline, parts: SceneParts, path: HeadPath, *, every: float, rate: float, duration: float
+) -> Timeline:
+    """Add `pictures` to a timeline: at each change of the ring or of a cross-fade, and every `every` seconds."""
+    pictures = Pictures(parts, by_footprint=line.strategy in ("vis0", "vis1"))
+    moments = _moments(line, path, every, min(duration, max(line.grown, float(path.times[-1]))))
+    rows = []
+    with progress.bar("client pictures") as report:
+        for number, time in enumerate(moments, 1):
+            eye, state = path.position(time), _shown_at(line, time)
+            now = pictures.client_picture(state, eye)
+            ovc, ofc = object_completion(pictures.truth(eye).objects, now.objects)
+            before = pictures.client_picture(_shown_at(line, time - 1.0 / rate), path.position(time - 1.0 / rate))
+            rows.append((time, ovc, ofc, next(visual_continuity([before.luma, now.luma], data_range=1.0))))
+            report(number, len(moments))
+    columns = np.array(rows, np.float64).reshape(-1, 4).T
+    names = ("time", "ovc", "ofc", "continuity")
+    return replace(line, pictures=dict(zip(names, columns, strict=True)), renders=pictures.renders)
+
+
+def _moments(line: Timeline, path: HeadPath, every: float, end: float) -> list[float]:
+    """Choose the times of the measured frames."""
+    frames = line.frames
+    is_jump = np.ones(len(frames["time"]), bool)
+    if line.strategy == "clovr":
+        is_jump[1:-1] = ((np.diff(frames["ring"]) != 0) | (np.diff(frames["share"] > 0.0)))[:-1]
+    steps = np.arange(1, math.floor(end / every) + 1) * every
+    if len(path.times) == 1:
+        # A still user's picture does not change after the last growth.
+        steps = steps[steps < line.grown]
+    return sorted({*frames["time"][is_jump].tolist(), *steps.tolist()})
+
+
+def _shown_at(line: Timeline, time: float) -> Shown:
+    frames = line.frames
+    # Times of frames are rounded; the tolerance is far below half a frame of a fast display.
+    index = max(int(np.searchsorted(frames["time"], time + 1e-6, side="right")) - 1, 0)
+    values: dict[str, Any] = {name: float(frames[name][index]) for name in ("radius", "strength", "share")}
+    return Shown(ring=int(frames["ring"][index]), **values)
+
+
+def mean_over_time(times: NDArray[np.float64], values: NDArray[np.float64], end: float) -> float:
+    """Return the mean from 0 to `end` of a step function whose values hold until the next time."""
+    bounds = np.minimum(np.append(times, end), end)
+    return float(np.diff(bounds) @ values / end)

@@ -6,6 +6,7 @@ import math
 import tempfile
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path, PurePosixPath
 from typing import Any
 
@@ -36,22 +37,22 @@ class Layout:
 
     face_size: int
     tile: int
-    across: int
+    tiles_per_row: int
     """Tiles in a row of an image of changed tiles."""
     scale: RangeScale
 
     @classmethod
-    def parse(cls, described: dict[str, Any]) -> Layout:
+    def parse(cls, entry: dict[str, Any]) -> Layout:
         """Read the layout from a manifest; ValueError for impossible values."""
-        size = check.integer("face_size", described["face_size"], 1, codec.MAX_PIXELS)
-        tile = check.integer("tile", described["tile"], 1, size)
+        size = check.integer("face_size", entry["face_size"], 1, codec.MAX_PIXELS)
+        tile = check.integer("tile", entry["tile"], 1, size)
         if size % tile:
             raise ValueError(f"tile: expected a divisor of {size}, got {tile}")
-        across = check.integer("across", described["across"], 1, codec.MAX_PIXELS // tile)
-        least, step = (check.positive(name, described["range"][name]) for name in ("least", "step"))
-        if not math.isfinite(least * math.exp(min(codec.NOTHING * step, 700.0))) or codec.NOTHING * step > 700.0:
+        tiles_per_row = check.integer("across", entry["across"], 1, codec.MAX_PIXELS // tile)
+        least, step = (check.positive(name, entry["range"][name]) for name in ("least", "step"))
+        if not math.isfinite(least * math.exp(min(codec.NO_SURFACE * step, 700.0))) or codec.NO_SURFACE * step > 700.0:
             raise ValueError(f"step: expected ranges that are finite, got {step:g}")
-        return cls(size, tile, across, RangeScale(least, step))
+        return cls(size, tile, tiles_per_row, RangeScale(least, step))
 
     @property
     def tiles(self) -> int:
@@ -62,15 +63,15 @@ class Layout:
         """Raise ValueError for map entries that do not fit the layout."""
         if len(maps[0]["color"]) != 6:
             raise ValueError("map: expected six pictures for ring 0")
-        for number, described in enumerate(maps[1:], 1):
-            listed = check.items("tiles", described["tiles"], int, "numbers of tiles")
-            if any(not before < after for before, after in zip([-1, *listed], [*listed, self.tiles], strict=True)):
+        for number, entry in enumerate(maps[1:], 1):
+            tiles = check.items("tiles", entry["tiles"], int, "numbers of tiles")
+            if any(not before < after for before, after in zip([-1, *tiles], [*tiles, self.tiles], strict=True)):
                 raise ValueError(f"tiles: expected ascending numbers below {self.tiles}")
-            if bool(listed) != isinstance(described["color"], str):
+            if bool(tiles) != isinstance(entry["color"], str):
                 raise ValueError("map: expected a picture exactly where tiles change")
-            if number == 1 and (isinstance(described["range"], str) or len(described["range"]) != 6):
+            if number == 1 and (isinstance(entry["range"], str) or len(entry["range"]) != 6):
                 raise ValueError("map: expected six files of ranges for ring 1")
-            if number > 1 and bool(listed) != isinstance(described["range"], str):
+            if number > 1 and bool(tiles) != isinstance(entry["range"], str):
                 raise ValueError("map: expected ranges exactly where tiles change")
 
 
@@ -81,63 +82,40 @@ def decode_map(
 
     Range is None if only ring 0 is given.
     """
-    side, tile, step, codes = layout.face_size, layout.tile, layout.scale.step, None
+    side, tile, codes = layout.face_size, layout.tile, None
 
-    def picture(name: str, size: tuple[int, int]) -> NDArray[np.float32]:
-        found: NDArray[np.float32] = decoded(name, lambda data: codec.decode_color(data, size))
-        return found
+    def decode_color(name: str, width: int, height: int) -> Any:
+        return decoded(name, partial(codec.decode_color, size=(width, height)))
 
-    faces = np.stack([picture(name, (side, side)) for name in maps[0]["color"]])
-    for described in maps[1:]:
-        tiles = np.array(described["tiles"], np.int64)
+    def decode_ranges(name: str, before: codec.Codes | None, count: int, tiles: NDArray[np.int64]) -> Any:
+        settings: Any = {"before": before, "count": count, "size": side, "tiles": tiles, "tile": tile}
+        return decoded(name, partial(codec.decode_ranges, step=layout.scale.step, **settings))
+
+    faces = np.stack([decode_color(name, side, side) for name in maps[0]["color"]])
+    for entry in maps[1:]:
+        tiles = np.array(entry["tiles"], np.int64)
         if codes is None:
-            codes, changed = _first_ranges(described["range"], tiles, layout, decoded)
+            named = zip(entry["range"], codec.by_face(tiles, side // tile), strict=True)
+            parts = [decode_ranges(name, None, 1, face_tiles) for name, (_, face_tiles) in named]
+            codes, changed = (np.concatenate(arrays) for arrays in zip(*parts, strict=True))
         elif len(tiles):
-            before = codes
-
-            def next_codes(data: bytes, before: codec.Codes = before, tiles: Any = tiles) -> Any:
-                return codec.decode_ranges(data, before, 6, side, tiles, tile, step)
-
-            codes, changed = decoded(described["range"], next_codes)
+            codes, changed = decode_ranges(entry["range"], codes, 6, tiles)
         if len(tiles):
-            sheet = picture(described["color"], (layout.across * tile, -(-len(tiles) // layout.across) * tile))
-            _put_changes(faces, sheet, changed, tiles, tile)
+            # Replace changed texels and their neighbours by those of the image of tiles.
+            rows = -(-len(tiles) // layout.tiles_per_row)
+            sheet = decode_color(entry["color"], layout.tiles_per_row * tile, rows * tile)
+            replaced = codec.tiles_of(codec.with_neighbours(changed), tiles, tile)[..., None]
+            new = codec.tiles_of_sheet(sheet, len(tiles), tile)
+            codec.put_tiles(faces, tiles, np.where(replaced, new, codec.tiles_of(faces, tiles, tile)))
     return faces, None if codes is None else layout.scale.ranges(codes)
 
 
-def _first_ranges(
-    names: Sequence[str], tiles: NDArray[np.int64], layout: Layout, decoded: Decoded
-) -> tuple[codec.Codes, NDArray[np.bool_]]:
-    """Decode the codes of all texels from six files, and which texels ring 1 changes."""
-    side, tile, step = layout.face_size, layout.tile, layout.scale.step
-
-    def face(name: str, own: NDArray[np.int64]) -> Any:
-        return decoded(name, lambda data: codec.decode_ranges(data, None, 1, side, own, tile, step))
-
-    own = [numbers for _, numbers in codec.by_face(tiles, side // tile)]
-    parts = [face(name, numbers) for name, numbers in zip(names, own, strict=True)]
-    return np.concatenate([codes for codes, _ in parts]), np.concatenate([changed for _, changed in parts])
-
-
-def _put_changes(
-    faces: NDArray[np.float32],
-    sheet: NDArray[np.float32],
-    changed: NDArray[np.bool_],
-    tiles: NDArray[np.int64],
-    tile: int,
-) -> None:
-    """Replace changed texels and their neighbours in the listed tiles by those of an image."""
-    known = codec.tiles_of(codec.with_neighbours(changed), tiles, tile)[..., None]
-    shown = codec.tiles_of_sheet(sheet, len(tiles), tile)
-    codec.put_tiles(faces, tiles, np.where(known, shown, codec.tiles_of(faces, tiles, tile)))
-
-
-def ring_scene(name: str, parts: Sequence[str], read: Read, place: str) -> Scene:
+def ring_scene(name: str, parts: Sequence[str], read: Read, location: str) -> Scene:
     """Read the geometry of a ring; FormatError that names the file if it is damaged."""
-    return Scene._from_assembled(assembled(name, parts, read, place))
+    return Scene._from_assembled(assembled(name, parts, read, location))
 
 
-def assembled(name: str, parts: Sequence[str], read: Read, place: str, *, moves: bool = False) -> Assembled:
+def assembled(name: str, parts: Sequence[str], read: Read, location: str, *, moves: bool = False) -> Assembled:
     """Assemble the parts of a scene from files; with `moves` all objects are dynamic."""
     from nearfar._scene import load
 
@@ -148,7 +126,7 @@ def assembled(name: str, parts: Sequence[str], read: Read, place: str, *, moves:
         try:
             return load.load(paths[name], LoadOptions(), moves=moves)
         except SceneError as error:
-            raise FormatError(str(error).replace(str(paths[name]), place)) from None
+            raise FormatError(str(error).replace(str(paths[name]), location)) from None
 
 
 def join_rings(moving: Scene | None, rings: Sequence[tuple[str, Scene]]) -> Scene:
@@ -157,16 +135,14 @@ def join_rings(moving: Scene | None, rings: Sequence[tuple[str, Scene]]) -> Scen
         return Scene(empty_core((0.0, 0.0, 0.0)), Names(())) if moving is None else moving
     base = empty_core(rings[0][1]._core.origin) if moving is None else moving._core
     core, meshes = _core.with_surfaces(base, [_about_origin(scene._core) for _, scene in rings])
-    own = () if moving is None else moving.object_names
-    names = distinct([*own, *(name for name, _ in rings)])
+    moving_names = () if moving is None else moving.object_names
+    names = distinct([*moving_names, *(name for name, _ in rings)])
     placements = np.tile(np.eye(4)[:3], (len(rings), 1, 1))
-    for placement, (_, scene) in zip(placements, rings, strict=True):
-        placement[:, 3] = scene.origin - np.asarray(core.origin)
-    numbers = np.arange(len(own), len(names), dtype=np.int32)
-    whole = _core.with_instances(core, meshes, placements, numbers, 0)
+    placements[:, :, 3] = [scene.origin - np.asarray(core.origin) for _, scene in rings]
+    numbers = np.arange(len(moving_names), len(names), dtype=np.int32)
+    joined = _core.with_instances(core, meshes, placements, numbers, 0)
     rest = placements if moving is None else np.concatenate([moving._rest, placements])
-    frames = None if moving is None else moving._frames
-    return Scene(whole, Names(names), frames=frames, rest=rest)
+    return Scene(joined, Names(names), frames=None if moving is None else moving._frames, rest=rest)
 
 
 def _about_origin(core: _core.Scene) -> _core.Scene:

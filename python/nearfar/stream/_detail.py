@@ -1,9 +1,12 @@
-"""Detail that a client can see: levels of objects and sizes of textures for given viewing distances."""
+"""Detail that a client can see: levels of objects, sizes of textures, and splits of large triangles of rings.
+
+Triangles are split so that a morph of vertices matches ray bending within a tolerance.
+"""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -15,18 +18,26 @@ from nearfar._base import progress
 from nearfar._camera.camera import Camera, Fov
 from nearfar._render.level_choice import Lod, choose_levels, rule_of
 from nearfar._scene.levels import Leveled
-from nearfar._scene.scene import Scene
 from nearfar.stream._assign import Rings
 from nearfar.stream._manifest import NEAR_SHARE
 
 MAX_HALVINGS = 32
 """Halvings that reduce any texture to one texel."""
 
-SHARPEST = 60.0
+EYE_PIXELS_PER_DEGREE = 60.0
 """Pixels per degree that the eye cannot resolve; used for unknown clients."""
 
 VIEW_DEG = 90.0
 """Field of view for which levels are chosen, degrees; its width sets the object size from which level 0 is used."""
+
+MAX_REACH = 0.348
+"""Greatest distance of users from a centre, as a share of the first radius, for which the error is bounded."""
+
+MAX_ADDED_TRIANGLES = 10_000_000
+"""Triangles that splitting may add to a region; several times as many as the rings of the largest scenes have."""
+
+COARSEST = 8
+"""Factor on the tolerance of the first trial split, which only counts triangles."""
 
 
 @dataclass(frozen=True)
@@ -59,39 +70,38 @@ class Detail:
         leveled = rings.scene.leveled
         if self.rule is None or leveled is None:
             return rings
-        away = np.linalg.norm(leveled.centers - rings.center, axis=1)
+        distances = np.linalg.norm(leveled.centers - rings.center, axis=1)
         ahead = np.zeros_like(leveled.centers)
-        ahead[:, 2] = -np.maximum(away - self.reach, 0.0)
+        ahead[:, 2] = -np.maximum(distances - self.reach, 0.0)
         levels, _ = choose_levels(self.rule, replace(leveled, centers=ahead), [self._camera()])
         is_static = rings.ring[leveled.numbers] > 0
         return replace(rings, scene=rings.scene.at_levels(np.where(is_static, levels, 0)))
 
-    def halvings(self, divided: Sequence[Rings]) -> NDArray[np.uint32]:
+    def halvings(self, regions: Sequence[Rings]) -> NDArray[np.uint32]:
         """Return how often the sides of each texture can be halved while its texels suffice for all users.
 
         Along the direction in which they are finest, no face gets larger texels than the client's pixels, unless they
         were larger before. Textures that no ring shows become one texel.
         """
-        count = divided[0].scene._core.texture_count
+        count = regions[0].scene._core.texture_count
         if self.pixels_per_degree is None or not count:
             return np.zeros(count, np.uint32)
-        texels, least = np.full(count, np.inf), [least_distances(rings, self.reach) for rings in divided]
-        shown: Iterable[tuple[Scene, NDArray[np.float64]]] = (
-            [(divided[0].scene, np.min(least, axis=0))]  # all regions show the same levels
-            if self.rule is None
-            else zip((self.select_levels(rings).scene for rings in divided), least, strict=True)
-        )
+        texels, least = np.full(count, np.inf), [least_distances(rings, self.reach) for rings in regions]
+        if self.rule is None:
+            # All regions show the same levels.
+            regions, least = regions[:1], [np.min(least, axis=0)]
         with progress.bar("textures") as report:
-            for scene, distances in shown:
-                np.minimum(texels, _core.texels_per_radian(scene._core, distances, report=report), out=texels)
+            for rings, distances in zip(regions, least, strict=True):
+                core = self.select_levels(rings).scene._core
+                np.minimum(texels, _core.texels_per_radian(core, distances, report=report), out=texels)
         with np.errstate(divide="ignore"):
             times = np.floor(np.log2(texels / math.degrees(self.pixels_per_degree)))
         return np.clip(times, 0, MAX_HALVINGS).astype(np.uint32)
 
     def _camera(self) -> Camera:
         """Return the client's view straight ahead."""
-        sharp = SHARPEST if self.pixels_per_degree is None else self.pixels_per_degree
-        side = math.ceil(2.0 * math.tan(math.radians(VIEW_DEG / 2.0)) * math.degrees(sharp))
+        focal_px = math.degrees(self.pixels_per_degree or EYE_PIXELS_PER_DEGREE)
+        side = math.ceil(2.0 * math.tan(math.radians(VIEW_DEG / 2.0)) * focal_px)
         return Camera((0.0, 0.0, 0.0), fov=Fov.symmetric(VIEW_DEG), size=(side, side))
 
 
@@ -109,3 +119,83 @@ def least_distances(rings: Rings, reach: float) -> NDArray[np.float64]:
     distances: NDArray[np.float64] = np.maximum(least - reach, 0.0) / (1.0 + reach / ((1.0 - NEAR_SHARE) * radii))
     distances[:-1][rings.ring == 0] = 0.0
     return distances
+
+
+@dataclass(frozen=True)
+class Splitting:
+    """Tolerated error of the vertex morph, and the users for whom it holds."""
+
+    tolerance: float
+    """Greatest error, radians."""
+    reach: float
+    """Greatest distance of a user from a centre, metres."""
+
+    @classmethod
+    def from_pixels(cls, split_px: float | None, detail: Detail) -> Splitting | None:
+        """Convert an error in pixels of the client's display; None if nothing is to be split."""
+        pixels_per_degree = detail.pixels_per_degree or EYE_PIXELS_PER_DEGREE
+        return None if split_px is None else cls(split_px * math.radians(1.0 / pixels_per_degree), detail.reach)
+
+    def check(self, center: tuple[float, float, float], radii: tuple[float, ...]) -> None:
+        """Raise ValueError if the rings about a centre cannot be split within the tolerance."""
+        if self.reach > MAX_REACH * radii[0]:
+            raise ValueError(
+                f"radii: expected a first radius of at least {self.reach / MAX_REACH:.3f} m with split_px, for users "
+                f"up to {self.reach:g} m from a centre, got {radii[0]:g} m"
+            )
+        no_mesh: Any = {"vertices": np.zeros((0, 3)), "faces": np.zeros((0, 3), np.uint32)}
+        try:
+            for ring in range(1, len(radii) + 1):
+                _core.tessellate_arrays(**no_mesh, **self._settings(center, radii, ring))
+        except ValueError as error:
+            raise ValueError(f"split_px: {error}") from None
+
+    def split(self, rings: Rings) -> Rings:
+        """Return the rings with the static triangles of each split for its own growth and for all later radii.
+
+        ValueError for a ring that cannot be split finely enough, or that would add too many triangles.
+        """
+        addable = MAX_ADDED_TRIANGLES
+        core, codes = rings.scene._core, rings.codes()
+        with progress.bar("splitting") as report:
+            for ring in sorted({*codes.tolist()} & {*range(1, rings.count + 1)}):
+                settings = {**self._settings(rings.center, rings.radii, ring), "chosen": codes == ring}
+                try:
+                    core, added = _split_within(addable, core, {**settings, "report": report})
+                except ValueError as error:
+                    raise ValueError(f"split_px: too small for ring {ring} of this scene: {error}") from None
+                addable -= added
+        return replace(rings, scene=rings.scene._derived(core, rings.scene._rest))
+
+    def _settings(self, center: tuple[float, float, float], radii: tuple[float, ...], ring: int) -> dict[str, Any]:
+        return {"center": center, **stages(radii, ring), "reach": self.reach, "tolerance": self.tolerance}
+
+
+def _split_within(addable: int, core: Any, settings: dict[str, Any]) -> tuple[Any, int]:
+    """Split triangles if that adds at most `addable`; return the scene and the number of added triangles.
+
+    The number grows at most with the square of the fineness. Where it could exceed the limit, coarser splits are
+    counted first, so that a split that is too fine ends long before memory is exhausted.
+    """
+    times = COARSEST
+    while True:
+        tolerance = times * settings["tolerance"]
+        split, counts = _core.tessellate_scene(core, **{**settings, "tolerance": tolerance})
+        added = counts["after"] - counts["before"]
+        if added > addable:
+            raise ValueError(
+                f"it would add more than {MAX_ADDED_TRIANGLES:,} triangles to the rings; choose more pixels, fewer "
+                "pixels_per_degree or a greater first radius, or leave splitting to the client"
+            )
+        if times == 1:
+            return split, added
+        times = 1 if added * times**2 <= addable else times // 2
+
+
+def stages(radii: tuple[float, ...], ring: int) -> dict[str, Any]:
+    """Return the radii of the last morph, and the range of stages in which a ring's objects are shown.
+
+    The range begins with the ring's arrival. Ring 1 grows by strength at its own radius, others from the one before.
+    """
+    last = radii[-1]
+    return {"radii": (NEAR_SHARE * last, last), "stages": (radii[max(ring - 2, 0)], ring > 1)}

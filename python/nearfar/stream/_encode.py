@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
-from functools import partial
+from functools import cache, partial
 from typing import Any, Protocol
 
 import numpy as np
@@ -14,21 +14,21 @@ from nearfar import _core
 from nearfar._base import glb as binary, progress, side_by_side
 from nearfar._scene.moving_rows import rows_of
 from nearfar._scene.scene import Scene
-from nearfar._scene.texture_file import encode_texture
+from nearfar._scene.srgb import encode_texture
 from nearfar.stream import _map_files as codec
 from nearfar.stream._map_files import RangeScale
 from nearfar.stream._maps import TILE, RingMaps
 from nearfar.stream._settings import ExportSettings
 from nearfar.stream._store import FOLDER, content_name, file_entry
 
-ACROSS = 16
+TILES_PER_ROW = 16
 """Tiles in a row of an image of changed tiles."""
 
-BETTER = 2
-"""Quality of changes minus that of map 0: unchanged texels keep errors beside objects that left the map."""
+CHANGE_QUALITY_BONUS = 2
+"""Quality of changes minus that of map 0, whose errors remain in unchanged texels beside objects that left the map."""
 
 MIN_SHARED_BYTES = 4096
-"""Bytes from which a mesh with several placements gets its own file even if one group has it: regions share it."""
+"""Least size of a separate file for a mesh with several placements in one group only; regions share such files."""
 
 Textures = list[tuple[str, bytes]]
 """Names and bytes of the files of a scene's textures, in the scene's order."""
@@ -62,21 +62,17 @@ def encode_maps(maps: RingMaps, files: Files, *, quality: int | None, scale: Ran
 
     Ring 0 has full colour, later rings changed texels; ring 1 has full range, later rings changed texels.
     """
-    named: dict[str, list[str]] = {"webp": [], "range": []}
+    colors, ranges = list[str](), list[str]()
     for ring, kind, data in side_by_side.results(_jobs(maps, quality, scale)):
         if kind:
-            named[kind].append(files.add(data, kind))
+            (colors if kind == "webp" else ranges).append(files.add(data, kind))
             continue
-        yield _map_entry(maps, ring, named)
-        named = {"webp": [], "range": []}
-
-
-def _map_entry(maps: RingMaps, ring: int, named: dict[str, list[str]]) -> dict[str, Any]:
-    if not ring:
-        return {"color": named["webp"]}
-    color, ranges = (names[0] if names else None for names in named.values())
-    tiles = np.flatnonzero(maps.changed_tiles(ring)).tolist()
-    return {"tiles": tiles, "color": color, "range": named["range"] if ring == 1 else ranges}
+        entry: dict[str, Any] = {"color": colors}
+        if ring:
+            entry = {"tiles": np.flatnonzero(maps.changed_tiles(ring)).tolist(), "color": next(iter(colors), None)}
+            entry["range"] = ranges if ring == 1 else next(iter(ranges), None)
+        yield entry
+        colors, ranges = [], []
 
 
 def _jobs(maps: RingMaps, quality: int | None, scale: RangeScale) -> Iterator[Callable[[], tuple[int, str, bytes]]]:
@@ -89,7 +85,7 @@ def _jobs(maps: RingMaps, quality: int | None, scale: RangeScale) -> Iterator[Ca
     for face in first.color:
         yield partial(_file, 0, "webp", codec.encode_color, face, quality)
     yield partial(_file, 0, "", bytes)
-    better = None if quality is None else min(quality + BETTER, 100)
+    change_quality = None if quality is None else min(quality + CHANGE_QUALITY_BONUS, 100)
     encode_ranges = partial(codec.encode_ranges, tile=TILE, step=scale.step)
     color, codes, size = first.color.copy(), scale.codes(first.range), first.face_size
     for ring, change in enumerate(maps.changes, 1):
@@ -101,26 +97,26 @@ def _jobs(maps: RingMaps, quality: int | None, scale: RangeScale) -> Iterator[Ca
             color.reshape(-1, 3)[texels] = change["color"]
             codes.reshape(-1)[texels] = scale.codes(change["range"])
             changed.reshape(-1)[texels] = True
-            shown = codec.tiles_of(color, tiles, TILE)
-            yield partial(_file, ring, "webp", encode_changes, shown, changed, tiles, better)
+            tile_colors = codec.tiles_of(color, tiles, TILE)
+            yield partial(_file, ring, "webp", encode_changes, tile_colors, changed, tiles, change_quality)
         if ring == 1:
-            for face, own in codec.by_face(tiles, size // TILE):
-                yield partial(_file, ring, "range", encode_ranges, codes[face], None, changed[face], own)
+            for face, face_tiles in codec.by_face(tiles, size // TILE):
+                yield partial(_file, ring, "range", encode_ranges, codes[face], None, changed[face], face_tiles)
         elif len(tiles):
             yield partial(_file, ring, "range", encode_ranges, codes, before, changed, tiles)
         yield partial(_file, ring, "", bytes)
 
 
-def _file(ring: int, kind: str, encode: Callable[..., bytes], *given: Any) -> tuple[int, str, bytes]:
-    return ring, kind, encode(*given)
+def _file(ring: int, kind: str, encode: Callable[..., bytes], *arguments: Any) -> tuple[int, str, bytes]:
+    return ring, kind, encode(*arguments)
 
 
 def encode_changes(
-    shown: NDArray[np.float32], changed: NDArray[np.bool_], tiles: NDArray[np.int64], quality: int | None
+    colors: NDArray[np.float32], changed: NDArray[np.bool_], tiles: NDArray[np.int64], quality: int | None
 ) -> bytes:
-    """Encode the image of the tiles with changed texels; only these and their neighbours have meaningful colours."""
-    known = codec.tiles_of(codec.with_neighbours(changed), tiles, TILE)
-    return codec.encode_color(codec.sheet_of(codec.filled(shown, known), ACROSS), quality)
+    """Encode the image of the tiles with changed texels; only these texels and their neighbours keep their colours."""
+    is_meaningful = codec.tiles_of(codec.with_neighbours(changed), tiles, TILE)
+    return codec.encode_color(codec.sheet_of(codec.filled(colors, is_meaningful), TILES_PER_ROW), quality)
 
 
 class TextureFiles:
@@ -131,19 +127,17 @@ class TextureFiles:
         links, cutoffs = parts["material_textures"], parts["material_cutoffs"]
         self._texels, self._quality = parts["textures"], quality
         self._cut_out = set(links[np.isfinite(cutoffs)].tolist())
-        self._known: dict[tuple[int, int], tuple[str, bytes]] = {}
+        self._encoded = cache(self._encode)
 
     def halved(self, halvings: NDArray[np.uint32]) -> Textures:
         """Return the textures, each with its sides halved the given number of times."""
         return [self._encoded(*key) for key in enumerate(halvings.tolist())]
 
-    def _encoded(self, number: int, times: int) -> tuple[str, bytes]:
-        if (number, times) not in self._known:
-            texels, is_cut_out = self._texels[number], number in self._cut_out
-            shown = _core.halved_texture(texels, times=times, cutout=is_cut_out) if times else texels
-            data = encode_texture(shown, self._quality)
-            self._known[number, times] = content_name(data, "webp"), data
-        return self._known[number, times]
+    def _encode(self, number: int, times: int) -> tuple[str, bytes]:
+        texels, is_cut_out = self._texels[number], number in self._cut_out
+        halved = _core.halved_texture(texels, times=times, cutout=is_cut_out) if times else texels
+        data = encode_texture(halved, self._quality)
+        return content_name(data, "webp"), data
 
 
 class Groups(Protocol):
@@ -162,40 +156,35 @@ class Geometry:
 
     def __init__(self, groups: Groups, files: Files, textures: Textures, settings: ExportSettings) -> None:
         self._groups, self._files, self._textures = groups, files, textures
+        core, images = groups.scene._core, list[str | None](_uri(name) for name, _ in textures)
         # Only names of moving objects are written; there may be millions of others.
-        most = int(groups.scene._core.moving_objects().max(initial=-1)) + 1
+        names = list(groups.scene.object_names[: int(core.moving_objects().max(initial=-1)) + 1])
+        encoding: dict[str, Any] = {"step": settings.step, "compressed": settings.compression is not None}
         with progress.bar("encoding geometry") as report:
             self._export = _core.Export(
-                groups.scene._core,
-                groups.codes(),
-                groups.count + 2,
-                names=list(groups.scene.object_names[:most]),
-                images=[_beside(name) for name, _ in textures],
-                step=settings.step,
-                compressed=settings.compression is not None,
-                report=report,
+                core, groups.codes(), groups.count + 2, names=names, images=images, **encoding, report=report
             )
         self._uris: list[str | None] = []
-        for data, of_groups, _ in self._export.shared():
-            users = sum(group <= groups.count for group in of_groups)
+        for data, mesh_groups, _ in self._export.shared():
+            users = sum(group <= groups.count for group in mesh_groups)
             is_file = users > 1 or (users == 1 and len(data) >= MIN_SHARED_BYTES)
-            self._uris.append(_beside(files.add(data, "bin")) if is_file else None)
+            self._uris.append(_uri(files.add(data, "bin")) if is_file else None)
 
     def groups(self, kind: str) -> Iterator[dict[str, Any]]:
         """Encode the groups from 1 on; yields their manifest entries, for rings without the map."""
         for number, row in enumerate(self._groups.summary()[: self._groups.count], 1):
-            found = self._encoded(number, f"{kind} {number}") if row["triangles"] else None
-            yield {**row, **({"geometry": None, "parts": []} if found is None else found[1])}
+            encoded = self._encoded(number, f"{kind} {number}") if row["triangles"] else None
+            yield {**row, **({"geometry": None, "parts": []} if encoded is None else encoded[1])}
 
     def moving(self) -> dict[str, Any] | None:
         """Encode the dynamic objects; returns their manifest entry, None if nothing moves."""
         scene = self._groups.scene
         triangles = scene.triangle_count - scene._core.standing_triangle_count
-        found = self._encoded(0, "dynamic objects") if triangles else None
-        if found is None:
+        encoded = self._encoded(0, "dynamic objects") if triangles else None
+        if encoded is None:
             return None
-        data, described = found
-        return {**described, "triangles": triangles, "instances": rows_of(scene, data)}
+        data, entry = encoded
+        return {**entry, "triangles": triangles, "instances": rows_of(scene, data)}
 
     def _encoded(self, group: int, label: str) -> tuple[bytes, dict[str, Any]] | None:
         """Return a group's GLB and its entry; None if all its faces degenerate when positions are rounded."""
@@ -217,6 +206,6 @@ def referenced(data: bytes) -> list[str]:
     return sorted({f"{FOLDER}/{entry['uri']}" for entry in entries if "uri" in entry})
 
 
-def _beside(name: str) -> str:
+def _uri(name: str) -> str:
     """Return the URI of a file, relative to the folder of all files."""
     return name.removeprefix(f"{FOLDER}/")

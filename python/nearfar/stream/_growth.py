@@ -53,17 +53,17 @@ class Growth:
 
     def share(self, time: float) -> float:
         """Return the share of the newer picture in the cross-fade, 0 to 1, at a time since a ring's arrival."""
-        passed = check.at_least_zero("time", time)
-        return min(passed / self.fade, 1.0) if self.fade else 1.0
+        elapsed = check.at_least_zero("time", time)
+        return min(elapsed / self.fade, 1.0) if self.fade else 1.0
 
     def radius(self, ring: int, time: float) -> float:
         """Return the morph's radius in metres at a time since a ring's arrival; 0 for ring 0."""
         number, grown = self._ring(ring), self._grown(time)
         if number < 2:
             return self._radius(number)
-        before, own = self._radius(number - 1), self._radius(number)
+        before, full = self._radius(number - 1), self._radius(number)
         inverse = 1.0 / before - (1.0 - NEAR_SHARE) * grown
-        return own if inverse <= 1.0 / own else 1.0 / inverse
+        return full if inverse <= 1.0 / full else 1.0 / inverse
 
     def strength(self, ring: int, time: float) -> float:
         """Return the morph's strength, 0 to 1, at a time since a ring's arrival; 1 for all rings but the first."""
@@ -85,10 +85,10 @@ class Growth:
 
     def _turn(self, ring: int) -> float:
         """Return the radians by which the growth of a ring turns the picture, per metre of |U−O|."""
-        own = self._radius(ring)
+        radius = self._radius(ring)
         if ring == 1:
-            return 1.0 / (NEAR_SHARE * own)
-        return (1.0 / self._radius(ring - 1) - 1.0 / own) / (1.0 - NEAR_SHARE)
+            return 1.0 / (NEAR_SHARE * radius)
+        return (1.0 / self._radius(ring - 1) - 1.0 / radius) / (1.0 - NEAR_SHARE)
 
     def _grown(self, time: float) -> float:
         """Return the picture's turn at a time in radians per metre of |U−O|; not limited to the growth's end."""

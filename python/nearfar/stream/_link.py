@@ -88,11 +88,18 @@ class Clock:
         """Return the end of a transfer of `count` bytes that starts at `time`."""
         if len(self._times) == 1:
             return time + count / float(self._rates[0])
-        place = int(np.searchsorted(self._times, time, side="right")) - 1
-        goal = float(self._counts[place] + (time - self._times[place]) * self._rates[place]) + count
+        index = int(np.searchsorted(self._times, time, side="right")) - 1
+        goal = float(self._counts[index] + (time - self._times[index]) * self._rates[index]) + count
         # Equal counts mark a pause; the first of them ends an interval with a rate above 0.
-        place = max(int(np.searchsorted(self._counts, goal, side="left")) - 1, 0)
-        return max(time, float(self._times[place] + (goal - self._counts[place]) / self._rates[place]))
+        index = max(int(np.searchsorted(self._counts, goal, side="left")) - 1, 0)
+        return max(time, float(self._times[index] + (goal - self._counts[index]) / self._rates[index]))
+
+
+def check_ascending(name: str, times: NDArray[np.float64]) -> None:
+    """Raise ValueError unless times ascend."""
+    falls = np.flatnonzero(np.diff(times) <= 0.0)
+    if len(falls):
+        raise ValueError(f"{name}: expected ascending times, got {times[falls[0] + 1]:g} after {times[falls[0]]:g}")
 
 
 def _rate(value: Any) -> float:
@@ -116,28 +123,26 @@ def _parse_trace(trace: Any) -> tuple[tuple[float, ...], tuple[float, ...]]:
         raise ValueError(f"trace: expected as many times as rates, got shapes {times.shape} and {rates.shape}")
     if times[0] != 0.0:
         raise ValueError(f"trace: expected times from 0 on, got {times[0]:g} first")
-    falls = np.flatnonzero(np.diff(times) <= 0.0)
-    if len(falls):
-        raise ValueError(f"trace: expected ascending times, got {times[falls[0] + 1]:g} after {times[falls[0]]:g}")
+    check_ascending("trace", times)
     wrong = np.flatnonzero((rates < 0.0) | (rates > MAX_MBPS))
     if len(wrong):
         raise ValueError(f"trace: expected rates from 0 to {MAX_MBPS:g}, got {rates[wrong[0]]:g}")
     if rates[-1] == 0.0:
-        raise ValueError("trace: expected a last rate above 0, got 0: what is left then would never arrive")
+        raise ValueError("trace: expected a last rate above 0, got 0: remaining bytes would never arrive")
     return tuple(times.tolist()), tuple(rates.tolist())
 
 
 def _from_csv(path: Any) -> tuple[list[float], list[float]]:
     """Read times and rates from a CSV file, which may begin with a header row."""
-    place = check.path("trace", path)
-    with formats.guarded(str(place)):
-        lines = [row for row in csv.reader(place.read_text(encoding="utf-8").splitlines()) if row]
-        if lines and not _is_number(lines[0][0]):
-            lines = lines[1:]
-        for number, row in enumerate(lines, 1):
+    file = check.path("trace", path)
+    with formats.guarded(str(file)):
+        rows = [row for row in csv.reader(file.read_text(encoding="utf-8").splitlines()) if row]
+        if rows and not _is_number(rows[0][0]):
+            rows = rows[1:]
+        for number, row in enumerate(rows, 1):
             if len(row) != 2 or not all(map(_is_number, row)):
                 raise ValueError(f"row {number}: expected a time and a rate, got {check.shortened(','.join(row))}")
-        return [float(row[0]) for row in lines], [float(row[1]) for row in lines]
+        return [float(row[0]) for row in rows], [float(row[1]) for row in rows]
 
 
 def _is_number(text: str) -> bool:

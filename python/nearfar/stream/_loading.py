@@ -3,25 +3,26 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 
-from nearfar.stream._stage import BLANK, Rates, Shown, Stage
+from nearfar.stream._client_settings import HeadPath
+from nearfar.stream._stage import BLANK, Rates, Shown, Stage, least_radius
+from nearfar.stream._store import MANIFEST
 from nearfar.stream._strategies import Plan, Step
 from nearfar.stream._transport import Transport
 
 MAX_PREFETCH_BYTES = 16 * 2**20
 """Greatest number of bytes that the page requests ahead."""
-MANIFEST = "manifest.json"
 
 
 @dataclass
-class _Work:
-    """Decoding of a part of a step, in its own worker."""
+class _Decoding:
+    """Decoding of a step's map or geometry, in its own worker."""
 
     files: tuple[str, ...]
-    ends: float | None = None
-    """Time at which decoding ends; None until it has begun."""
+    end: float | None = None
+    """Time at which it ends; None until it has begun."""
 
 
 @dataclass
@@ -34,12 +35,12 @@ class Loader:
     transport: Transport
     seconds_per_byte: float
     """Decoding time per byte in a worker."""
-    may_replace: Callable[[int], bool]
-    place: int = -1
+    step_number: int = -1
     """Number of the current step; −1 while the manifest is loading."""
-    _map: _Work | None = None
-    _geometry: _Work | None = None
+    _map: _Decoding | None = None
+    _geometry: _Decoding | None = None
     _ahead: set[str] = field(default_factory=set)
+    """Names of files that were requested before their step."""
 
     def begin(self) -> None:
         """Request the manifest."""
@@ -48,61 +49,56 @@ class Loader:
     @property
     def is_done(self) -> bool:
         """Return whether all steps have ended."""
-        return self.place >= len(self.plan.steps)
+        return self.step_number >= len(self.plan.steps)
+
+    @property
+    def _decodings(self) -> list[_Decoding]:
+        return [decoding for decoding in (self._map, self._geometry) if decoding is not None]
 
     def next_time(self) -> float:
         """Return the next time at which a running decoding ends; infinite if none runs."""
-        works = (self._map, self._geometry)
-        ends = [work.ends for work in works if work is not None and work.ends is not None]
-        later = [end for end in ends if end > self.transport.now]
-        return min(later, default=math.inf)
+        ends = (decoding.end for decoding in self._decodings if decoding.end is not None)
+        return min((end for end in ends if end > self.transport.now), default=math.inf)
 
-    def go_on(self) -> Iterator[Step]:
-        """Start and end all work that can start and end now; yield each ended step before the next one starts."""
-        if self.place < 0:
+    def advance(self, stage: Stage) -> Iterator[Step]:
+        """Start and end all decoding that can start and end now; yield each ended step before the next one starts."""
+        if self.step_number < 0:
             if MANIFEST not in self.transport.arrived:
                 return
             self._begin_next()
         while not self.is_done:
-            step = self.plan.steps[self.place]
-            self._decode(step)
-            works = [work for work in (self._map, self._geometry) if work is not None]
-            if any(work.ends is None or work.ends > self.transport.now for work in works):
+            step = self.plan.steps[self.step_number]
+            self._decode(step, stage)
+            if any(decoding.end is None or decoding.end > self.transport.now for decoding in self._decodings):
                 return
             yield step
             self._begin_next()
 
-    def _decode(self, step: Step) -> None:
-        for work in (self._map, self._geometry):
-            if work is None or work.ends is not None:
-                continue
-            if any(name not in self.transport.arrived for name in work.files):
-                continue
-            if work is self._map and step.ring and not self.may_replace(step.ring):
-                continue
-            work.ends = self.transport.now + self.seconds_per_byte * sum(self.sizes[name][1] for name in work.files)
+    def _decode(self, step: Step, stage: Stage) -> None:
+        for decoding in self._decodings:
+            is_blocked = decoding is self._map and step.ring and not stage.may_replace(step.ring)
+            if decoding.end is None and not is_blocked and self.transport.arrived.keys() >= {*decoding.files}:
+                size = sum(self.sizes[name][1] for name in decoding.files)
+                decoding.end = self.transport.now + self.seconds_per_byte * size
 
     def _begin_next(self) -> None:
-        self.place += 1
+        self.step_number += 1
         if self.is_done:
             return
-        steps = self.plan.steps
-        step = steps[self.place]
-        self._map = None if step.map is None else _Work(step.map)
-        self._geometry = _Work(step.geometry) if step.geometry else None
+        step, *later = self.plan.steps[self.step_number :]
+        self._map = None if step.map is None else _Decoding(step.map)
+        self._geometry = _Decoding(step.geometry) if step.geometry else None
         for name in step.requests:
             self._ahead.discard(name)
             self.transport.ask(name, self.sizes[name][0])
-        if self.place + 1 < len(steps) and steps[self.place + 1].is_ahead:
-            self._ask_ahead(steps[self.place + 1])
-
-    def _ask_ahead(self, step: Step) -> None:
-        for name in step.files:
-            held = sum(self.sizes[other][1] for other in self._ahead)
-            if name in self.transport.arrived or name in self._ahead or held + self.sizes[name][1] > MAX_PREFETCH_BYTES:
-                continue
-            self._ahead.add(name)
-            self.transport.ask(name, self.sizes[name][0])
+        if not later or not later[0].is_ahead:
+            return
+        for name in later[0].files:
+            size, total = self.sizes[name][1], sum(self.sizes[ahead][1] for ahead in self._ahead)
+            is_known = name in self.transport.arrived or name in self._ahead
+            if not is_known and total + size <= MAX_PREFETCH_BYTES:
+                self._ahead.add(name)
+                self.transport.ask(name, self.sizes[name][0])
 
 
 @dataclass(frozen=True)
@@ -125,60 +121,37 @@ class Course:
     frames: list[Frame] = field(default_factory=list)
 
 
-def follow(
-    plan: Plan,
-    loader: Loader,
-    rates: Rates,
-    *,
-    rate: float,
-    duration: float,
-    least: Callable[[float], float],
-    moves: Callable[[float], bool],
-) -> Course:
-    """Simulate a client that loads and shows all steps, until nothing changes any more or the duration is over.
-
-    `least` returns the least radius for the user at a time; `moves` returns whether the user moves after a time.
-    """
+def follow(loader: Loader, rates: Rates, path: HeadPath, fold_margin: float, *, rate: float, duration: float) -> Course:
+    """Simulate a client that loads and shows all steps, until nothing changes any more or the duration is over."""
+    plan, transport = loader.plan, loader.transport
     stage = Stage(rates, is_smooth=plan.is_smooth, is_whole=plan.is_whole)
-    loader.may_replace = stage.may_replace
-    course, transport = Course(), loader.transport
-    drawn = _triangles_by_ring(plan)
+    course = Course(frames=[Frame(0.0, BLANK, 0)])
     loader.begin()
-    before, last = 0.0, BLANK
-    """Time of the previous frame, and what it showed."""
-    course.frames.append(Frame(0.0, BLANK, 0))
+    previous_time = 0.0
+    """Time of the previous frame."""
     while True:
-        is_still = stage.is_still(moves=moves(transport.now))
-        frame = math.inf if is_still else (math.floor(before * rate + 0.5) + 1) / rate
-        time = min(transport.next_time(), loader.next_time(), frame)
+        is_still = stage.is_still(moves=path.moves_after(transport.now))
+        frame_time = math.inf if is_still else (math.floor(previous_time * rate + 0.5) + 1) / rate
+        time = min(transport.next_time(), loader.next_time(), frame_time)
         if time > duration or time == math.inf:
             break
         course.files += [(name, transport.arrived[name]) for name in transport.advance(time)]
-        if time == frame:
-            shown = stage.advance(frame - before, least(frame))
-            before = frame
-            if shown != last:
-                course.frames.append(Frame(frame, shown, drawn(shown)))
-                last = shown
-        for step in loader.go_on():
+        if time == frame_time:
+            state = stage.advance(time - previous_time, least_radius(path.axis_distance(time), fold_margin))
+            previous_time = time
+            if state != course.frames[-1].shown:
+                course.frames.append(Frame(time, state, _drawn_triangles(plan, state)))
+        for step in loader.advance(stage):
             if step.ring is not None:
                 stage.arrive(step.ring)
                 course.rings.append((step.ring, transport.now))
                 if is_still:
                     # Skipped frames showed the same state.
-                    before = math.floor(transport.now * rate) / rate
+                    previous_time = math.floor(transport.now * rate) / rate
     return course
 
 
-def _triangles_by_ring(plan: Plan) -> Callable[[Shown], int]:
-    """Return a function that counts a frame's drawn triangles; a cross-fade draws the pictures of both rings."""
-    own = {step.ring: step.triangles for step in plan.steps}
-    moving = own.pop(None, 0)
-    totals = [moving + sum(own.get(ring, 0) for ring in range(last + 1)) for last in range(len(plan.radii) + 1)]
-
-    def triangle_count(shown: Shown) -> int:
-        if shown.ring < 0:
-            return 0
-        return totals[shown.ring] + (totals[shown.ring + 1] if shown.share > 0.0 else 0)
-
-    return triangle_count
+def _drawn_triangles(plan: Plan, state: Shown) -> int:
+    """Count the triangles that a frame draws; a cross-fade draws the pictures of both rings."""
+    pictures = range(state.ring, state.ring + 1 + (state.share > 0.0)) if state.ring >= 0 else ()
+    return sum(step.triangles for last in pictures for step in plan.steps if step.ring is None or step.ring <= last)

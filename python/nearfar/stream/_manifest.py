@@ -23,7 +23,7 @@ _HASH = re.compile("[0-9a-f]{64}")
 ORIENTATION = "Vulkan/WebGPU cube faces"
 """Order and directions of the maps' faces."""
 
-MAX = 2**62
+MAX_COUNT = 2**62
 """Greatest number of triangles and objects."""
 
 NEAR_SHARE = 0.7
@@ -36,7 +36,7 @@ EMPTY_RING: dict[str, Any] = {"radius": 0.0, "objects": 0, "triangles": 0, "stor
 
 def read(reader: _store.Reader) -> dict[str, Any]:
     """Read and check the manifest of a bundle; FormatError that names it if it is damaged or newer."""
-    where = f"{reader.place}/{_store.MANIFEST}"
+    where = f"{reader.location}/{_store.MANIFEST}"
     data = reader.read(_store.MANIFEST)
     with formats.guarded(where):
         document = formats.from_json(data)
@@ -58,6 +58,11 @@ def names_of(value: Any) -> list[str]:
     return [value] if isinstance(value, str) else list(value)
 
 
+def geometry_files(entry: Mapping[str, Any] | None) -> tuple[str, ...]:
+    """Return the file names of an entry with a GLB: the GLB, its buffers and its images."""
+    return () if entry is None else (*names_of(entry["geometry"]), *entry["parts"])
+
+
 def layout_of(manifest: Mapping[str, Any], region: Mapping[str, Any]) -> Layout:
     """Return the division of a region's maps into files; ValueError for impossible values."""
     return Layout.parse({**manifest["map"], "range": region["range"]})
@@ -65,7 +70,7 @@ def layout_of(manifest: Mapping[str, Any], region: Mapping[str, Any]) -> Layout:
 
 def _check(manifest: dict[str, Any]) -> None:
     """Raise an error for a manifest that cannot be used; the caller converts it to FormatError."""
-    check.integer("triangles", manifest["triangles"], 0, MAX)
+    check.integer("triangles", manifest["triangles"], 0, MAX_COUNT)
     check.texts("notes", manifest["notes"])
     low, high = manifest["bounds"]
     check.vector("bounds", low), check.vector("bounds", high)
@@ -75,9 +80,15 @@ def _check(manifest: dict[str, Any]) -> None:
     check.choice("morph", manifest["morph"]["kind"], ("cylinder",))
     if check.positive("near_share", manifest["morph"]["near_share"]) != NEAR_SHARE:
         raise ValueError(f"near_share: expected {NEAR_SHARE}, got {manifest['morph']['near_share']}")
-    _check_growth(manifest["growth"])
+    growth = manifest["growth"]
+    check.choice("growth", growth["first"], ("strength",))
+    for name in ("speed", "reach"):
+        check.positive(name, growth[name])
+    check.at_least_zero("fade", growth["fade"])
     if "display" in manifest:
-        _check_display(manifest["display"])
+        for name in ("pixels_per_degree", "split_px"):
+            if manifest["display"][name] is not None:
+                check.positive(name, manifest["display"][name])
     files = manifest["files"]
     for name, entry in files.items():
         _check_file(name, entry)
@@ -89,28 +100,19 @@ def _check(manifest: dict[str, Any]) -> None:
         _check_region(region, number, len(regions))
         _check_rings(region, layout_of(manifest, region), files)
     check.choice("orientation", manifest["map"]["orientation"], (ORIENTATION,))
-    _check_dynamic(manifest["dynamic"], files)
-
-
-def _check_display(display: dict[str, Any]) -> None:
-    for name in ("pixels_per_degree", "split_px"):
-        if display[name] is not None:
-            check.positive(name, display[name])
-
-
-def _check_growth(growth: dict[str, Any]) -> None:
-    check.choice("growth", growth["first"], ("strength",))
-    for name in ("speed", "reach"):
-        check.positive(name, growth[name])
-    check.at_least_zero("fade", growth["fade"])
+    if (dynamic := manifest["dynamic"]) is not None:
+        check.integer("triangles", dynamic["triangles"], 0, MAX_COUNT)
+        check.items("instances", dynamic["instances"], dict, "descriptions of instances")
+        check.text("geometry", dynamic["geometry"])
+        _check_geometry(dynamic, files)
 
 
 def _check_region(region: dict[str, Any], number: int, count: int) -> None:
     check.vector("center", region["center"])
     check.at_least_zero("fold_margin", region["fold_margin"])
     check.texts("findings", region["findings"])
-    listed = check.items("neighbours", region["neighbours"], int, "numbers of regions")
-    near = [check.integer("neighbours", value, 0, count - 1) for value in listed]
+    numbers = check.items("neighbours", region["neighbours"], int, "numbers of regions")
+    near = [check.integer("neighbours", value, 0, count - 1) for value in numbers]
     if near != sorted({*near} - {number}):
         raise ValueError(f"neighbours: expected ascending numbers of other regions, got {check.shortened(near)}")
 
@@ -143,21 +145,12 @@ def _check_by_footprint(entry: dict[str, Any], layout: Layout, files: dict[str, 
 
 def _check_counts(entry: dict[str, Any]) -> None:
     for name in ("objects", "triangles", "stored"):
-        check.integer(name, entry[name], 0, MAX)
-
-
-def _check_dynamic(dynamic: dict[str, Any] | None, files: dict[str, Any]) -> None:
-    if dynamic is None:
-        return
-    check.integer("triangles", dynamic["triangles"], 0, MAX)
-    check.items("instances", dynamic["instances"], dict, "descriptions of instances")
-    check.text("geometry", dynamic["geometry"])
-    _check_geometry(dynamic, files)
+        check.integer(name, entry[name], 0, MAX_COUNT)
 
 
 def _check_file(name: str, entry: dict[str, Any]) -> None:
-    folder, _, own = name.partition("/")
-    if folder != _store.FOLDER or own in ("", ".", "..") or not _NAME.fullmatch(own):
+    folder, _, file_name = name.partition("/")
+    if folder != _store.FOLDER or file_name in ("", ".", "..") or not _NAME.fullmatch(file_name):
         raise ValueError(f"files: expected names below {_store.FOLDER}/, got {check.shortened(name)}")
     _check_described(name, entry)
 
@@ -168,15 +161,15 @@ def _check_described(name: str, entry: dict[str, Any]) -> None:
         raise ValueError(f"{name}: sha256: expected 64 digits of 0-9a-f, got {check.shortened(entry['sha256'])}")
 
 
-def _check_geometry(described: dict[str, Any], files: dict[str, Any]) -> None:
+def _check_geometry(entry: dict[str, Any], files: dict[str, Any]) -> None:
     """Check the file names of a GLB: the GLB, its buffers and its images."""
-    name = described["geometry"]
+    name = entry["geometry"]
     if not (name is None or isinstance(name, str)):
         raise TypeError(f"geometry: expected the name of a file, got {check.type_and_value(name)}")
     _check_listed(name, files, "geometry")
-    _check_listed(check.texts("parts", described["parts"]), files, "parts")
-    if "error" in described:
-        check.at_least_zero("error", described["error"])
+    _check_listed(check.texts("parts", entry["parts"]), files, "parts")
+    if "error" in entry:
+        check.at_least_zero("error", entry["error"])
 
 
 def _check_listed(value: Any, files: dict[str, Any], kind: str) -> None:

@@ -19,18 +19,18 @@ from nearfar._scene.srgb import to_linear
 MAX_PIXELS = 16383
 """Greatest width and height of a WebP image."""
 
-NOTHING = 65535
+NO_SURFACE = 65535
 """Code of texels without a surface."""
 
-NEAREST = 1e-3
+MIN_RANGE = 1e-3
 """Least stored range, metres; smaller ranges are clamped to it."""
 
 _LINEAR = to_linear(np.arange(256) / 255.0).astype(np.float32)
 
-PLANES = 9
+PLANE_COUNT = 9
 """Number of byte planes that ranges are divided into."""
 
-MAX_BYTES = 4
+MAX_TEXEL_BYTES = 4
 """Greatest number of bytes per texel in all planes: two flags, a pair of bits, a byte and a word."""
 
 Codes = NDArray[np.uint16]
@@ -86,13 +86,13 @@ class RangeScale:
         if not len(finite):
             return cls(1.0, 2.0 * math.log1p(error))
         # Widened by one float32 step, so that the codes of both ends are in range.
-        least = max(float(finite.min()), NEAREST) * (1.0 - 2.0**-23)
+        least = max(float(finite.min()), MIN_RANGE) * (1.0 - 2.0**-23)
         span = math.log(max(float(finite.max()), least) * (1.0 + 2.0**-23) / least)
-        return cls(least, max(2.0 * math.log1p(error), span / (NOTHING - 1)))
+        return cls(least, max(2.0 * math.log1p(error), span / (NO_SURFACE - 1)))
 
     @property
     def error(self) -> float:
-        """Greatest relative error of a stored range from `NEAREST` on, before it is rounded to float32."""
+        """Greatest relative error of a stored range from `MIN_RANGE` on, before it is rounded to float32."""
         return math.expm1(0.5 * self.step)
 
     def to_manifest(self) -> dict[str, float]:
@@ -102,14 +102,14 @@ class RangeScale:
     def codes(self, ranges: NDArray[Any]) -> Codes:
         """Return the codes of ranges in metres, which may be infinite."""
         is_hit = np.isfinite(ranges)
-        logarithms = np.log(np.maximum(np.where(is_hit, ranges, self.least), NEAREST, dtype=np.float64) / self.least)
-        codes = np.rint(logarithms / self.step)
-        return np.where(is_hit, np.clip(codes, 0, NOTHING - 1), NOTHING).astype(np.uint16)
+        logarithms = np.log(np.maximum(np.where(is_hit, ranges, self.least), MIN_RANGE, dtype=np.float64) / self.least)
+        codes = np.clip(np.rint(logarithms / self.step), 0, NO_SURFACE - 1)
+        return np.where(is_hit, codes, NO_SURFACE).astype(np.uint16)
 
     def ranges(self, codes: Codes) -> NDArray[np.float32]:
         """Return the ranges of codes."""
-        table = self.least * np.exp(np.arange(NOTHING + 1) * self.step)
-        table[NOTHING] = np.inf
+        table = self.least * np.exp(np.arange(NO_SURFACE + 1) * self.step)
+        table[NO_SURFACE] = np.inf
         ranges: NDArray[np.float32] = table[codes].astype(np.float32)
         return ranges
 
@@ -121,9 +121,8 @@ def encode_ranges(
 
     `changed` is stored too; `tiles` lists all tiles with changed texels in ascending order; `step` is the scale's.
     """
-    listed = tiles.astype(np.uint32)
     earlier = None if before is None else before.ravel()
-    settings: dict[str, Any] = {"size": codes.shape[1], "tile": tile, "tiles": listed, "step": step}
+    settings: dict[str, Any] = {"size": codes.shape[1], "tile": tile, "tiles": tiles.astype(np.uint32), "step": step}
     planes = _core.encode_ranges(codes.ravel(), earlier, changed.ravel(), **settings)
     lengths = np.array([len(plane) for plane in planes], "<u4").tobytes()
     # A sync flush ends the block, so that each plane gets its own Huffman code.
@@ -137,101 +136,100 @@ def decode_ranges(
 ) -> tuple[Codes, NDArray[np.bool_]]:
     """Decompress codes and changed texels, (`count`, `size`, `size`) each; ValueError for invalid data."""
     texels = count * size * size if before is None else len(tiles) * tile * tile
-    head = 4 * PLANES
+    header_bytes = 4 * PLANE_COUNT
     # Each plane may end with a partly filled byte.
-    raw = _decompressed(data, head + PLANES + MAX_BYTES * texels)
-    ends = head + np.cumsum(np.frombuffer(raw[: len(raw) // 4 * 4][:head], "<u4"), dtype=np.int64)
-    if len(ends) != PLANES or ends[-1] != len(raw):
-        raise ValueError("expected ranges of planes whose lengths are listed, got others")
-    planes = [raw[start:end] for start, end in pairwise([head, *ends.tolist()])]
+    raw = _decompressed(data, header_bytes + PLANE_COUNT + MAX_TEXEL_BYTES * texels)
+    ends = header_bytes + np.cumsum(np.frombuffer(raw[: len(raw) // 4 * 4][:header_bytes], "<u4"), dtype=np.int64)
+    if len(ends) != PLANE_COUNT or ends[-1] != len(raw):
+        raise ValueError("expected ranges in planes of the listed lengths, got others")
+    planes = [raw[start:end] for start, end in pairwise([header_bytes, *ends.tolist()])]
     earlier = None if before is None else before.ravel()
     settings: dict[str, Any] = {"size": size, "tile": tile, "tiles": tiles.astype(np.uint32), "step": step}
     codes, changed = _core.decode_ranges(planes, earlier, faces=count, **settings)
     return codes.reshape(count, size, size), changed.reshape(count, size, size)
 
 
-def _decompressed(data: bytes, most: int) -> bytes:
-    """Decompress at most `most` bytes; ValueError for more."""
+def _decompressed(data: bytes, max_bytes: int) -> bytes:
+    """Decompress at most `max_bytes`; ValueError for more."""
     reader = zlib.decompressobj()
     try:
-        raw = reader.decompress(data, most + 1)
+        raw = reader.decompress(data, max_bytes + 1)
     except zlib.error as error:
         raise ValueError(f"expected compressed ranges, got {error}") from None
-    if len(raw) > most or not reader.eof or reader.unused_data:
-        raise ValueError(f"expected compressed ranges of at most {most} bytes, got others")
+    if len(raw) > max_bytes or not reader.eof or reader.unused_data:
+        raise ValueError(f"expected compressed ranges of at most {max_bytes} bytes, got others")
     return raw
 
 
 def with_neighbours(mask: NDArray[np.bool_]) -> NDArray[np.bool_]:
     """Return the mask of faces (N, S, S) dilated by one texel within each face, diagonally too."""
-    wide = mask.copy()
-    wide[:, 1:] |= mask[:, :-1]
-    wide[:, :-1] |= mask[:, 1:]
-    rows = wide.copy()
-    wide[:, :, 1:] |= rows[:, :, :-1]
-    wide[:, :, :-1] |= rows[:, :, 1:]
-    return wide
+    columns = mask.copy()
+    columns[:, 1:] |= mask[:, :-1]
+    columns[:, :-1] |= mask[:, 1:]
+    dilated = columns.copy()
+    dilated[:, :, 1:] |= columns[:, :, :-1]
+    dilated[:, :, :-1] |= columns[:, :, 1:]
+    return dilated
 
 
-def filled(tiles: NDArray[np.float32], known: NDArray[np.bool_]) -> NDArray[np.float32]:
+def filled(tiles: NDArray[np.float32], is_known: NDArray[np.bool_]) -> NDArray[np.float32]:
     """Replace unknown texels of tiles (N, side, side, 3) by the mean of the smallest block around them with known ones.
 
     Blocks have power-of-two sides, like the tile; a block's mean is the mean of its quarters' means. Smoother fillings
     need more bytes in WebP.
     """
-    count, side = known.shape[:2]
-    partly = ~known.all(axis=(1, 2))
-    if side == 1 or not partly.any():
+    count, side = is_known.shape[:2]
+    is_partial = ~is_known.all(axis=(1, 2))
+    if side == 1 or not is_partial.any():
         return tiles
-    if not partly.all():
-        whole = tiles.copy()
-        whole[partly] = filled(tiles[partly], known[partly])
-        return whole
+    if not is_partial.all():
+        result = tiles.copy()
+        result[is_partial] = filled(tiles[is_partial], is_known[is_partial])
+        return result
     blocks = (count, side // 2, 2, side // 2, 2)
-    number = known.reshape(blocks).sum(axis=(2, 4))
-    sums = np.where(known[..., None], tiles, 0).reshape(*blocks, 3).sum(axis=(2, 4))
-    means = filled(sums / np.maximum(number, 1, dtype=np.float32)[..., None], number > 0)
-    return np.where(known[..., None], tiles, means.repeat(2, axis=1).repeat(2, axis=2))
+    known_counts = is_known.reshape(blocks).sum(axis=(2, 4))
+    sums = np.where(is_known[..., None], tiles, 0).reshape(*blocks, 3).sum(axis=(2, 4))
+    means = filled(sums / np.maximum(known_counts, 1, dtype=np.float32)[..., None], known_counts > 0)
+    return np.where(is_known[..., None], tiles, means.repeat(2, axis=1).repeat(2, axis=2))
 
 
-def tiles_of(faces: NDArray[Any], chosen: NDArray[np.int64], side: int) -> NDArray[Any]:
+def tiles_of(faces: NDArray[Any], numbers: NDArray[np.int64], side: int) -> NDArray[Any]:
     """Extract tiles (N, side, side, …) of faces (6, S, S, …), numbered by face, row and column; `side` divides S."""
-    blocks, (face, row, column) = _blocks(faces, chosen, side)
-    tiles: NDArray[Any] = blocks[face, row, :, column]
-    return tiles
+    blocks, (face, row, column) = _blocks(faces, numbers, side)
+    return np.asarray(blocks[face, row, :, column])
 
 
-def by_face(tiles: NDArray[np.int64], across: int) -> list[tuple[slice, NDArray[np.int64]]]:
+def by_face(tiles: NDArray[np.int64], per_row: int) -> list[tuple[slice, NDArray[np.int64]]]:
     """Return each face as a slice of faces, with the numbers of its tiles among `tiles`, from 0 on within the face."""
-    face, place = np.divmod(tiles, across * across)
-    return [(slice(number, number + 1), place[face == number]) for number in range(6)]
+    face, number = np.divmod(tiles, per_row * per_row)
+    return [(slice(n, n + 1), number[face == n]) for n in range(6)]
 
 
-def put_tiles(faces: NDArray[Any], chosen: NDArray[np.int64], tiles: NDArray[Any]) -> None:
+def put_tiles(faces: NDArray[Any], numbers: NDArray[np.int64], tiles: NDArray[Any]) -> None:
     """Replace tiles of faces, numbered as in `tiles_of`."""
-    blocks, (face, row, column) = _blocks(faces, chosen, tiles.shape[1])
+    blocks, (face, row, column) = _blocks(faces, numbers, tiles.shape[1])
     blocks[face, row, :, column] = tiles
 
 
 def _blocks(
-    faces: NDArray[Any], chosen: NDArray[np.int64], side: int
+    faces: NDArray[Any], numbers: NDArray[np.int64], side: int
 ) -> tuple[NDArray[Any], tuple[NDArray[np.int64], ...]]:
     """View contiguous faces by face, tile row, row, tile column and column; return it with the tiles' indices."""
-    across = faces.shape[1] // side
-    blocks = faces.reshape(6, across, side, across, side, *faces.shape[3:])
-    return blocks, np.unravel_index(chosen, (6, across, across))
+    per_row = faces.shape[1] // side
+    blocks = faces.reshape(6, per_row, side, per_row, side, *faces.shape[3:])
+    return blocks, np.unravel_index(numbers, (6, per_row, per_row))
 
 
-def sheet_of(tiles: NDArray[Any], across: int) -> NDArray[Any]:
-    """Join tiles (N, side, side, 3) to one image with `across` per row; the last row is filled with black tiles."""
+def sheet_of(tiles: NDArray[Any], per_row: int) -> NDArray[Any]:
+    """Join tiles (N, side, side, 3) to one image with `per_row` in a row; the last row is filled with black tiles."""
     count, side = tiles.shape[:2]
-    rows = -(-count // across)
-    padded = np.zeros((rows * across, *tiles.shape[1:]), tiles.dtype)
+    rows = -(-count // per_row)
+    padded = np.zeros((rows * per_row, *tiles.shape[1:]), tiles.dtype)
     padded[:count] = tiles
-    return padded.reshape(rows, across, side, side, 3).swapaxes(1, 2).reshape(rows * side, across * side, 3)
+    return padded.reshape(rows, per_row, side, side, 3).swapaxes(1, 2).reshape(rows * side, per_row * side, 3)
 
 
 def tiles_of_sheet(sheet: NDArray[Any], count: int, side: int) -> NDArray[Any]:
     """Extract the tiles of an image that `sheet_of` made."""
-    rows, across = sheet.shape[0] // side, sheet.shape[1] // side
-    return sheet.reshape(rows, side, across, side, 3).swapaxes(1, 2).reshape(rows * across, side, side, 3)[:count]
+    rows, per_row = sheet.shape[0] // side, sheet.shape[1] // side
+    return sheet.reshape(rows, side, per_row, side, 3).swapaxes(1, 2).reshape(rows * per_row, side, side, 3)[:count]

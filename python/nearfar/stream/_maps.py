@@ -86,10 +86,10 @@ class RingMaps:
         """
         number = check.integer("ring", ring, 1, self.rings.count)
         side = self.first.face_size
-        face, place = np.divmod(self.changes[number - 1]["texels"], side * side)
-        across = -(-side // TILE)
-        tiles = np.zeros((6, across, across), bool)
-        tiles[face, place // side // TILE, place % side // TILE] = True
+        face, texel = np.divmod(self.changes[number - 1]["texels"], side * side)
+        tiles_per_row = -(-side // TILE)
+        tiles = np.zeros((6, tiles_per_row, tiles_per_row), bool)
+        tiles[face, texel // side // TILE, texel % side // TILE] = True
         return tiles
 
     def __repr__(self) -> str:
@@ -98,7 +98,7 @@ class RingMaps:
         return f"RingMaps({1 + self.rings.count} maps of 6 × {self.first.face_size}², changes of {share:.2f} maps)"
 
 
-def bake_maps(rings: Rings, *, face_size: int = 1024, samples: int = 1, object_id: bool = False) -> RingMaps:
+def bake_maps(rings: Rings, *, face_size: int = 1024, samples: int = 4, object_id: bool = False) -> RingMaps:
     """Bake the maps of all rings from their centre; a texel is stored once per change.
 
     Parameters

@@ -8,33 +8,34 @@ import numpy as np
 
 from nearfar import _core
 from nearfar._base import check, formats
-from nearfar._scene.moving_rows import frames_of, nodes_of, placement_of
+from nearfar._scene.glb import placement_of
+from nearfar._scene.moving_rows import frames_of, nodes_of
 from nearfar._scene.names import Names
 from nearfar._scene.scene import Scene
 from nearfar.stream._decode import Read, assembled
 
 
-def moving_scene(described: dict[str, Any], read: Read, place: str) -> Scene:
-    """Read the dynamic objects; FormatError that names the file if it is damaged or does not fit its description.
+def moving_scene(entry: dict[str, Any], read: Read, location: str) -> Scene:
+    """Read the dynamic objects; FormatError that names the file if it is damaged or does not fit its manifest entry.
 
     Meshes come from the glTF reader; placements are taken from the document itself, so that they stay bit-exact.
     """
-    name = described["geometry"]
-    loaded = assembled(name, described["parts"], read, place, moves=True)
-    with formats.guarded(place):
+    name = entry["geometry"]
+    loaded = assembled(name, entry["parts"], read, location, moves=True)
+    with formats.guarded(location):
         origin, nodes = nodes_of(read(name))
-        rows = check.items("instances", described["instances"], dict, "descriptions of instances")
+        rows = check.items("instances", entry["instances"], dict, "descriptions of instances")
         if not len(rows) == len(nodes) == len(loaded.names if not isinstance(loaded.names, int) else ()):
             raise ValueError(f"expected {len(rows)} dynamic objects, got {len(nodes)}")
         placements = np.array([placement_of(node) for node in nodes])
         if not np.isfinite(placements).all():
             raise ValueError("expected finite matrices")
         names = Names(tuple(dict.fromkeys(str(row["object"]) for row in rows)))
-        frames, rest = frames_of(rows, names, placements, place)
+        frames, rest = frames_of(rows, names, placements, location)
         parts = {
             **_core.scene_parts(loaded.core),
             "origin": origin,
-            "meshes": _whole_meshes(loaded.core),
+            "meshes": _merged_meshes(loaded.core),
             "placements": placements,
             "objects": np.array([names.number("object", row["object"]) for row in rows], np.int32),
         }
@@ -44,19 +45,16 @@ def moving_scene(described: dict[str, Any], read: Read, place: str) -> Scene:
         return Scene(core, names, frames=frames, rest=rest, notes=loaded.notes, undrawn=loaded.undrawn)
 
 
-def _whole_meshes(core: _core.Scene) -> list[_core.Mesh]:
+def _merged_meshes(core: _core.Scene) -> list[_core.Mesh]:
     """Return one mesh per object, merged from the reader's meshes, one per material; objects share meshes as before."""
     owner, meshes = core.moving_objects(), _core.scene_parts(core)["meshes"]
     order = np.argsort(owner, kind="stable")
-    groups = np.split(order, np.flatnonzero(np.diff(owner[order])) + 1)
-    ids, made, whole = core.mesh_ids(), dict[tuple[int, ...], _core.Mesh](), []
-    for rows in groups:
-        key = tuple(ids[rows].tolist())
-        if key not in made:
-            placed = np.tile(np.eye(4)[:3], (len(rows), 1, 1))
-            pieces = [meshes[row] for row in rows]
-            made[key] = (
-                pieces[0] if len(rows) == 1 else _core.Mesh.merged(pieces, placed, np.zeros(len(rows), np.int32))
-            )
-        whole.append(made[key])
-    return whole
+    objects = np.split(order, np.flatnonzero(np.diff(owner[order])) + 1)
+    keys = [tuple(core.mesh_ids()[rows].tolist()) for rows in objects]
+    merged = dict[tuple[int, ...], _core.Mesh]()
+    for key, rows in zip(keys, objects, strict=True):
+        if key not in merged:
+            parts, placements = [meshes[row] for row in rows], np.tile(np.eye(4)[:3], (len(rows), 1, 1))
+            is_one = len(rows) == 1
+            merged[key] = parts[0] if is_one else _core.Mesh.merged(parts, placements, np.zeros(len(rows), np.int32))
+    return [merged[key] for key in keys]

@@ -24,14 +24,11 @@ from nearfar.stream._radii import REACH
 from nearfar.stream._settings import ExportKeywords, ExportSettings
 from nearfar.stream._tiles import Tiles
 
-COARSE = 512
+COARSE_FACE_SIZE = 512
 """Face size in texels of the coarse maps, which are shown until the full-size maps arrive; one sample per texel."""
 
-LAST = 1
+LAST_STAGE = 1
 """Number of the last stage, which has full-size maps."""
-
-NO_TILESET = b""
-"""Content of the tileset of an incomplete region."""
 
 
 @dataclass(frozen=True)
@@ -54,21 +51,9 @@ class OnDemand:
     A region comes in two stages: with maps of 512² texels and one sample, which take a small part of the time, and
     with full-size maps. Geometry is the same in both.
 
-    Parameters
-    ----------
-    scene
-        The scene.
-    grid
-        Spacing in metres of the horizontal grid to which centres move (`snap`).
-    radii
-        Radii of the rings in metres, ascending; by default those of `nearfar.stream.ring_radii` for each centre.
-    lod, settings, keywords
-        As for `nearfar.stream.export`, but without `split_px` and `by_footprint`.
-
-    Raises
-    ------
-    ValueError, TypeError
-        As `nearfar.stream.export` does.
+    `grid` is the spacing in metres of the horizontal grid to which centres move (`snap`). `radii` are the rings' radii
+    in metres, ascending; by default those of `nearfar.stream.ring_radii` for each centre. `lod`, `settings` and
+    `keywords`, and all errors, are those of `nearfar.stream.export`, but without `split_px` and `by_footprint`.
 
     References
     ----------
@@ -93,7 +78,7 @@ class OnDemand:
         for name in ("split_px", "by_footprint"):
             if getattr(fine, name):
                 raise ValueError(f"{name}: expected none for regions on demand, got {getattr(fine, name)}")
-        self._coarse = replace(fine, face_size=min(COARSE, fine.face_size), samples=1)
+        self._coarse = replace(fine, face_size=min(COARSE_FACE_SIZE, fine.face_size), samples=1)
         # Built after the settings are checked, because it takes seconds.
         self._tiles = Tiles.divide(scene)
         self.scene = self._tiles.scene
@@ -107,47 +92,39 @@ class OnDemand:
         return snap(center, self.grid)
 
     def parts(self, center: ArrayLike) -> Iterator[Part]:
-        """Make the region of a position, part by part.
+        """Make the region of a position (world, metres), which `snapped` moves, part by part.
 
-        Parameters
-        ----------
-        center
-            World position in metres; `snapped` moves it.
-
-        Yields
-        ------
-        Part
-            For each stage one part that begins it, then one for each ring from 0 on. The last part has the
-            `manifest.json` and the `tileset.json` of a bundle with this one region.
-
-        Raises
-        ------
-        ValueError
-            For a centre that is not finite, and one without surrounding objects if radii are to be chosen.
+        Each stage has one part that begins it, then one for each ring from 0 on. The last part has the `manifest.json`
+        and the `tileset.json` of a bundle with this one region. ValueError for a centre that is not finite, and for one
+        without surrounding objects if radii are to be chosen.
         """
-        place = self.snapped(center)
-        scene = self._tiles.about(place, REACH if self._radii is None else self._radii[-1])
-        (rings,) = _stages.rings_about(scene, [place], self._radii)
+        point = self.snapped(center)
+        scene = self._tiles.about(point, REACH if self._radii is None else self._radii[-1])
+        (rings,) = _stages.rings_about(scene, [point], self._radii)
         geometry, sent = Files(dict(self._moving.content)), set[str]()
         near: Iterable[dict[str, Any]] = self._near(rings, geometry)
         for stage, settings in enumerate((self._coarse, self.settings)):
             files = Files()
             maps, scale = _stages.bake(rings, settings)
             # Findings take an additional 0.1 s.
-            findings = findings_of(rings) if stage else []
-            outline = _stages.region_entry(rings, scale, _outline(rings), findings)
-            manifest = _stages.manifest_of(self.scene, settings, [outline], self._dynamic, self._moving, NO_TILESET)
+            region = _stages.region_entry(rings, scale, _outline(rings), findings_of(rings) if stage else [])
+            manifest = self._manifest(settings, region, self._moving)
             yield _part(stage, stage, {"event": "begin", "manifest": manifest}, self._moving, sent=sent)
             entries = []
             for ring, entry in enumerate(_stages.ring_entries(maps, scale, near, files, settings)):
                 entries.append(entry)
-                then = min(stage + (ring == rings.count), LAST)
-                yield _part(stage, then, {"event": "ring", "ring": ring, "entry": entry}, geometry, files, sent=sent)
+                next_stage = min(stage + (ring == rings.count), LAST_STAGE)
+                event = {"event": "ring", "ring": ring, "entry": entry}
+                yield _part(stage, next_stage, event, geometry, files, sent=sent)
             near = [{name: value for name, value in entry.items() if name != "map"} for entry in entries[1:]]
-        whole = Files({**geometry.content, **files.content})
-        region = _stages.region_entry(rings, scale, entries, findings)
-        closing = _stages.closing_files(self.scene, self.settings, [region], self._dynamic, whole)
-        yield Part(LAST, _line({"event": "end", "stage": LAST}), closing, None)
+        all_files = Files({**geometry.content, **files.content})
+        manifest = self._manifest(self.settings, {**region, "rings": entries}, all_files)
+        closing = _stages.closing_files(manifest, all_files)
+        yield Part(LAST_STAGE, _line({"event": "end", "stage": LAST_STAGE}), closing, None)
+
+    def _manifest(self, settings: ExportSettings, region: dict[str, Any], files: Files) -> dict[str, Any]:
+        facts = _stages.scene_facts(self.scene, settings)
+        return _stages.manifest_of(facts, settings.face_size, [region], self._dynamic, self.scene._notes, files)
 
     def _near(self, rings: Rings, files: Files) -> Iterator[dict[str, Any]]:
         """Encode the geometry of the rings in order; begins when the first is taken, after the map of ring 0."""
@@ -178,13 +155,13 @@ def _outline(rings: Rings) -> list[dict[str, Any]]:
     return [{**EMPTY_RING, "map": None}, *({**row, "geometry": None, "parts": [], "map": None} for row in rows)]
 
 
-def _part(stage: int, then: int, told: dict[str, Any], *files: Files, sent: set[str]) -> Part:
+def _part(stage: int, next_stage: int, event: dict[str, Any], *files: Files, sent: set[str]) -> Part:
     """Make a part with the files that were not sent yet, and a line that describes them."""
     new = {name: data for each in files for name, data in each.content.items() if name not in sent}
     sent.update(new)
-    described = {name: _store.file_entry(data) for name, data in new.items()}
-    return Part(stage, _line({**told, "stage": stage, "files": described}), new, then)
+    entries = {name: _store.file_entry(data) for name, data in new.items()}
+    return Part(stage, _line({**event, "stage": stage, "files": entries}), new, next_stage)
 
 
-def _line(told: dict[str, Any]) -> bytes:
-    return formats.to_json(told, compact=True).encode()
+def _line(event: dict[str, Any]) -> bytes:
+    return formats.to_json(event, compact=True).encode()

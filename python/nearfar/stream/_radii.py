@@ -12,7 +12,7 @@ from nearfar import _core
 from nearfar._base import check
 from nearfar._scene.scene import Scene, core_of
 from nearfar.stream._assign import MAX_RINGS, object_radii
-from nearfar.stream._footprints import footprints
+from nearfar.stream._by_footprint import footprints
 
 Policy = Literal["cost", "published", "equal_area"]
 """Policy for choosing radii."""
@@ -90,10 +90,8 @@ def ring_radii(
     middle = check.vector("center", center)
     reach = check.positive("r_max", r_max)
     base = min(PUBLISHED[0], reach) if base_radius is None else check.positive("base_radius", base_radius)
-    rate, wait = (
-        check.in_range("bandwidth", bandwidth, 1e-6, 1e9) * 1e6 / 8.0,
-        check.in_range("latency", latency, 0.0, 1e6),
-    )
+    rate = check.in_range("bandwidth", bandwidth, 1e-6, 1e9) * 1e6 / 8.0
+    delay = check.in_range("latency", latency, 0.0, 1e6)
     size = check.in_range("map_bytes", map_bytes, 0.0, 1e15)
     check.choice("policy", policy, get_args(Policy))
     if base > reach:
@@ -102,17 +100,17 @@ def ring_radii(
         # The ratio of the first radius is exactly 1, so that it is included even if `base` equals `r_max`.
         scaled = [base * (radius / PUBLISHED[0]) for radius in PUBLISHED]
         return tuple(radius for radius in scaled if radius <= reach)
-    area = equal_areas(base, reach)
+    radii = equal_areas(base, reach)
     if policy == "equal_area":
-        return area
+        return radii
     least, rest, _ = object_radii(scene, middle, reach, "object")
-    place = np.searchsorted(area, np.append(least, rest))
-    loads = _core.ring_loads(scene._core, place.astype(np.uint16), len(area) + 1)[:-1]
+    ring = np.searchsorted(radii, np.append(least, rest))
+    loads = _core.ring_loads(scene._core, ring.astype(np.uint16), len(radii) + 1)[:-1]
     sizes = loads[:, 1] * TRIANGLE_BYTES + loads[:, 2] * INSTANCE_BYTES
     if not sizes.any():
         raise ValueError(f"r_max: expected a radius that an object reaches inside, got {reach:g} m")
-    seen = np.bincount(place[:-1], footprints(scene, center=middle), len(area) + 1)[:-1]
-    return tuple(area[n] for n in merged(sizes.astype(np.float64), seen.astype(np.float64), rate, wait, size))
+    angles = np.bincount(ring[:-1], footprints(scene, center=middle), len(radii) + 1)[:-1]
+    return tuple(radii[n] for n in merged(sizes.astype(np.float64), angles.astype(np.float64), rate, delay, size))
 
 
 def equal_areas(base: float, reach: float) -> tuple[float, ...]:
@@ -124,7 +122,7 @@ def equal_areas(base: float, reach: float) -> tuple[float, ...]:
 
 
 def merged(
-    sizes: NDArray[np.float64], weights: NDArray[np.float64], rate: float, wait: float, map_bytes: float
+    sizes: NDArray[np.float64], weights: NDArray[np.float64], rate: float, delay: float, map_bytes: float
 ) -> list[int]:
     """Divide consecutive parts, which are sent in order, into runs of least cost; returns the last part of each run.
 
@@ -132,29 +130,15 @@ def merged(
     the duration of the run times the weight of it and of all later runs, so the best division of the first n parts
     extends the best division of fewer parts (dynamic programming).
 
-    Parameters
-    ----------
-    sizes
-        (N,) bytes of each part.
-    weights
-        (N,) weight of each part; parts of weight 0 wait for the others.
-    rate
-        Bandwidth, bytes per second.
-    wait
-        Seconds before a run's first byte.
-    map_bytes
-        Bytes of each run in addition to its parts.
-
-    Returns
-    -------
-    list
-        Ascending part numbers; the last is N − 1.
+    `sizes` (N,) are the bytes of each part, `weights` (N,) may be 0 for parts that wait for the others, `rate` is the
+    bandwidth in bytes per second, `delay` the seconds before a run's first byte, and `map_bytes` the bytes of each run
+    in addition to its parts. The returned part numbers ascend to N − 1.
     """
     before = np.concatenate([[0.0], np.cumsum(sizes)])
-    left = np.concatenate([np.cumsum(weights[::-1])[::-1], [0.0]])
+    remaining = np.concatenate([np.cumsum(weights[::-1])[::-1], [0.0]])
     best, previous = np.zeros(len(before)), np.zeros(len(before), np.int64)
     for end in range(1, len(before)):
-        costs = best[:end] + (wait + (before[end] - before[:end] + map_bytes) / rate) * left[:end]
+        costs = best[:end] + (delay + (before[end] - before[:end] + map_bytes) / rate) * remaining[:end]
         previous[end] = int(np.argmin(costs))
         best[end] = costs[previous[end]]
     ends, end = [], len(sizes)
@@ -169,8 +153,6 @@ def choose_radii(scene: Scene, center: ArrayLike) -> tuple[float, ...]:
     try:
         return ring_radii(scene, center=center)
     except ValueError:
-        x, y, z = check.vector("center", center)
-        raise ValueError(
-            f"center: expected one with objects around it, got ({x:g}, {y:g}, {z:g}), where none reaches within "
-            f"{REACH:g} m; pass radii to use it nevertheless"
-        ) from None
+        got = ", ".join(f"{value:g}" for value in check.vector("center", center))
+        reason = f"where none reaches within {REACH:g} m; pass radii to use it nevertheless"
+        raise ValueError(f"center: expected one with objects around it, got ({got}), {reason}") from None

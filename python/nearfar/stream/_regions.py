@@ -78,9 +78,9 @@ class InRegions:
         ValueError, TypeError
             For anything but three finite numbers.
         """
-        away = self.centers - check.vector("point", point)
+        offsets = self.centers - check.vector("point", point)
         # Scaled, so that no square overflows.
-        return int(np.argmin(np.linalg.norm(away / np.abs(away).max(), axis=1))) if away.any() else 0
+        return int(np.argmin(np.linalg.norm(offsets / np.abs(offsets).max(), axis=1))) if offsets.any() else 0
 
     def region(self, region: SupportsIndex) -> Self:
         """Return the same bundle for another region; both share the cache of read files.

@@ -6,6 +6,7 @@ import asyncio
 import os
 import random
 import time
+from contextlib import suppress
 from types import TracebackType
 from typing import TYPE_CHECKING
 
@@ -13,11 +14,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nearfar._base import check
-from nearfar.stream import _room_frames as frames, _room_names, _room_poses as poses
+from nearfar.stream import _room_frames as frames
+from nearfar.stream._room_arguments import parse_hand, parse_pointer, parse_pose, user_name
 from nearfar.stream._room_connection import Address, Connection, broken, complete, require
 from nearfar.stream._room_events import Begin, Ended, Event, Joined, Left, Pose, Posed, RoomError, To, User
-from nearfar.stream._room_inbox import Inbox
-from nearfar.stream._room_round_trips import RoundTrips
+from nearfar.stream._room_queues import Inbox, RoundTrips
 
 if TYPE_CHECKING:
     from typing import Self
@@ -68,7 +69,7 @@ class Room:
     ) -> None:
         require()
         self._address = Address.build(url, room, token, certificate)
-        self._name, self._group = _room_names.user("name", name), check.integer("group", group, 0, 2**16 - 1)
+        self._name, self._group = user_name("name", name), check.integer("group", group, 0, 2**16 - 1)
         self._reconnects = check.flag("reconnect", reconnect)
         self._users: dict[int, User] = {}
         self._user: int | None = None
@@ -148,9 +149,9 @@ class Room:
         int
             Sequence number of the pose, which `Settled` reports.
         """
-        head = poses.parse_pose(("position", "rotation"), position, rotation)
-        hands = poses.hand("left", left), poses.hand("right", right)
-        ray = poses.pointer(pointer, *hands)
+        head = parse_pose(("position", "rotation"), position, rotation)
+        hands = parse_hand("left", left), parse_hand("right", right)
+        ray = parse_pointer(pointer, *hands)
         flags = check.flag("acknowledged", acknowledged), check.flag("stops", stops)
         self._check_end()
         self._sequence += 1
@@ -158,9 +159,10 @@ class Room:
         message = Pose(self._sequence, now // 1000, *flags, head, *hands, ray)
         if acknowledged and self._has_peers():
             self._round_trips.send(message.sequence, 1e-9 * now)
-        if self._is_ready.is_set():
+        if self._is_ready.is_set() and self._connection is not None:
             # The reading task handles a broken connection.
-            await self._send(frames.pose(message), raises=False)
+            with suppress(RoomError):
+                await self._connection.send(frames.pose(message))
         return message.sequence
 
     async def say(self, data: Payload, *, to: To = "group") -> None:
@@ -238,7 +240,7 @@ class Room:
         try:
             end = await self._read()
             while self._reconnects and end.reason in RECONNECT_REASONS:
-                self._add(Ended(end.reason, end.sentence, returns=True))
+                self._inbox.add(Ended(end.reason, end.sentence, returns=True))
                 await self._reconnect()
                 end = await self._read()
         except RoomError as error:
@@ -298,7 +300,7 @@ class Room:
         """Record the final reason as the last event, unless one is recorded already."""
         if self._end is None:
             self._end = Ended(end.reason, end.sentence, returns=False)
-            self._add(self._end)
+            self._inbox.add(self._end)
             self._inbox.end()
             # Wakes up senders that wait for the reconnection.
             self._is_ready.set()
@@ -317,48 +319,35 @@ class Room:
         match frame:
             case frames.Welcome(user, others, ticket):
                 self._user, self._expected_users, self._ticket = user, others, ticket
+                return b""
             case frames.Refused(reason, sentence):
                 raise RoomError(reason, sentence)
             case frames.SettledUpTo(sequence):
                 for event in self._round_trips.settle(sequence, time.monotonic()):
-                    self._add(event)
+                    self._inbox.add(event)
+                return b""
             case Joined(user, name, group):
                 self._users[user] = User(user, name, group)
                 self._expected_users = (self._expected_users or 0) - 1
-                self._add(frame)
             case Left(user):
                 self._users.pop(user, None)
                 if not self._has_peers():
                     self._round_trips.forget()
-                self._add(frame)
-            case Posed(user, pose):
-                self._add(frame)
-                return frames.ack(user, pose.sequence) if pose.is_acknowledged else b""
-            case _:
-                self._add(frame)
+        self._inbox.add(frame)
+        if isinstance(frame, Posed) and frame.pose.is_acknowledged:
+            return frames.ack(frame.user, frame.pose.sequence)
         return b""
 
     def _has_peers(self) -> bool:
         return any(user.group == self._group for user in self._users.values())
 
-    def _add(self, event: Event) -> None:
-        self._inbox.add(event)
-
     async def _send_inside(self, frame: bytes) -> None:
-        """Send a frame once the user is in the room; RoomError at the end."""
+        """Send a frame once the user is in the room; RoomError if the connection is broken or has ended."""
         self._check_end()
         await self._is_ready.wait()
         self._check_end()
-        await self._send(frame)
-
-    async def _send(self, frame: bytes, *, raises: bool = True) -> None:
-        """Send a frame; RoomError if the connection is broken, unless `or_else` is false."""
-        try:
-            if self._connection is not None:
-                await self._connection.send(frame)
-        except RoomError:
-            if raises:
-                raise
+        if self._connection is not None:
+            await self._connection.send(frame)
 
     def _check_end(self) -> None:
         if not self._was_entered:

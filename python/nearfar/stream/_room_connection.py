@@ -8,27 +8,25 @@ import os
 import ssl
 from contextlib import suppress
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 from urllib.parse import quote, urlsplit
 
 from nearfar._base import check
-from nearfar.stream import _room_frames as frames, _room_names
+from nearfar.stream import _room_frames as frames
+from nearfar.stream._room_arguments import room_name
 from nearfar.stream._room_events import RoomError
 
 if TYPE_CHECKING:
     import aiohttp
 
-HEARTBEAT = 15.0
-"""Seconds without data from the server before a ping; without a reply after half of it the connection is broken."""
+PING_SECONDS = 15.0
+"""Seconds without data from the server before a ping. A connection without a reply half as long later is broken."""
 
-CLOSING = 5.0
+CLOSE_TIMEOUT = 5.0
 """Timeout for the server to close after bye, seconds. When it closes, the user's seat is free."""
 
-MAX_MESSAGE = 1 << 23
-"""Greatest size of a message in bytes: a user's full queue and one pose of each other user."""
-
-_AGAIN = range(500, 600)
-"""HTTP status codes of a server, or a proxy, that may succeed later."""
+MAX_MESSAGE_BYTES = 1 << 23
+"""Greatest size of a message: a user's full queue and one pose of each other user."""
 
 
 @dataclass(frozen=True)
@@ -43,7 +41,7 @@ class Address:
         """Build the address of a server's room; errors name the argument."""
         base = _server(url)
         query = "" if token is None else f"?token={quote(check.text('token', token), safe='.')}"
-        name = quote(_room_names.room("room", room), safe="")
+        name = quote(room_name("room", room), safe="")
         return cls(f"{base}/rooms/{name}{query}", _trusted(certificate))
 
 
@@ -54,7 +52,7 @@ class Connection:
         self._address = address
         self._session: aiohttp.ClientSession | None = None
         self._socket: aiohttp.ClientWebSocketResponse | None = None
-        self._receiving: asyncio.Task[aiohttp.WSMessage | None] | None = None
+        self._reader: asyncio.Task[aiohttp.WSMessage | None] | None = None
 
     async def open(self) -> None:
         """Connect; RoomError on failure, with the reason "gone" if a later attempt may succeed."""
@@ -62,18 +60,17 @@ class Connection:
         import yarl
 
         self._session = aiohttp.ClientSession()
-        trusted: ssl.SSLContext | bool = self._address.certificates or True
+        url, trusted = yarl.URL(self._address.url, encoded=True), self._address.certificates or True
+        limits: Any = {"heartbeat": PING_SECONDS, "max_msg_size": MAX_MESSAGE_BYTES}
         try:
-            self._socket = await self._session.ws_connect(
-                yarl.URL(self._address.url, encoded=True), heartbeat=HEARTBEAT, max_msg_size=MAX_MESSAGE, ssl=trusted
-            )
+            self._socket = await self._session.ws_connect(url, ssl=trusted, **limits)
         except aiohttp.WSServerHandshakeError as error:
-            raise _unwelcome(error.status) from None
+            raise _handshake_error(error.status) from None
         except aiohttp.ClientConnectorCertificateError:
-            sentence = "expected a server whose certificate is known; certificate= takes that of one that signs itself"
+            sentence = "expected a server with a trusted certificate; certificate= takes the file of a self-signed one"
             raise RoomError("unreached", sentence) from None
         except aiohttp.InvalidURL:
-            raise RoomError("unreached", "expected the address of a server that there can be") from None
+            raise RoomError("unreached", "expected a valid address of a server") from None
         except (aiohttp.ClientError, OSError) as error:
             raise RoomError("gone", check.one_line(f"the server cannot be reached: {error}", 300)) from None
 
@@ -90,21 +87,17 @@ class Connection:
         """Return the next message; None at the end."""
         import aiohttp
 
-        if self._receiving is None:
-            self._receiving = asyncio.create_task(self._receive())
+        if self._reader is None:
+            self._reader = asyncio.create_task(self._receive())
         # aiohttp marks a WebSocket as closed when its receive() is cancelled, and then does not wait for Close.
-        await asyncio.wait([self._receiving])
-        message, self._receiving = self._receiving.result(), None
-        if message is None:
-            return None
-        if message.type is aiohttp.WSMsgType.BINARY:
-            return bytes(message.data)
-        if message.type is aiohttp.WSMsgType.TEXT:
-            raise RoomError("frame", "the server sent what is no frame: a text")
-        return None
+        await asyncio.wait([self._reader])
+        message, self._reader = self._reader.result(), None
+        if message is not None and message.type is aiohttp.WSMsgType.TEXT:
+            raise RoomError("frame", "expected a binary message from the server, got a text")
+        return bytes(message.data) if message is not None and message.type is aiohttp.WSMsgType.BINARY else None
 
     async def close(self) -> None:
-        """Send bye and wait until the server closes, at most CLOSING seconds. Cancellation takes effect afterwards."""
+        """Send bye and wait until the server closes, at most CLOSE_TIMEOUT. Cancellation takes effect afterwards."""
         await complete(asyncio.create_task(self._close()))
 
     async def _receive(self) -> aiohttp.WSMessage | None:
@@ -122,13 +115,13 @@ class Connection:
         try:
             if self._socket is not None:
                 with suppress(TimeoutError):
-                    async with asyncio.timeout(CLOSING):
+                    async with asyncio.timeout(CLOSE_TIMEOUT):
                         with suppress(RoomError):
                             await self.send(frames.bye())
                         await self._socket.close()
         finally:
-            if self._receiving is not None:
-                self._receiving.cancel()
+            if self._reader is not None:
+                self._reader.cancel()
             if self._session is not None:
                 await self._session.close()
 
@@ -183,12 +176,10 @@ def _trusted(certificate: str | os.PathLike[str] | None) -> ssl.SSLContext | Non
         raise ValueError(f"certificate: expected a file of certificates in PEM, got {check.shortened(path)}") from None
 
 
-def _unwelcome(code: int) -> RoomError:
-    """Return the error for a response that refuses the WebSocket."""
-    if code in _AGAIN:
-        return RoomError("gone", f"the server answered with code {code}")
-    why = {
-        403: "it is not called by this name",
-        404: "it has no rooms, or they are not at this address",
-    }.get(code, "it makes no WebSocket")
-    return RoomError("unreached", f"the server answered with code {code}: {why}")
+def _handshake_error(status: int) -> RoomError:
+    """Return the error for a response that refuses the WebSocket; the reason "gone" if a later attempt may succeed."""
+    sentence = f"the server answered with code {status}"
+    if 500 <= status < 600:
+        return RoomError("gone", sentence)
+    reasons = {403: "it has another host name", 404: "it has no rooms, or they are at another address"}
+    return RoomError("unreached", f"{sentence}: {reasons.get(status, 'it opens no WebSocket')}")

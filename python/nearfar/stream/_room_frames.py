@@ -30,9 +30,9 @@ MAX_SIGNAL_BYTES = 1 << 14
 """Greatest payload of `signal`, bytes."""
 ONE = 32767
 """Integer that represents 1 in a rotation."""
-FARTHEST = 1e6
-"""Greatest coordinate, and greatest length of a pointer, metres."""
-MIN_LENGTH, MAX_LENGTH = 0.9, 1.1
+MAX_METRES = 1e6
+"""Greatest coordinate, and greatest length of a pointer."""
+MIN_NORM, MAX_NORM = 0.9, 1.1
 """Range of quaternion lengths that are accepted as rotations."""
 
 REASONS = (
@@ -43,18 +43,13 @@ REASONS = (
 _TO: tuple[To, ...] = ("group", "room")
 _BEGINS: tuple[Begin, ...] = ("head", "left", "right")
 _ACKNOWLEDGED, _STOPS, _LEFT, _RIGHT = 1, 2, 4, 8
-_POINTER = 4
-"""Bit position of the pointer's two flags."""
+_POINTER_SHIFT = 4
+"""Bit position of the pointer's two flags: 0 without a pointer, else 1 plus its origin's index in `_BEGINS`."""
 
-_HEAD = struct.Struct("<BH")
-_HELLO = struct.Struct("<BH")
-_ACK = struct.Struct("<HI")
+_HEADER = struct.Struct("<BH")
+_USER = struct.Struct("<H")
 _POSE = struct.Struct("<IQB")
 _PLACED = struct.Struct("<3f4h")
-_LENGTH = struct.Struct("<f")
-_USER = struct.Struct("<H")
-_SEQUENCE = struct.Struct("<I")
-_TWO = struct.Struct("<HH")
 
 
 @dataclass(frozen=True)
@@ -88,25 +83,24 @@ Frame: TypeAlias = Welcome | Posed | SettledUpTo | Said | Signalled | Joined | L
 def hello(group: int, name: str, ticket: bytes) -> bytes:
     """Encode the first frame: the user, with the ticket of the previous connection, or an empty one."""
     text = name.encode()
-    return _frame(1, _HELLO.pack(VERSION, group) + _with_length(text) + _with_length(ticket))
+    return _frame(1, struct.pack("<BHB", VERSION, group, len(text)) + text + bytes([len(ticket)]) + ticket)
 
 
-def pose(moved: Pose) -> bytes:
+def pose(value: Pose) -> bytes:
     """Encode a pose."""
-    hands = [(moved.left, _LEFT), (moved.right, _RIGHT)]
-    flags = _ACKNOWLEDGED * moved.is_acknowledged | _STOPS * moved.stops
-    flags |= sum(flag for hand, flag in hands if hand is not None)
-    pointer = moved.pointer
-    if pointer is not None:
-        flags |= (1 + _BEGINS.index(pointer.begin)) << _POINTER
-    body = _POSE.pack(moved.sequence, moved.clock, flags)
-    body += b"".join(_written(place) for place in (moved.head, moved.left, moved.right) if place is not None)
-    return _frame(2, body + (b"" if pointer is None else _LENGTH.pack(pointer.length)))
+    flags = _ACKNOWLEDGED * value.is_acknowledged | _STOPS * value.stops
+    flags |= _LEFT * (value.left is not None) | _RIGHT * (value.right is not None)
+    length = b""
+    if value.pointer is not None:
+        flags |= (1 + _BEGINS.index(value.pointer.begin)) << _POINTER_SHIFT
+        length = struct.pack("<f", value.pointer.length)
+    placed = b"".join(_placed_bytes(each) for each in (value.head, value.left, value.right) if each is not None)
+    return _frame(2, _POSE.pack(value.sequence, value.clock, flags) + placed + length)
 
 
 def ack(user: int, sequence: int) -> bytes:
     """Encode the acknowledgement of another user's pose."""
-    return _frame(3, _ACK.pack(user, sequence))
+    return _frame(3, struct.pack("<HI", user, sequence))
 
 
 def say(to: To, data: bytes) -> bytes:
@@ -126,103 +120,99 @@ def bye() -> bytes:
 
 def read(message: bytes) -> Iterator[Frame]:
     """Yield the frames of a server's message; RoomError for malformed ones."""
-    at = 0
-    while at < len(message):
-        if len(message) < at + _HEAD.size:
-            raise _fault("a frame is too short")
-        kind, length = _HEAD.unpack_from(message, at)
-        begin, at = at + _HEAD.size, at + _HEAD.size + length
-        if len(message) < at:
+    end = 0
+    while end < len(message):
+        begin = end + _HEADER.size
+        kind, length = _HEADER.unpack_from(message, end) if begin <= len(message) else (0, 0)
+        end = begin + length
+        if len(message) < end:
             raise _fault("a frame is too short")
         try:
-            yield _read(kind, message[begin:at])
+            frame = _read(kind, message[begin:end])
         except (struct.error, IndexError, UnicodeDecodeError):
-            raise _fault(f"a frame of kind {kind} has no such body") from None
+            raise _fault(f"a frame of kind {kind} has a malformed body") from None
+        yield frame
 
 
 def _read(kind: int, body: bytes) -> Frame:
     match kind:
         case 129:
-            user, others = _TWO.unpack_from(body)
-            return Welcome(user, others, _rest_of(body, _TWO.size))
+            user, others = struct.unpack_from("<HH", body)
+            return Welcome(user, others, _counted(body[4:]))
         case 130:
-            return Posed(_USER.unpack_from(body)[0], _pose(body[_USER.size :]))
+            return Posed(_USER.unpack_from(body)[0], _read_pose(body[2:]))
         case 131:
-            return SettledUpTo(*_SEQUENCE.unpack(body))
+            return SettledUpTo(*struct.unpack("<I", body))
         case 132:
-            (user,) = _USER.unpack_from(body)
-            return Said(user, _at_most(MAX_SAY_BYTES, body[_USER.size + 1 :]), _TO[body[_USER.size]])
+            return Said(_USER.unpack_from(body)[0], _limited(body[3:], MAX_SAY_BYTES), _TO[body[2]])
         case 133:
-            (user,) = _USER.unpack_from(body)
-            return Signalled(user, _at_most(MAX_SIGNAL_BYTES, body[_USER.size :]))
+            return Signalled(_USER.unpack_from(body)[0], _limited(body[2:], MAX_SIGNAL_BYTES))
         case 134:
-            user, group = _TWO.unpack_from(body)
-            return Joined(user, _rest_of(body, _TWO.size).decode(), group)
+            user, group = struct.unpack_from("<HH", body)
+            return Joined(user, _counted(body[4:]).decode(), group)
         case 135:
             return Left(*_USER.unpack(body))
         case 136:
             reason = REASONS[body[0]] if body[0] < len(REASONS) else f"reason {body[0]}"
             return Refused(reason, body[1:].decode())
-    raise _fault(f"a frame of kind {kind} is none that the server sends")
+    raise _fault(f"a frame has the kind {kind}, which the server does not send")
 
 
-def _pose(body: bytes) -> Pose:
+def _read_pose(body: bytes) -> Pose:
     sequence, clock, flags = _POSE.unpack_from(body)
-    at = _POSE.size
-    places: list[Placed | None] = []
-    for is_there in (True, flags & _LEFT, flags & _RIGHT):
-        places.append(_read_placed(body, at) if is_there else None)
-        at += _PLACED.size * bool(is_there)
+    offset = _POSE.size
+    placed: list[Placed | None] = []
+    for is_present in (True, flags & _LEFT, flags & _RIGHT):
+        placed.append(_read_placed(body, offset) if is_present else None)
+        offset += _PLACED.size * bool(is_present)
     pointer = None
-    if flags >> _POINTER:
+    if flags >> _POINTER_SHIFT:
         # Undefined flag values raise IndexError here.
-        number = (flags >> _POINTER) - 1
-        pointer = Pointer(_BEGINS[number], *_LENGTH.unpack_from(body, at))
-        at += _LENGTH.size
-        if places[number] is None or not 0.0 <= pointer.length <= FARTHEST:
-            raise _fault("a pointer begins at no hand, or has no length")
-    head, left, right = places
-    if head is None or at != len(body):
+        number = (flags >> _POINTER_SHIFT) - 1
+        pointer = Pointer(_BEGINS[number], *struct.unpack_from("<f", body, offset))
+        offset += 4
+        if placed[number] is None:
+            raise _fault("a pointer begins at a missing hand")
+        if not 0.0 <= pointer.length <= MAX_METRES:
+            raise _fault("a pointer's length is out of range")
+    head, left, right = placed
+    if head is None or offset != len(body):
         raise _fault("a pose is too long")
     return Pose(sequence, clock, bool(flags & _ACKNOWLEDGED), bool(flags & _STOPS), head, left, right, pointer)
 
 
-def _read_placed(body: bytes, at: int) -> Placed:
-    *position, x, y, z, w = _PLACED.unpack_from(body, at)
+def _read_placed(body: bytes, offset: int) -> Placed:
+    *position, x, y, z, w = _PLACED.unpack_from(body, offset)
     placed = Placed(np.array(position, np.float32), np.array([x, y, z, w]) / ONE)
     # NaN fails the comparison.
-    if not all(abs(value) <= FARTHEST for value in position):
-        raise _fault("a position is none")
-    if not MIN_LENGTH <= np.linalg.norm(placed.rotation) <= MAX_LENGTH:
-        raise _fault("a rotation is no unit quaternion")
+    if not all(abs(value) <= MAX_METRES for value in position):
+        raise _fault("a position is out of range")
+    if not MIN_NORM <= np.linalg.norm(placed.rotation) <= MAX_NORM:
+        raise _fault("a rotation is not a unit quaternion")
     placed.position.flags.writeable = placed.rotation.flags.writeable = False
     return placed
 
 
-def _written(placed: Placed) -> bytes:
+def _placed_bytes(placed: Placed) -> bytes:
     return _PLACED.pack(*placed.position.tolist(), *np.rint(placed.rotation * ONE).astype(int).tolist())
 
 
 def _frame(kind: int, body: bytes) -> bytes:
-    return _HEAD.pack(kind, len(body)) + body
+    return _HEADER.pack(kind, len(body)) + body
 
 
-def _with_length(data: bytes) -> bytes:
-    return bytes([len(data)]) + data
+def _counted(data: bytes) -> bytes:
+    """Return a byte string with a one-byte length prefix, which must end the data."""
+    if len(data) != 1 + data[0]:
+        raise _fault("a frame is too long")
+    return data[1:]
 
 
-def _rest_of(body: bytes, at: int) -> bytes:
-    """Return a byte string with a one-byte length prefix, which must end the body."""
-    if len(body) != at + 1 + body[at]:
-        raise _fault("a frame has bytes that are not counted")
-    return body[at + 1 :]
-
-
-def _at_most(most: int, data: bytes) -> bytes:
-    if len(data) > most:
+def _limited(data: bytes, max_bytes: int) -> bytes:
+    if len(data) > max_bytes:
         raise _fault("a payload is too long")
     return data
 
 
 def _fault(sentence: str) -> RoomError:
-    return RoomError("frame", f"the server sent what is no frame: {sentence}")
+    return RoomError("frame", f"expected valid frames from the server, got another message: {sentence}")

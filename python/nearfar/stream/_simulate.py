@@ -10,32 +10,30 @@ from typing import SupportsFloat, SupportsIndex, Unpack
 from nearfar._base import check
 from nearfar._base.settings import gather
 from nearfar._scene.scene import Scene
-from nearfar.stream import _store
 from nearfar.stream._bundle import Bundle
-from nearfar.stream._client_pictures import SceneParts
-from nearfar.stream._client_settings import ClientKeywords, ClientSettings
-from nearfar.stream._head_path import HeadPath
+from nearfar.stream._client_pictures import SceneParts, measured
+from nearfar.stream._client_settings import ClientKeywords, ClientSettings, HeadPath
 from nearfar.stream._link import Link
-from nearfar.stream._loading import MANIFEST, Course, Loader, follow
-from nearfar.stream._measures import measured
-from nearfar.stream._stage import Rates, least_radius
+from nearfar.stream._loading import Course, Loader, follow
+from nearfar.stream._stage import Rates
+from nearfar.stream._store import MANIFEST
 from nearfar.stream._strategies import Plan, plan_of
 from nearfar.stream._timeline import Timeline
 from nearfar.stream._transport import Transport
 
 MAX_SECONDS = 1e6
 """Greatest duration, seconds."""
-MIN_COMPRESSED, MAX_COMPRESSED = 1 << 10, 1 << 26
-"""Sizes in bytes outside of which files are sent uncompressed."""
-WORTH = 0.95
+MIN_GZIP_BYTES, MAX_GZIP_BYTES = 1 << 10, 1 << 26
+"""Sizes in bytes outside of which files are sent uncompressed; the manifest has no greatest size."""
+MAX_GZIP_RATIO = 0.95
 """Greatest ratio of compressed to original size for which the compressed copy is sent."""
-COMPRESSED = (".webp", ".range")
+COMPRESSED_SUFFIXES = (".webp", ".range")
 """Suffixes of files whose content is already compressed."""
 
-_FORMAT = 16 + zlib.MAX_WBITS
+_GZIP_WBITS = 16 + zlib.MAX_WBITS
 """zlib's `wbits` for the gzip format."""
-_known: dict[str, int] = {}
-"""Compressed sizes by file name; a name identifies the content."""
+_gzip_sizes: dict[str, int] = {}
+"""Compressed sizes by file name, which identifies the content except that of the manifest."""
 
 
 def simulate(
@@ -101,18 +99,18 @@ def simulate(
     check.instance("bundle", bundle, Bundle)
     check.instance("link", link, Link)
     path = HeadPath.parse(client.head_path, bundle.center)
-    ends = math.inf if duration is None else check.in_range("duration", duration, 0.0, MAX_SECONDS)
+    end = math.inf if duration is None else check.in_range("duration", duration, 0.0, MAX_SECONDS)
     pixels, gap = check.integer("size", size, 16, 4096), check.in_range("every", every, 1e-3, MAX_SECONDS)
     if scene is not None:
         check.instance("scene", scene, Scene)
     plan = plan_of(client.strategy, bundle._region, bundle.number, bundle._manifest["dynamic"])
     transport = Transport(link, seed=check.integer("seed", seed, 0, 2**63 - 1))
-    course = _course(bundle, plan, transport, path, _sizes(bundle, check.flag("gzip", gzip)), client, ends)
+    course = _load(bundle, plan, transport, path, _sizes(bundle, check.flag("gzip", gzip)), client, end)
     line = Timeline._build(plan, course, transport.curve, client)
     if scene is None:
         return line
     parts = SceneParts.bake(scene, bundle, client.camera, pixels)
-    return measured(line, parts, path, every=gap, rate=client.rate, duration=ends)
+    return measured(line, parts, path, every=gap, rate=client.rate, duration=end)
 
 
 def radius_for(bundle: Bundle, *, link: Link, seconds: SupportsFloat, gzip: bool = False) -> float:
@@ -147,38 +145,25 @@ def radius_for(bundle: Bundle, *, link: Link, seconds: SupportsFloat, gzip: bool
 
 
 def _sizes(bundle: Bundle, gzip: bool) -> dict[str, tuple[int, int]]:
-    """Transfer size and unpacked size of each file, in bytes."""
-    sizes = {name: (int(entry["bytes"]),) * 2 for name, entry in bundle._manifest["files"].items()}
-    manifest = bundle._reader.read(_store.MANIFEST)
-    sizes[MANIFEST] = (len(manifest),) * 2
-    if gzip:
-        read = bundle._reader.read
-        sizes = {name: (transfer_size(name, size, read), size) for name, (size, _) in sizes.items() if name != MANIFEST}
-        sizes[MANIFEST] = _document_size(manifest), len(manifest)
-    return sizes
+    """Return transfer size and unpacked size of each file, in bytes."""
+    sizes = {name: int(entry["bytes"]) for name, entry in bundle._manifest["files"].items()}
+    sizes[MANIFEST] = len(bundle._reader.read(MANIFEST))
+    read = bundle._reader.read
+    return {name: (transfer_size(name, size, read) if gzip else size, size) for name, size in sizes.items()}
 
 
 def transfer_size(name: str, size: int, read: Callable[[str], bytes]) -> int:
     """Return the transfer size of a file in bytes."""
-    if name.endswith(COMPRESSED) or not MIN_COMPRESSED <= size <= MAX_COMPRESSED:
+    is_manifest = name == MANIFEST
+    if name.endswith(COMPRESSED_SUFFIXES) or size < MIN_GZIP_BYTES or (size > MAX_GZIP_BYTES and not is_manifest):
         return size
-    if name not in _known:
-        _known[name] = _compressed_size(read(name))
-    return _known[name] if _known[name] < WORTH * size else size
+    packed = None if is_manifest else _gzip_sizes.get(name)
+    if packed is None:
+        packed = _gzip_sizes[name] = len(zlib.compress(read(name), wbits=_GZIP_WBITS))
+    return packed if packed < MAX_GZIP_RATIO * size else size
 
 
-def _document_size(content: bytes) -> int:
-    """Return the transfer size in bytes of a document whose name does not identify its content."""
-    packed = _compressed_size(content)
-    return packed if len(content) >= MIN_COMPRESSED and packed < WORTH * len(content) else len(content)
-
-
-def _compressed_size(content: bytes) -> int:
-    packer = zlib.compressobj(wbits=_FORMAT)
-    return len(packer.compress(content)) + len(packer.flush())
-
-
-def _course(
+def _load(
     bundle: Bundle,
     plan: Plan,
     transport: Transport,
@@ -187,12 +172,7 @@ def _course(
     client: ClientSettings,
     duration: float,
 ) -> Course:
-    loader = Loader(plan, sizes, transport, client.seconds_per_byte, lambda ring: True)
-    growth = bundle.growth
+    growth, fold_margin = bundle.growth, float(bundle.fold_margins[bundle.number])
     rates = Rates(plan.radii, math.radians(growth.speed) / growth.reach, growth.fade)
-    margin = float(bundle.fold_margins[bundle.number])
-
-    def least(time: float) -> float:
-        return least_radius(path.away(time), margin)
-
-    return follow(plan, loader, rates, rate=client.rate, duration=duration, least=least, moves=path.moves_after)
+    loader = Loader(plan, sizes, transport, client.seconds_per_byte)
+    return follow(loader, rates, path, fold_margin, rate=client.rate, duration=duration)

@@ -7,9 +7,9 @@ from dataclasses import dataclass, replace
 
 from nearfar.stream._manifest import NEAR_SHARE
 
-SLACK = 0.5
-"""Safety margin in metres: a chosen radius folds only for users this much farther from the axis."""
-_ROUNDED = 1.0 - 1e-9
+SAFETY_METRES = 0.5
+"""Safety margin: a chosen radius folds only for users at least this much farther from the axis."""
+_ROUNDING_FACTOR = 1.0 - 1e-9
 """Factor that keeps the last radius large enough despite rounding of its product with the near share."""
 
 
@@ -41,9 +41,9 @@ class Rates:
     """Duration of a cross-fade, seconds."""
 
 
-def least_radius(away: float, fold_margin: float) -> float:
+def least_radius(axis_distance: float, fold_margin: float) -> float:
     """Return the least radius whose picture does not fold for a user at a distance in metres from the axis."""
-    return _ROUNDED * min(away + SLACK, fold_margin) / NEAR_SHARE
+    return _ROUNDING_FACTOR * min(axis_distance + SAFETY_METRES, fold_margin) / NEAR_SHARE
 
 
 def grow(now: Shown, seconds: float, rates: Rates, least: float) -> Shown:
@@ -52,19 +52,19 @@ def grow(now: Shown, seconds: float, rates: Rates, least: float) -> Shown:
         return replace(now, radius=0.0, strength=0.0)
     goal = rates.radii[now.ring - 1]
     strength = 0.0 if now.radius == 0.0 else now.strength
-    begins = next((radius for radius in rates.radii if radius >= least), math.inf)
-    if strength == 0.0 and begins > goal:
+    first_radius = next((radius for radius in rates.radii if radius >= least), math.inf)
+    if strength == 0.0 and first_radius > goal:
         return replace(now, radius=goal, strength=0.0)
-    radius = begins if strength == 0.0 else now.radius
-    left = seconds
+    radius = first_radius if strength == 0.0 else now.radius
+    seconds_left = seconds
     if strength < 1.0:
-        whole = 1.0 / (NEAR_SHARE * radius * rates.turn)
-        needed = (1.0 - strength) * whole
-        strength = 1.0 if left >= needed else strength + left / whole
-        left = max(0.0, left - needed)
+        growth_seconds = 1.0 / (NEAR_SHARE * radius * rates.turn)
+        remaining = (1.0 - strength) * growth_seconds
+        strength = 1.0 if seconds_left >= remaining else strength + seconds_left / growth_seconds
+        seconds_left = max(0.0, seconds_left - remaining)
     if strength < 1.0 or radius >= goal:
         return replace(now, radius=min(radius, goal), strength=strength)
-    inverse = 1.0 / radius - (1.0 - NEAR_SHARE) * rates.turn * left
+    inverse = 1.0 / radius - (1.0 - NEAR_SHARE) * rates.turn * seconds_left
     return replace(now, radius=goal if inverse <= 1.0 / goal else 1.0 / inverse, strength=strength)
 
 
@@ -74,7 +74,7 @@ class Stage:
     def __init__(self, rates: Rates, *, is_smooth: bool, is_whole: bool) -> None:
         self._rates, self._is_smooth = rates, is_smooth
         self._first = len(rates.radii) if is_whole else 0
-        self._arrived, self._since, self._is_fading = -1, 0.0, False
+        self._arrived, self._fade_seconds, self._is_fading = -1, 0.0, False
         self._now = self._last = BLANK
 
     def arrive(self, ring: int) -> None:
@@ -110,13 +110,13 @@ class Stage:
         if self._is_smooth:
             self._now = grow(self._now, 0.0 if self._is_fading else seconds, self._rates, least)
         else:
-            self._now = self._at_once(least)
+            self._now = self._next_at_once(least)
         if not self._is_fading:
             if self._arrived > self._now.ring:
-                self._is_fading, self._since = True, 0.0
+                self._is_fading, self._fade_seconds = True, 0.0
             return self._now
-        self._since += seconds
-        share = min(self._since / self._rates.fade, 1.0) if self._rates.fade > 0.0 else 1.0
+        self._fade_seconds += seconds
+        share = min(self._fade_seconds / self._rates.fade, 1.0) if self._rates.fade > 0.0 else 1.0
         if share < 1.0:
             return replace(self._now, share=share)
         self._now = replace(self._now, ring=self._now.ring + 1)
@@ -128,7 +128,7 @@ class Stage:
         """Radius of the shown ring."""
         return self._rates.radii[self._now.ring - 1]
 
-    def _at_once(self, least: float) -> Shown:
+    def _next_at_once(self, least: float) -> Shown:
         if not 1 <= self._now.ring <= len(self._rates.radii):
             return replace(self._now, radius=0.0, strength=0.0)
         strength = 1.0 if self._now.strength == 1.0 or self._goal >= least else 0.0

@@ -33,7 +33,7 @@ def file_entry(data: bytes) -> dict[str, Any]:
 class Reader(Protocol):
     """Source of a bundle's files."""
 
-    place: str
+    location: str
     """Folder or URL, for messages."""
 
     def read(self, name: str) -> bytes:
@@ -45,7 +45,7 @@ class Reader(Protocol):
 
 class _Folder:
     def __init__(self, path: Path) -> None:
-        self._path, self.place = path, os.fspath(path)
+        self._path, self.location = path, os.fspath(path)
 
     def read(self, name: str) -> bytes:
         return (self._path / name).read_bytes()
@@ -58,12 +58,11 @@ class _Folder:
 class _Remote:
     def __init__(self, url: str) -> None:
         self._system, self._path = remote.system(url)
-        self.place = url
+        self.location = url
 
     def read(self, name: str) -> bytes:
-        with as_os_errors(f"{self.place}/{name}", "read"):
-            content: bytes = self._system.cat_file(f"{self._path}/{name}")
-            return content
+        with as_os_errors(f"{self.location}/{name}", "read"):
+            return bytes(self._system.cat_file(f"{self._path}/{name}"))
 
     def sizes(self) -> Mapping[str, int] | None:
         return None
@@ -80,22 +79,12 @@ def reader(path: str | os.PathLike[str]) -> Reader:
     return _Folder(folder)
 
 
-def check_target(path: str | os.PathLike[str], wanted: str) -> None:
-    """Reject a target that cannot take a bundle, before the work starts.
+def check_target(path: str | os.PathLike[str], manifest_format: str) -> None:
+    """Reject a folder or URL that cannot take a bundle, before the work starts.
 
-    Parameters
-    ----------
-    path
-        The folder or URL.
-    wanted
-        Format of the manifests whose folders may be replaced.
-
-    Raises
-    ------
-    ValueError
-        For a URL whose file system is unknown or read-only, and if fsspec is missing.
-    OSError
-        For a local folder that cannot be written, has no parent folder or contains other files.
+    Folders with manifests of the given format may be replaced. ValueError for a URL whose file system is unknown or
+    read-only, and if fsspec is missing; OSError for a local folder that cannot be written, has no parent folder or
+    contains other files.
     """
     if is_url(path):
         remote.system(str(path))
@@ -106,7 +95,7 @@ def check_target(path: str | os.PathLike[str], wanted: str) -> None:
     if not folder.parent.is_dir():
         message = "expected a path whose parent is a folder, got one without"
         raise FileNotFoundError(errno.ENOENT, f"path: {message}", os.fspath(folder))
-    _refuse_foreign_manifest(folder / MANIFEST, wanted)
+    _refuse_foreign_manifest(folder / MANIFEST, manifest_format)
     with suppress(_TrialError), files.atomic_folder(folder, marker=MANIFEST):
         raise _TrialError
 
@@ -115,13 +104,13 @@ class _TrialError(Exception):
     """Ends a trial write, so that the target stays unchanged."""
 
 
-def _refuse_foreign_manifest(path: Path, wanted: str) -> None:
+def _refuse_foreign_manifest(path: Path, manifest_format: str) -> None:
     """Reject a folder with another program's manifest.json, which would be replaced; a damaged one may be ours."""
     try:
         document = formats.from_json(path.read_bytes())
     except (OSError, ValueError, RecursionError):
         return
-    if not isinstance(document, dict) or document.get("format") != wanted:
+    if not isinstance(document, dict) or document.get("format") != manifest_format:
         message = f"path: holds a {MANIFEST} of another program, expected a new or empty folder, or a bundle"
         raise FileExistsError(errno.EEXIST, message, os.fspath(path.parent))
 
@@ -158,32 +147,32 @@ def _sizes_at(system: Any, folder: str) -> dict[str, int]:
     return {f"{FOLDER}/{entry['name'].rpartition('/')[2]}": entry["size"] for entry in entries}
 
 
-def verify(place: str, name: str, data: bytes, expected: Mapping[str, Any]) -> bytes:
+def verify(location: str, name: str, data: bytes, expected: Mapping[str, Any]) -> bytes:
     """Return a file's bytes if they have the listed size and hash; FormatError otherwise."""
-    found = file_entry(data)
+    actual = file_entry(data)
     for field in ("bytes", "sha256"):
-        if found[field] != expected[field]:
-            raise differs(place, name, field, expected[field], found[field])
+        if actual[field] != expected[field]:
+            raise differs(location, name, field, expected[field], actual[field])
     return data
 
 
-def missing(place: str, name: str) -> FormatError:
+def missing(location: str, name: str) -> FormatError:
     """Return the error for a listed file that does not exist."""
-    return FormatError(f"{place}/{name}: expected the file that the manifest lists, found none")
+    return FormatError(f"{location}/{name}: expected the file that the manifest lists, found none")
 
 
-def differs(place: str, name: str, field: str, expected: object, found: object) -> FormatError:
+def differs(location: str, name: str, field: str, expected: object, actual: object) -> FormatError:
     """Return the error for a file whose size or hash is not the listed one."""
-    return FormatError(f"{place}/{name}: expected {expected} as {field}, as the manifest lists it, got {found}")
+    return FormatError(f"{location}/{name}: expected {expected} as {field}, as the manifest lists it, got {actual}")
 
 
-def check_presence(source: Reader, listed: Mapping[str, Mapping[str, Any]]) -> None:
+def check_presence(source: Reader, entries: Mapping[str, Mapping[str, Any]]) -> None:
     """Compare the files of a local folder with the listed sizes; FormatError that names the first wrong one."""
     sizes = source.sizes()
     if sizes is None:
         return
-    for name, entry in listed.items():
+    for name, entry in entries.items():
         if name not in sizes:
-            raise missing(source.place, name)
+            raise missing(source.location, name)
         if sizes[name] != entry["bytes"]:
-            raise differs(source.place, name, "bytes", entry["bytes"], sizes[name])
+            raise differs(source.location, name, "bytes", entry["bytes"], sizes[name])

@@ -9,7 +9,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, Literal, get_args
 
-from nearfar.stream._manifest import names_of
+from nearfar.stream._manifest import EMPTY_RING, geometry_files, names_of
 
 Strategy = Literal["vis0", "vis1", "clovr", "clovrd"]
 STRATEGIES: tuple[Strategy, ...] = get_args(Strategy)
@@ -60,35 +60,25 @@ class Plan:
 
 def plan_of(strategy: Strategy, region: Mapping[str, Any], number: int, dynamic: Mapping[str, Any] | None) -> Plan:
     """Order the files of a region, given its manifest entry."""
-    rings = list(region["rings"])
-    if strategy in ("vis0", "vis1"):
-        rings = _by_footprint(region, number)
-    moving = [] if dynamic is None else [Step(None, None, _geometry(dynamic), dynamic["triangles"])]
-    first = Step(0, _map(rings[0]["map"]), ())
-    rest = [
-        Step(place, _map(ring["map"]), _geometry(ring), ring["triangles"], is_ahead=place > 1)
-        for place, ring in enumerate(rings[1:], 1)
-    ]
+    rings = _by_footprint(region, number) if strategy in ("vis0", "vis1") else region["rings"]
+    moving = [] if dynamic is None else [Step(None, None, geometry_files(dynamic), dynamic["triangles"])]
+    first, *later = (
+        Step(ring_number, _map(ring["map"]), geometry_files(ring), ring["triangles"], is_ahead=ring_number > 1)
+        for ring_number, ring in enumerate(rings)
+    )
     radii = tuple(float(ring["radius"]) for ring in rings[1:])
-    return Plan((first, *moving, *rest), radii, strategy == "clovr", strategy == "vis0")
+    return Plan((first, *moving, *later), radii, strategy == "clovr", strategy == "vis0")
 
 
 def _by_footprint(region: Mapping[str, Any], number: int) -> list[dict[str, Any]]:
     """Convert portions to rings; the last ring has only the map."""
-    other = region["by_footprint"]
-    if other is None:
-        place = f"regions[{number}].by_footprint"
-        raise ValueError(
-            f"bundle: {place}: expected objects by footprint, got none: export the scene with by_footprint=True"
-        )
+    entry = region["by_footprint"]
+    if entry is None:
+        expected = "expected objects by footprint, got none: export the scene with by_footprint=True"
+        raise ValueError(f"bundle: regions[{number}].by_footprint: {expected}")
     radius = region["rings"][-1]["radius"]
-    none: dict[str, Any] = {"triangles": 0, "geometry": None, "parts": [], "map": None}
-    portions = [{**portion, "radius": radius, "map": None} for portion in other["portions"]]
-    return [{**none, "radius": 0.0}, *portions, {**none, "radius": radius, "map": other["map"]}]
-
-
-def _geometry(entry: Mapping[str, Any]) -> tuple[str, ...]:
-    return () if entry["geometry"] is None else (entry["geometry"], *entry["parts"])
+    portions = [{**portion, "radius": radius, "map": None} for portion in entry["portions"]]
+    return [{**EMPTY_RING, "map": None}, *portions, {**EMPTY_RING, "radius": radius, "map": entry["map"]}]
 
 
 def _map(entry: Mapping[str, Any] | None) -> tuple[str, ...] | None:

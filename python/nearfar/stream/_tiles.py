@@ -24,10 +24,10 @@ MIN_SIDE = 128.0
 MAX_TILES_PER_SIDE = 250
 """Greatest number of tiles per side, so that tile numbers fit 16 bits, which numpy sorts by radix."""
 
-REST = np.iinfo(np.uint16).max
+UNDIVIDED = np.iinfo(np.uint16).max
 """Tile number of faces that are not divided."""
 
-MARGIN = 1.001
+REACH_MARGIN = 1.001
 """Safety factor on a reach, for boxes that are rounded to float32."""
 
 Arrays = dict[str, Any]
@@ -64,24 +64,23 @@ class Tiles:
         if row is None:
             return cls(scene, {}, np.zeros((0, 2, 3)), np.zeros(0, np.int32))
         meshes = parts["meshes"]
-        arrays = _core.mesh_parts(meshes[row])
         others = [number for number in range(len(meshes)) if number != row]
-        is_own = np.ones(len(scene.object_names) + 1, bool)
+        is_divisible = np.ones(len(scene.object_names) + 1, bool)
         # The last entry, index −1, is for faces without an object.
-        is_own[-1] = False
+        is_divisible[-1] = False
         for number in others:
-            is_own[_objects_of(parts, number)] = False
-        tiles, rest = _divided(arrays, is_own)
-        made = [mesh for mesh, _ in tiles] + rest
+            is_divisible[_objects_of(parts, number)] = False
+        tiles, undivided = _divided(_core.mesh_parts(meshes[row]), is_divisible)
+        new = [mesh for mesh, _ in tiles] + undivided
         parts |= {
-            "meshes": made + [meshes[number] for number in others],
-            "placements": np.concatenate([np.tile(np.eye(4)[:3], (len(made), 1, 1)), parts["placements"][others]]),
-            "objects": np.concatenate([np.full(len(made), -1, np.int32), parts["objects"][others]]),
-            "standing_count": parts["standing_count"] + len(made) - 1,
+            "meshes": new + [meshes[number] for number in others],
+            "placements": np.concatenate([np.tile(np.eye(4)[:3], (len(new), 1, 1)), parts["placements"][others]]),
+            "objects": np.concatenate([np.full(len(new), -1, np.int32), parts["objects"][others]]),
+            "standing_count": parts["standing_count"] + len(new) - 1,
         }
         boxes = np.array([mesh.bounds() for mesh, _ in tiles]).reshape(-1, 2, 3) + parts["origin"]
-        whole = scene._derived(_core.Scene(**parts), scene._rest)
-        return cls(whole, parts, boxes, np.array([number for _, number in tiles], np.int32))
+        divided = scene._derived(_core.Scene(**parts), scene._rest)
+        return cls(divided, parts, boxes, np.array([number for _, number in tiles], np.int32))
 
     def about(self, center: tuple[float, float, float], reach: float) -> Scene:
         """Return the scene for rings within a reach in metres about a centre: each tile beyond it counts as one object.
@@ -90,8 +89,8 @@ class Tiles:
         """
         if not len(self.boxes) or self.parts["textures"]:
             return self.scene
-        apart = np.maximum(np.maximum(self.boxes[:, 0] - center, center - self.boxes[:, 1]), 0.0)
-        far = np.flatnonzero(np.hypot(apart[:, 0], apart[:, 2]) > MARGIN * reach)
+        offsets = np.maximum(np.maximum(self.boxes[:, 0] - center, center - self.boxes[:, 1]), 0.0)
+        far = np.flatnonzero(np.hypot(offsets[:, 0], offsets[:, 2]) > REACH_MARGIN * reach)
         objects = self.parts["objects"].copy()
         objects[far] = self.objects[far]
         return self.scene._derived(_core.Scene(**{**self.parts, "objects": objects}), self.scene._rest)
@@ -99,67 +98,63 @@ class Tiles:
 
 def _largest(parts: dict[str, Any]) -> int | None:
     """Return the row of the instance to divide: untransformed, with per-face objects; None if there is none."""
-    rows = range(parts.get("standing_count", 0))
-    chosen = [row for row in rows if parts["objects"][row] < 0 and parts["meshes"][row].face_count >= MIN_FACES]
-    chosen = [row for row in chosen if np.array_equal(parts["placements"][row], np.eye(4)[:3])]
-    return max(chosen, key=lambda row: parts["meshes"][row].face_count, default=None)
+    meshes, static = parts.get("meshes", []), range(parts.get("standing_count", 0))
+    rows = [row for row in static if parts["objects"][row] < 0 and meshes[row].face_count >= MIN_FACES]
+    rows = [row for row in rows if np.array_equal(parts["placements"][row], np.eye(4)[:3])]
+    return max(rows, key=lambda row: meshes[row].face_count, default=None)
 
 
 def _objects_of(parts: dict[str, Any], row: int) -> NDArray[np.int32]:
     """Return the objects of an instance, −1 for faces without one."""
-    own = parts["objects"][row : row + 1]
-    found: NDArray[np.int32] = own if own[0] >= 0 else _core.mesh_parts(parts["meshes"][row])["objects"]
-    return found
+    instance_object = parts["objects"][row : row + 1]
+    is_one = instance_object[0] >= 0
+    return np.asarray(instance_object if is_one else _core.mesh_parts(parts["meshes"][row])["objects"])
 
 
-def _divided(arrays: Arrays, is_own: NDArray[np.bool_]) -> tuple[list[tuple[_core.Mesh, int]], list[_core.Mesh]]:
-    """Divide the mesh: tiles, each with the number of one of its objects, and the mesh of the undivided rest."""
+def _divided(arrays: Arrays, is_divisible: NDArray[np.bool_]) -> tuple[list[tuple[_core.Mesh, int]], list[_core.Mesh]]:
+    """Divide the mesh: tiles, each with the number of one of its objects, and the mesh of the undivided faces."""
     faces, objects = arrays["faces"], arrays["objects"]
     # An object's position is the first vertex of its last face.
-    place = np.full((len(is_own), 2), np.nan, np.float32)
-    place[objects] = arrays["positions"][faces[:, 0]][:, [0, 2]]
-    is_here = is_own & np.isfinite(place[:, 0])
-    tile_of = np.full(len(is_own), REST, np.uint16)
-    tile_of[is_here] = _tiles_of(place[is_here], len(faces))
+    positions = np.full((len(is_divisible), 2), np.nan, np.float32)
+    positions[objects] = arrays["positions"][faces[:, 0]][:, [0, 2]]
+    is_tiled = is_divisible & np.isfinite(positions[:, 0])
+    tile_of = np.full(len(is_divisible), UNDIVIDED, np.uint16)
+    tile_of[is_tiled] = _tiles_of(positions[is_tiled], len(faces))
     tile = tile_of[objects]
     order = np.argsort(tile, kind="stable")
-    sizes = np.bincount(tile, minlength=REST + 1)
     numbers = np.zeros(len(arrays["positions"]), np.uint32)
-    tiles, rest, start = [], [], 0
-    for number in np.flatnonzero(sizes):
-        chosen = order[start : start + sizes[number]]
-        start += sizes[number]
-        mesh = _part(arrays, chosen, numbers)
-        if number == REST:
-            rest.append(mesh)
+    tiles, undivided = [], []
+    for tile_faces in np.split(order, np.flatnonzero(np.diff(tile[order])) + 1):
+        mesh = _part(arrays, tile_faces, numbers)
+        if tile[tile_faces[0]] == UNDIVIDED:
+            undivided.append(mesh)
         else:
-            tiles.append((mesh, int(objects[chosen[0]])))
-    return tiles, rest
+            tiles.append((mesh, int(objects[tile_faces[0]])))
+    return tiles, undivided
 
 
-def _tiles_of(place: NDArray[np.float32], faces: int) -> NDArray[np.int64]:
+def _tiles_of(positions: NDArray[np.float32], faces: int) -> NDArray[np.int64]:
     """Return the tile number of each position, row-major."""
-    if not len(place):
+    if not len(positions):
         return np.zeros(0, np.int64)
-    low, size = place.min(axis=0), np.ptp(place, axis=0).astype(np.float64)
+    low, size = positions.min(axis=0), np.ptp(positions, axis=0).astype(np.float64)
     side = max(MIN_SIDE, math.sqrt(size.prod() * TILE_FACES / faces), size.max() / MAX_TILES_PER_SIDE)
-    column, row = ((place - low) / side).astype(np.int64).T
-    numbers: NDArray[np.int64] = row * (MAX_TILES_PER_SIDE + 1) + column
-    return numbers
+    column, row = ((positions - low) / side).astype(np.int64).T
+    return np.asarray(row * (MAX_TILES_PER_SIDE + 1) + column)
 
 
-def _part(arrays: Arrays, chosen: NDArray[np.int64], numbers: NDArray[np.uint32]) -> _core.Mesh:
+def _part(arrays: Arrays, part_faces: NDArray[np.int64], numbers: NDArray[np.uint32]) -> _core.Mesh:
     """Extract a mesh of some faces and their vertices; `numbers` is scratch space for all vertices."""
-    corners = arrays["faces"][chosen].ravel()
-    places = np.arange(len(corners), dtype=np.uint32)
-    numbers[corners] = places
-    used = corners[numbers[corners] == places]
-    numbers[used] = places[: len(used)]
-    taken = {name: arrays[name] for name in ("uvs", "colors", "normals")}
+    corners = arrays["faces"][part_faces].ravel()
+    order = np.arange(len(corners), dtype=np.uint32)
+    numbers[corners] = order
+    used = corners[numbers[corners] == order]
+    numbers[used] = order[: len(used)]
+    optional = {name: arrays[name] for name in ("uvs", "colors", "normals")}
     return _core.Mesh(
         arrays["positions"][used],
         numbers[corners].reshape(-1, 3),
-        **{name: None if values is None else values[used] for name, values in taken.items()},
-        objects=arrays["objects"][chosen],
-        materials=arrays["materials"][chosen],
+        **{name: None if values is None else values[used] for name, values in optional.items()},
+        objects=arrays["objects"][part_faces],
+        materials=arrays["materials"][part_faces],
     )

@@ -15,14 +15,14 @@ from numpy.typing import NDArray
 from nearfar._base import formats, glb
 from nearfar._base.version import __version__
 from nearfar._scene.budget import Budget
-from nearfar._scene.gltf import instances, nodes
+from nearfar._scene.gltf import nodes
 from nearfar._scene.gltf.buffers import Buffers
 
 VERSION = "1.1"
 """Version of 3D Tiles."""
 
 GRID = 2.0**-10
-"""Boxes are enlarged to multiples of this, metres, by at least one step: flat ones get a volume, and the bytes do
+"""Step in metres to whose multiples boxes are enlarged, by at least one step: flat ones get a volume, and the bytes do
 not depend on the rounding of sums."""
 
 _TO_Z_UP = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]])
@@ -34,29 +34,19 @@ def encode(
     dynamic: Mapping[str, Any] | None,
     content: Mapping[str, bytes],
 ) -> bytes:
-    """Encode `tileset.json`.
+    """Encode `tileset.json`, given the manifest entries of rings and of dynamic objects, and the files by name.
 
-    Parameters
-    ----------
-    center
-        World position of the centre in metres; the box of a tileset without geometry lies there.
-    rings, dynamic
-        Manifest entries; those with geometry become tiles, dynamic objects in the pose in which they were loaded.
-    content
-        Files by name.
+    Entries with geometry become tiles, dynamic objects in the pose in which they were loaded. The box of a tileset
+    without geometry lies at the centre (world position, metres).
     """
-    tiles = [
-        (entry["geometry"], {"ring": number, "radius": entry["radius"]})
-        for number, entry in enumerate(rings)
-        if entry["geometry"] is not None
-    ]
-    if dynamic is not None:
-        tiles.append((dynamic["geometry"], {"dynamic": True}))
+    entries = [(entry, {"ring": number, "radius": entry["radius"]}) for number, entry in enumerate(rings)]
+    entries += [] if dynamic is None else [(dynamic, {"dynamic": True})]
+    tiles = [(entry["geometry"], facts) for entry, facts in entries if entry["geometry"] is not None]
     boxes = [box_of(content[name]) for name, _ in tiles]
-    whole = _union(boxes) if boxes else np.array([center, center])
-    # Without its children the root shows nothing, so its error is the extent of the whole.
-    error = float(np.ceil(np.linalg.norm(whole[1] - whole[0])))
-    root: dict[str, Any] = {"boundingVolume": _volume(whole), "geometricError": error, "refine": "ADD"}
+    root_box = _union(boxes) if boxes else np.array([center, center])
+    # Without its children the root shows nothing, so its error is the extent of all tiles.
+    error = float(np.ceil(np.linalg.norm(root_box[1] - root_box[0])))
+    root: dict[str, Any] = {"boundingVolume": _volume(root_box), "geometricError": error, "refine": "ADD"}
     if tiles:
         root["children"] = [
             {"boundingVolume": _volume(box), "geometricError": 0.0, "content": {"uri": name}, "extras": facts}
@@ -72,7 +62,7 @@ def box_of(data: bytes) -> NDArray[np.float64]:
     budget = Budget(len(data) << 20)  # our own file
     buffers = Buffers(document, glb.binary(data, end), None, budget)
     meshes = {number: [str(number)] for number in range(len(document["meshes"]))}
-    placed = nodes.place_nodes(document, meshes, instances.transforms(document, buffers, budget))
+    placed = nodes.place_nodes(document, meshes, nodes.instance_transforms(document, buffers, budget))
     local = np.array([_mesh_box(document, mesh) for mesh in document["meshes"]])[[int(name) for name in placed.shapes]]
     linear, offset = placed.transforms[:, :3, :3], placed.transforms[:, :3, 3]
     middle = np.einsum("nij,nj->ni", linear, local.mean(axis=1)) + offset
@@ -91,7 +81,6 @@ def _union(boxes: Sequence[NDArray[np.float64]]) -> NDArray[np.float64]:
 
 def _volume(box: NDArray[np.float64]) -> dict[str, list[float]]:
     """Return a z-up bounding volume: the centre, then the half-axes."""
-    corners = np.stack([np.floor(box[0] / GRID) - 1, np.ceil(box[1] / GRID) + 1]) * GRID
-    turned = corners @ _TO_Z_UP.T
-    half = np.ptp(turned, axis=0) / 2
-    return {"box": [*turned.mean(axis=0).tolist(), *np.diag(half).ravel().tolist()]}
+    corners = np.stack([np.floor(box[0] / GRID) - 1, np.ceil(box[1] / GRID) + 1]) * GRID @ _TO_Z_UP.T
+    half = np.ptp(corners, axis=0) / 2
+    return {"box": [*corners.mean(axis=0).tolist(), *np.diag(half).ravel().tolist()]}

@@ -56,32 +56,25 @@ class Timeline:
     """Number of pictures rendered for the measures; all views together count as one."""
 
     @classmethod
-    def _build(
-        cls,
-        plan: Plan,
-        course: Course,
-        received: list[tuple[float, int]],
-        client: ClientSettings,
-    ) -> Timeline:
+    def _build(cls, plan: Plan, course: Course, received: list[tuple[float, int]], client: ClientSettings) -> Timeline:
         """Build the arrays; a frame takes constant seconds, plus seconds for each triangle."""
-        rings = np.full(len(plan.radii) + 1, math.inf)
+        ring_times = np.full(len(plan.radii) + 1, math.inf)
         for ring, time in course.rings:
-            rings[ring] = time
-        added = [step.triangles for step in plan.steps if step.ring is not None]
+            ring_times[ring] = time
         rows = [(f.time, f.shown.ring, f.shown.radius, f.shown.strength, f.shown.share) for f in course.frames]
         columns = dict(zip(FRAME_COLUMNS, np.array(rows, np.float64).T, strict=False))
         columns["ring"] = columns["ring"].astype(np.int64)
         columns["triangles"] = np.array([frame.triangles for frame in course.frames], np.int64)
         columns["seconds"] = client.frame_ms / 1e3 + client.seconds_per_triangle * columns["triangles"]
         return cls(
-            client.strategy,
-            plan.radii,
-            tuple(name for name, _ in course.files),
-            np.array([time for _, time in course.files], np.float64),
-            rings,
-            np.array(added, np.int64),
-            np.array(received, np.float64),
-            columns,
+            strategy=client.strategy,
+            radii=plan.radii,
+            files=tuple(name for name, _ in course.files),
+            file_times=np.array([time for _, time in course.files], np.float64),
+            ring_times=ring_times,
+            ring_triangles=np.array([step.triangles for step in plan.steps if step.ring is not None], np.int64),
+            received=np.array(received, np.float64),
+            frames=columns,
         )
 
     @property
@@ -115,35 +108,32 @@ class Timeline:
         times = check.array("time", time, columns=None, dtype=np.float64, finite=True)
         if (times < 0.0).any():
             raise ValueError(f"time: expected times of at least 0, got {times.min():g}")
-        found = np.interp(times, *self.received.T)
-        return float(found) if found.ndim == 0 else found
+        received = np.interp(times, *self.received.T)
+        return float(received) if received.ndim == 0 else received
 
     @property
     def geometry_share(self) -> NDArray[np.float64]:
         """Share of all rings' triangles that had arrived at each frame, 0 to 1."""
-        there = self.ring_times[None, :] <= self.frames["time"][:, None]
-        shares: NDArray[np.float64] = there @ self.ring_triangles / max(int(self.ring_triangles.sum()), 1)
-        return shares
+        has_arrived = self.ring_times[None, :] <= self.frames["time"][:, None]
+        return np.asarray(has_arrived @ self.ring_triangles / max(int(self.ring_triangles.sum()), 1))
 
     def to_dict(self) -> dict[str, Any]:
         """Return all fields as numbers, strings and lists; infinite times become None."""
+        arrivals = zip(self.files, self.file_times.tolist(), strict=True)
+        rings = zip(_numbers(self.ring_times), self.ring_triangles.tolist(), strict=True)
+        picture, first_ring, total = _numbers(np.array([self.picture, self.first_ring, self.total]))
         return {
             "strategy": self.strategy,
             "radii": list(self.radii),
-            "picture": _number(self.picture),
-            "first_ring": _number(self.first_ring),
-            "total": _number(self.total),
-            "files": [
-                {"name": name, "time": time} for name, time in zip(self.files, self.file_times.tolist(), strict=True)
-            ],
-            "rings": [
-                {"time": _number(time), "triangles": count}
-                for time, count in zip(self.ring_times.tolist(), self.ring_triangles.tolist(), strict=True)
-            ],
+            "picture": picture,
+            "first_ring": first_ring,
+            "total": total,
+            "files": [{"name": name, "time": time} for name, time in arrivals],
+            "rings": [{"time": time, "triangles": count} for time, count in rings],
             "received": self.received.tolist(),
-            "pictures": {name: [_number(value) for value in values.tolist()] for name, values in self.pictures.items()},
+            "pictures": {name: _numbers(values) for name, values in self.pictures.items()},
             "renders": self.renders,
-            "frames": {name: [_number(value) for value in values.tolist()] for name, values in self.frames.items()},
+            "frames": {name: _numbers(values) for name, values in self.frames.items()},
         }
 
     def to_json(self, path: str | os.PathLike[str]) -> None:
@@ -154,8 +144,7 @@ class Timeline:
         path
             The file.
         """
-        place = check.path("path", path)
-        with files.atomic_file(place) as temporary:
+        with files.atomic_file(check.path("path", path)) as temporary:
             temporary.write_text(json.dumps(self.to_dict(), allow_nan=False) + "\n", encoding="utf-8")
 
     def plot(self, ax: Axes | None = None, *, value: str = "bytes") -> Axes:
@@ -189,6 +178,6 @@ class Timeline:
         )
 
 
-def _number(value: Any) -> Any:
-    """Return a value for JSON; None for infinite numbers and NaN."""
-    return value if not isinstance(value, float) or math.isfinite(value) else None
+def _numbers(values: NDArray[Any]) -> list[Any]:
+    """Return values for JSON; None for infinite numbers and NaN."""
+    return [value if math.isfinite(value) else None for value in values.tolist()]

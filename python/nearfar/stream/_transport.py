@@ -12,16 +12,17 @@ import math
 from collections import deque
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from functools import partial
 
 import numpy as np
 
 from nearfar.stream._link import SEGMENT, Link
 
-AT_ONCE = 6
+MAX_REQUESTS = 6
 """Concurrent requests of the page, and connections that browsers open to a server for HTTP/1.1."""
-FIRST_WINDOW = 10 * SEGMENT
+INITIAL_WINDOW = 10 * SEGMENT
 """Initial congestion window, bytes (RFC 6928)."""
-PIECE = 16_384
+PIECE_BYTES = 16_384
 """Bytes of an HTTP/2 frame, after which another response is served."""
 DECREASE = 0.7
 """Factor on the window after a loss (RFC 9438, 4.6)."""
@@ -30,11 +31,12 @@ INCREASE = 3.0 * (1.0 - DECREASE) / (1.0 + DECREASE)
 
 
 @dataclass(eq=False)
-class _Flow:
+class _Response:
     """Response to a request."""
 
     name: str
-    left: int
+    remaining: int
+    """Bytes that are still to be sent, lost ones included."""
 
 
 @dataclass(eq=False)
@@ -43,11 +45,11 @@ class _Connection:
 
     ready: float
     """Time at which the handshake is done."""
-    window: float = FIRST_WINDOW
+    window: float = INITIAL_WINDOW
     credits: deque[list[float]] = field(default_factory=deque)
     """Times, and bytes that may be sent from each time on."""
-    flows: deque[_Flow] = field(default_factory=deque)
-    since: float = 0.0
+    responses: deque[_Response] = field(default_factory=deque)
+    busy_since: float = 0.0
     """Time from which it has had data to send without a break."""
     requests: int = 0
     """Number of outstanding requests."""
@@ -61,26 +63,26 @@ class _Connection:
     """Time of the last reduction; losses of pieces that began to arrive earlier cause no further one."""
 
     @property
-    def turn(self) -> float:
+    def queue_time(self) -> float:
         """Time at which its next data entered the queue; infinite if there are none."""
-        return max(self.credits[0][0], self.since) if self.flows and self.credits else math.inf
+        return max(self.credits[0][0], self.busy_since) if self.responses and self.credits else math.inf
 
 
 class Transport:
     """Fetches files over a link, each name once, in the order of the requests."""
 
-    def __init__(self, link: Link, *, seed: int = 0, at_once: int = AT_ONCE) -> None:
+    def __init__(self, link: Link, *, seed: int = 0, at_once: int = MAX_REQUESTS) -> None:
         self.now = 0.0
         self.arrived: dict[str, float] = {}
         self.curve: list[tuple[float, int]] = [(0.0, 0)]
         """Times and bytes received until then, to be interpolated linearly."""
         self._link, self._at_once = link, at_once
         self._clock = link._clock()
-        self._dice = np.random.default_rng(seed)
+        self._random = np.random.default_rng(seed)
         self._events: list[tuple[float, int, Callable[[], None]]] = []
         self._order = itertools.count()
         self._connections: list[_Connection] = []
-        self._waiting: deque[_Flow] = deque()
+        self._waiting: deque[_Response] = deque()
         self.asked: dict[str, int] = {}
         """Bytes of the requested files, in the order of the requests."""
         self._open = 0
@@ -90,7 +92,7 @@ class Transport:
         """Request a file of `count` bytes, unless it was requested already."""
         if name not in self.asked:
             self.asked[name] = count
-            self._waiting.append(_Flow(name, count))
+            self._waiting.append(_Response(name, count))
             self._fill()
 
     @property
@@ -104,25 +106,25 @@ class Transport:
 
     def advance(self, time: float) -> list[str]:
         """Advance to a time; return the names of files that became complete."""
-        known = len(self.arrived)
+        known_count = len(self.arrived)
         while self._events and self._events[0][0] <= time:
-            self.now, _, deed = heapq.heappop(self._events)
-            deed()
+            self.now, _, action = heapq.heappop(self._events)
+            action()
         self.now = time
-        return list(itertools.islice(self.arrived, known, None))
+        return list(itertools.islice(self.arrived, known_count, None))
 
-    def _later(self, time: float, deed: Callable[[], None]) -> None:
-        heapq.heappush(self._events, (time, next(self._order), deed))
+    def _schedule(self, time: float, action: Callable[[], None]) -> None:
+        heapq.heappush(self._events, (time, next(self._order), action))
 
     def _fill(self) -> None:
         """Send requests while there are free slots; with HTTP/1.1 each gets its own connection."""
         while self._waiting and self._open < self._at_once:
-            flow = self._waiting.popleft()
+            response = self._waiting.popleft()
             connection = self._connection()
             connection.requests += 1
             self._open += 1
-            begins = max(self.now, connection.ready) + self._link.rtt
-            self._later(begins, lambda own=connection, flow=flow: self._answer(own, flow))  # type: ignore[misc]
+            begin = max(self.now, connection.ready) + self._link.rtt
+            self._schedule(begin, partial(self._answer, connection, response))
 
     def _connection(self) -> _Connection:
         free = [each for each in self._connections if self._link.http == 2 or each.requests == 0]
@@ -133,102 +135,100 @@ class Transport:
         self._connections.append(new)
         return new
 
-    def _answer(self, connection: _Connection, flow: _Flow) -> None:
-        if flow.left == 0:
-            self._complete(connection, flow)
+    def _answer(self, connection: _Connection, response: _Response) -> None:
+        if response.remaining == 0:
+            self._complete(connection, response)
             return
-        if not connection.flows:
-            connection.since = self.now
-        connection.flows.append(flow)
+        if not connection.responses:
+            connection.busy_since = self.now
+        connection.responses.append(response)
         self._serve()
 
     def _serve(self) -> None:
         """Transmit the first piece of the queue, if the link is idle."""
         if self._is_busy:
             return
-        first = min(self._connections, key=lambda each: each.turn)
-        if first.turn > self.now:
+        first = min(self._connections, key=lambda each: each.queue_time)
+        if first.queue_time > self.now:
             return
-        flow = first.flows.popleft()
-        size = self._spend(first, min(flow.left, PIECE))
-        began, ends = self.now, self._clock.end_of_transfer(self.now, size)
+        response = first.responses.popleft()
+        size = self._spend(first, min(response.remaining, PIECE_BYTES))
+        begin, end = self.now, self._clock.end_of_transfer(self.now, size)
         self._is_busy = True
-        lost = self._lost(size)
-        flow.left -= size - lost
-        if flow.left > lost:
-            first.flows.append(flow)
-        self._later(ends, lambda: self._come(first, flow, size, lost, began))
-        self._later(began + self._link.rtt, lambda: self._acknowledge(first, flow, size, lost, began))
+        lost = self._draw_lost(size)
+        response.remaining -= size - lost
+        if response.remaining > lost:
+            first.responses.append(response)
+        self._schedule(end, partial(self._deliver, first, response, size - lost, begin))
+        self._schedule(begin + self._link.rtt, partial(self._acknowledge, first, response, size, lost, begin))
 
-    def _spend(self, connection: _Connection, most: int) -> int:
-        """Consume credits that are valid now; returns the bytes to send, at most `most`."""
+    def _spend(self, connection: _Connection, max_bytes: int) -> int:
+        """Consume credits that are valid now; returns the bytes to send, at most `max_bytes`."""
         size = 0.0
-        while size < most and connection.credits and connection.credits[0][0] <= self.now:
+        while size < max_bytes and connection.credits and connection.credits[0][0] <= self.now:
             credit = connection.credits[0]
-            part = min(credit[1], most - size)
+            part = min(credit[1], max_bytes - size)
             size += part
             credit[1] -= part
             if credit[1] <= 0.0:
                 connection.credits.popleft()
         return int(size)
 
-    def _lost(self, size: int) -> int:
+    def _draw_lost(self, size: int) -> int:
         """Draw the number of lost bytes of a piece."""
         if self._link.loss == 0.0:
             return 0
         # Poisson-distributed, so that the loss rate does not depend on the sizes of pieces.
-        return min(int(self._dice.poisson(self._link.loss * size / SEGMENT)) * SEGMENT, size)
+        return min(int(self._random.poisson(self._link.loss * size / SEGMENT)) * SEGMENT, size)
 
-    def _come(self, connection: _Connection, flow: _Flow, size: int, lost: int, began: float) -> None:
-        """Process a piece that the link has transmitted."""
+    def _deliver(self, connection: _Connection, response: _Response, count: int, begin: float) -> None:
+        """Process a piece that the link has transmitted, of which `count` bytes arrive."""
         self._is_busy = False
-        self._note(began, size - lost)
-        if flow.left == 0:
-            self._complete(connection, flow)
+        self._record_bytes(begin, count)
+        if response.remaining == 0:
+            self._complete(connection, response)
         self._serve()
 
-    def _complete(self, connection: _Connection, flow: _Flow) -> None:
-        self.arrived[flow.name] = self.now
+    def _complete(self, connection: _Connection, response: _Response) -> None:
+        self.arrived[response.name] = self.now
         connection.requests -= 1
         self._open -= 1
         self._fill()
 
-    def _acknowledge(self, connection: _Connection, flow: _Flow, size: int, lost: int, began: float) -> None:
+    def _acknowledge(self, connection: _Connection, response: _Response, size: int, lost: int, begin: float) -> None:
         """Process a piece's acknowledgement: the server gains credit for its size and the change of the window."""
-        grown = 0.0
+        growth = 0.0
         if lost:
-            self._shrink(connection, began)
-            if flow.left > 0 and flow not in connection.flows:
+            self._shrink(connection, begin)
+            if response.remaining > 0 and response not in connection.responses:
                 # Lost bytes are sent first.
-                connection.since = connection.since if connection.flows else self.now
-                connection.flows.appendleft(flow)
-        elif connection.is_slow:
-            grown = size
+                connection.busy_since = connection.busy_since if connection.responses else self.now
+                connection.responses.appendleft(response)
         else:
-            grown = INCREASE * SEGMENT * size / connection.window
-        connection.window += grown
-        connection.spare += grown
-        whole = SEGMENT * (connection.spare // SEGMENT)
-        connection.spare -= whole
-        free = size + whole
-        paid = min(connection.debt, free)
+            growth = size if connection.is_slow else INCREASE * SEGMENT * size / connection.window
+        connection.window += growth
+        connection.spare += growth
+        segments = SEGMENT * (connection.spare // SEGMENT)
+        connection.spare -= segments
+        credit = size + segments
+        paid = min(connection.debt, credit)
         connection.debt -= paid
-        if free > paid:
-            connection.credits.append([self.now, free - paid])
+        if credit > paid:
+            connection.credits.append([self.now, credit - paid])
         self._serve()
 
-    def _shrink(self, connection: _Connection, began: float) -> None:
+    def _shrink(self, connection: _Connection, begin: float) -> None:
         connection.is_slow = False
-        if began >= connection.recovery:
+        if begin >= connection.recovery:
             connection.recovery = self.now
             window = max(DECREASE * connection.window, 2.0 * SEGMENT)
             connection.debt += max(connection.window - window, 0.0)
             connection.window = window
 
-    def _note(self, began: float, count: int) -> None:
+    def _record_bytes(self, begin: float, count: int) -> None:
         time, before = self.curve[-1]
-        if time < began:
-            self.curve.append((began, before))
+        if time < begin:
+            self.curve.append((begin, before))
         elif len(self.curve) > 1:
             start, first = self.curve[-2]
             slopes = (before - first) * (self.now - time), count * (time - start)

@@ -14,7 +14,7 @@ from nearfar.orthoview._files import Local
 from nearfar.orthoview._layout import FOLDER
 from nearfar.orthoview._subtree import DONE
 
-SHOWN = (".glb", ".webp")
+GEOMETRY_SUFFIXES = (".glb", ".webp")
 """Suffixes of geometry files that the page reads; the tileset is not among them."""
 
 File = bytes | tuple[str, int]
@@ -32,14 +32,14 @@ def tree_folder(path: str | os.PathLike[str]) -> Path | None:
     """Return the folder of a tree's store at a path; None if there is none."""
     if remote.is_url(path):
         return None
-    place = remote.local(path)
-    if not (place / _store.DOCUMENT).is_file():
+    folder = remote.local(path)
+    if not (folder / _store.DOCUMENT).is_file():
         return None
     try:
-        _store.read(Local(place))
+        _store.read(Local(folder))
     except FormatError:
         return None
-    return place
+    return folder
 
 
 def tree_files(folder: Path) -> dict[str, File]:
@@ -56,7 +56,7 @@ def tree_files(folder: Path) -> dict[str, File]:
     attributes = _store.read(store)
     if not attributes["complete"]:
         raise ValueError(f"path: {folder} is not complete, build it again")
-    found: dict[str, File] = {}
+    files: dict[str, File] = {}
     documents = [_store.DOCUMENT, f"{FOLDER}/records.json"]
     with formats.guarded(folder):
         for recorded in _store.recorded(store, int(attributes["generation"])):
@@ -64,11 +64,11 @@ def tree_files(folder: Path) -> dict[str, File]:
                 documents.append(f"{recorded.folder}generation.json")
             elif recorded.name:
                 documents.append(f"{FOLDER}/{DONE}/{recorded.name}.json")
-            geometry = {path: told for path, told in recorded.geometry.items() if path.endswith(SHOWN)}
-            found |= {
+            geometry = {path: entry for path, entry in recorded.geometry.items() if path.endswith(GEOMETRY_SUFFIXES)}
+            files |= {
                 recorded.folder + path: (os.fspath(folder.resolve() / recorded.folder / path), size)
                 for path, (size, _) in (recorded.shards | geometry).items()
                 # An update lists removed geometry with size 0.
                 if size > 0
             }
-    return found | {name: (folder / name).read_bytes() for name in documents}
+    return files | {name: (folder / name).read_bytes() for name in documents}

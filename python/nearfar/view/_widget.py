@@ -6,37 +6,58 @@ Files are sent to the browser in messages, because Python may run on another mac
 from __future__ import annotations
 
 import json
+import math
 from collections.abc import Mapping
 from functools import cache
 from importlib import resources
-from typing import Any
+from typing import Any, NamedTuple
 
 import anywidget
 import traitlets
 
 from nearfar._base import card, check
 from nearfar._base.errors import Error
-from nearfar._camera.camera import Camera
+from nearfar._camera.camera import Camera, Fov
 from nearfar._reduce.reduced_scene import ReducedScene
 from nearfar.stream._bundle import Bundle
+from nearfar.stream._strategies import STRATEGIES
+from nearfar.stream.collect._player import rotated, rotation_of
 from nearfar.view import _content
-from nearfar.view._pose import MAX_ANGLE, MIN_ANGLE, STEEPEST, Pose, camera_of, pose_of
 
 ANGLE = 75.0
 """Vertical field of view at the start, degrees, as in the page."""
 
-PIECE = 4 << 20
+PIECE_BYTES = 4 << 20
 """Bytes of a file per message, so that other messages can be sent in between."""
 
-STRATEGIES = ("clovr", "clovrd", "vis0", "vis1")
-"""Loading strategies, compared in docs/view.md."""
-
 MIN_SIDE, MAX_SIDE = 16, 8192
+"""Range of width and height, CSS pixels."""
+
+MAX_PITCH = 1.5
+"""Greatest absolute pitch, radians."""
+
+MIN_ANGLE, MAX_ANGLE = 10.0, 150.0
+"""Range of the vertical field of view, degrees."""
+
+TOLERANCE = 1e-6
+"""Tolerance for the sine of a camera's roll, and for the relative asymmetry of a field of view's tangents."""
+
+
+class Pose(NamedTuple):
+    """Position and direction of the user's eye, and the vertical field of view."""
+
+    position: tuple[float, float, float]
+    yaw: float
+    """Radians; 0 looks along −z, positive to the left."""
+    pitch: float
+    """Radians; positive looks up."""
+    angle: float
+    """Vertical field of view, degrees."""
 
 
 @cache
 def _script() -> str:
-    """Return the widget's script: its loader, and in front of it the page's scripts that it imports, as texts."""
+    """Return the widget's script: the texts of the page's scripts that its loader imports, and then the loader."""
     names = json.loads(_built("widget/scripts.json"))
     scripts = [(name.rpartition("/")[2], _built(name)) for name in names]
     return f"const SCRIPTS = {json.dumps(scripts)};\n{_built('widget/loader.js')}"
@@ -72,8 +93,8 @@ class Widget(anywidget.AnyWidget):  # type: ignore[misc, unused-ignore]
         strategy: str,
     ) -> None:
         width, height = check.size("size", size)
-        for name, side in (("size[0]", width), ("size[1]", height)):
-            check.integer(name, side, MIN_SIDE, MAX_SIDE)
+        for axis, side in enumerate((width, height)):
+            check.integer(f"size[{axis}]", side, MIN_SIDE, MAX_SIDE)
         _check_strategy(shown, strategy)
         start = Pose(center, 0.0, 0.0, ANGLE) if camera is None else pose_of(camera)
         self._shown = shown
@@ -81,7 +102,8 @@ class Widget(anywidget.AnyWidget):  # type: ignore[misc, unused-ignore]
         self._last: tuple[str, bytes] | None = None
         self._esm, self._css = _script(), _built("widget/widget.css")
         super().__init__(**start._asdict())
-        for name, value in (("width", width), ("height", height), ("strategy", strategy), ("region", _number(shown))):
+        region = shown.number if isinstance(shown, Bundle) else 0
+        for name, value in {"width": width, "height": height, "strategy": strategy, "region": region}.items():
             self.set_trait(name, value)
         self.on_msg(self._answer)
 
@@ -108,24 +130,24 @@ class Widget(anywidget.AnyWidget):  # type: ignore[misc, unused-ignore]
 
     @traitlets.validate("pitch")
     def _check_pitch(self, proposal: Mapping[str, Any]) -> float:
-        return check.in_range("pitch", proposal["value"], -STEEPEST, STEEPEST)
+        return check.in_range("pitch", proposal["value"], -MAX_PITCH, MAX_PITCH)
 
     @traitlets.validate("angle")
     def _check_angle(self, proposal: Mapping[str, Any]) -> float:
         return check.in_range("angle", proposal["value"], MIN_ANGLE, MAX_ANGLE)
 
-    def _answer(self, _: Any, asked: Any, __: Any) -> None:
+    def _answer(self, _: Any, request: Any, __: Any) -> None:
         """Send a piece of a file to the browser, or an error message."""
-        if not isinstance(asked, dict) or asked.get("kind") != "read":
+        if not isinstance(request, dict) or request.get("kind") != "read":
             return
-        mark = asked.get("id")
+        number = request.get("id")
         try:
-            content = self._content(asked.get("name"))
-            start = check.integer("start", asked.get("start", 0), 0, len(content))
+            content = self._content(request.get("name"))
+            start = check.integer("start", request.get("start", 0), 0, len(content))
         except (Error, OSError, ValueError, TypeError) as error:
-            self.send({"id": mark, "problem": check.one_line(str(error), 300)})
+            self.send({"id": number, "problem": check.one_line(str(error), 300)})
         else:
-            self.send({"id": mark, "bytes": len(content)}, [content[start : start + PIECE]])
+            self.send({"id": number, "bytes": len(content)}, [content[start : start + PIECE_BYTES]])
 
     def _content(self, name: Any) -> bytes:
         """Return the content of a file; the last file is cached, because it is sent in pieces."""
@@ -137,11 +159,11 @@ class Widget(anywidget.AnyWidget):  # type: ignore[misc, unused-ignore]
 
     def _repr_mimebundle_(self, **settings: Any) -> Any:
         """Return the widget, with an image for viewers without widgets, such as saved notebooks."""
-        made = super()._repr_mimebundle_(**settings)
-        if made is None:
+        bundle = super()._repr_mimebundle_(**settings)
+        if bundle is None:
             return None
-        data, *rest = made
-        return ({**data, "image/png": card.png(self._picture())}, *rest)
+        data, *metadata = bundle
+        return ({**data, "image/png": card.png(self._picture())}, *metadata)
 
     def _picture(self) -> Any:
         """Render an image with the current camera; for a bundle only the map of ring 0, which loads quickly."""
@@ -166,5 +188,28 @@ def _files(shown: Bundle | ReducedScene) -> dict[str, _content.Read]:
     return _content.of_reduced(shown)
 
 
-def _number(shown: Bundle | ReducedScene) -> int:
-    return shown.number if isinstance(shown, Bundle) else 0
+def pose_of(camera: Camera) -> Pose:
+    """Convert a camera to a pose; ValueError or TypeError if the page cannot represent it."""
+    fov = check.instance("camera", camera, Camera).fov
+    if not isinstance(fov, Fov):
+        raise TypeError(f"camera: expected a perspective camera (nearfar.Fov), got {type(fov).__name__}")
+    if abs(fov.left + fov.right) > TOLERANCE * fov.right or abs(fov.down + fov.up) > TOLERANCE * fov.up:
+        raise ValueError("camera: expected the same field of view to both sides, up and down, got others")
+    x, y, z, w = camera.orientation
+    ahead = rotated(camera.orientation)
+    right_y = 2 * (x * y + w * z)
+    if abs(right_y) > TOLERANCE:
+        raise ValueError(f"camera: expected one without roll, got {math.degrees(math.asin(right_y)):.3g} degrees")
+    pitch = math.atan2(ahead[1], math.hypot(ahead[0], ahead[2]))
+    if abs(pitch) > MAX_PITCH:
+        raise ValueError(f"camera: expected a pitch of at most ±{MAX_PITCH} radians, got {pitch:.4g}")
+    angle = math.degrees(2.0 * math.atan(fov.up))
+    check.in_range("camera: vertical field of view", angle, MIN_ANGLE, MAX_ANGLE)
+    return Pose(camera.position, math.atan2(-ahead[0], -ahead[2]), pitch, angle)
+
+
+def camera_of(pose: Pose, size: tuple[int, int]) -> Camera:
+    """Convert a pose to a camera with an image size in pixels."""
+    up = math.tan(math.radians(0.5 * pose.angle))
+    right = up * size[0] / size[1]
+    return Camera(pose.position, rotation_of(pose.yaw, pose.pitch), fov=Fov(-right, right, -up, up), size=size)

@@ -5,7 +5,6 @@ export function hexOf(bytes: Uint8Array): string {
   return Array.from(bytes, (byte) => byte.toString(16).padStart(2, '0')).join('');
 }
 
-/** Parses bytes from hexadecimal digits. */
 export function bytesOf(digits: string): Uint8Array<ArrayBuffer> {
   return Uint8Array.from(digits.match(/../g) ?? [], (pair) => Number.parseInt(pair, 16));
 }
@@ -16,18 +15,17 @@ export async function sha256(bytes: BufferSource): Promise<string | null> {
   return hexOf(new Uint8Array(await crypto.subtle.digest('SHA-256', bytes)));
 }
 
-/** Concatenates parts. */
 export function concatBytes(parts: readonly Uint8Array[]): Uint8Array<ArrayBuffer> {
-  const whole = new Uint8Array(parts.reduce((sum, { length }) => sum + length, 0));
-  let place = 0;
+  const all = new Uint8Array(parts.reduce((sum, { length }) => sum + length, 0));
+  let offset = 0;
   for (const part of parts) {
-    whole.set(part, place);
-    place += part.length;
+    all.set(part, offset);
+    offset += part.length;
   }
-  return whole;
+  return all;
 }
 
-/** Chunks of a stream, as they arrive; none of null. */
+/** Chunks of a stream, as they arrive; no chunks if it is null. */
 export async function* chunksOf(stream: ReadableStream<Uint8Array> | null): AsyncGenerator<Uint8Array<ArrayBuffer>> {
   const reader = stream?.getReader();
   if (!reader) return;
@@ -38,18 +36,18 @@ export async function* chunksOf(stream: ReadableStream<Uint8Array> | null): Asyn
       yield value as Uint8Array<ArrayBuffer>;
     }
   } finally {
-    // Ends a stream of which the rest is not wanted; a broken one has reported its error.
+    // Ends a stream that is not read to its end; a broken one has reported its error.
     reader.cancel().catch(() => undefined);
   }
 }
 
-/** Decompresses a zlib stream; throws an error for damaged data, and for more than `most` bytes. */
-export async function inflated(data: Uint8Array<ArrayBuffer>, most: number): Promise<Uint8Array<ArrayBuffer>> {
+/** Decompresses a zlib stream; throws an error for damaged data, and for more than `maxBytes` bytes. */
+export async function inflate(data: Uint8Array<ArrayBuffer>, maxBytes: number): Promise<Uint8Array<ArrayBuffer>> {
   const parts: Uint8Array[] = [];
   let size = 0;
   for await (const part of chunksOf(new Blob([data]).stream().pipeThrough(new DecompressionStream('deflate')))) {
     size += part.length;
-    if (size > most) throw new Error(`more than ${most} bytes`);
+    if (size > maxBytes) throw new Error(`more than ${maxBytes} bytes`);
     parts.push(part);
   }
   return concatBytes(parts);

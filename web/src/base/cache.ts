@@ -14,13 +14,13 @@ export class LruCache<Value> {
     return this.#entries.has(key);
   }
 
-  /** Returns a value, which is evicted last from now on; undefined if there is none. */
+  /** Returns a value and marks it as the most recently used one; undefined if there is none. */
   get(key: string): Value | undefined {
-    const found = this.#entries.get(key);
-    if (!found) return undefined;
+    const entry = this.#entries.get(key);
+    if (!entry) return undefined;
     this.#entries.delete(key);
-    this.#entries.set(key, found);
-    return found.value;
+    this.#entries.set(key, entry);
+    return entry.value;
   }
 
   /** Adds or replaces a value, however large it is; returns the keys of evicted ones. */

@@ -6,8 +6,8 @@ export function messageOf(reason: unknown): string {
 }
 
 /**
- * Creates a promise that rejects with the signal's reason when the signal aborts. `begin` receives
- * the functions that fulfil and reject the promise. It may return a function to call on abort.
+ * Creates a promise that rejects with the signal's reason when the signal aborts. `begin` receives the functions that
+ * fulfil and reject the promise, and may return a function to call on abort.
  */
 export function abortable<T>(
   signal: AbortSignal,

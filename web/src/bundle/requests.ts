@@ -8,15 +8,11 @@ interface Request {
   readonly result: Promise<ArrayBuffer>;
   readonly controller: AbortController;
   readonly listeners: Set<ByteListener>;
-  /** Bytes received so far. */
   receivedBytes: number;
 }
 
-/**
- * Shares the requests of a function. Each caller gets its own copy of the data and all progress; a request is aborted
- * when its last caller aborts.
- */
-export function createShared(load: Load): Load {
+/** Shares requests: each caller gets a copy of the data and all progress; the last caller's abort ends the request. */
+export function shareRequests(load: Load): Load {
   const pending = new Map<string, Request>();
 
   function begin(name: string): Request {
@@ -70,17 +66,15 @@ export function createSlots(slotCount: number): Slots {
   let freeSlots = slotCount;
   const waiting = new Set<() => void>();
 
-  function waitForSlot(signal: AbortSignal): Promise<void> {
-    return abortable<void>(signal, (enter) => {
-      waiting.add(enter);
-      return () => waiting.delete(enter);
-    });
-  }
-
   return async (signal, job) => {
     signal.throwIfAborted();
-    if (freeSlots === 0) await waitForSlot(signal);
-    else freeSlots -= 1;
+    if (freeSlots > 0) freeSlots -= 1;
+    else {
+      await abortable<void>(signal, (enter) => {
+        waiting.add(enter);
+        return () => waiting.delete(enter);
+      });
+    }
     try {
       return await job();
     } finally {

@@ -2,13 +2,13 @@
 import { messageOf } from '../base/errors';
 import { BundleError } from './error';
 import type { FileEntry, Manifest } from './manifest';
-import { createShared, createSlots } from './requests';
+import { createSlots, shareRequests } from './requests';
 import { NETWORK, type Network, transfer } from './transfer';
 
-/** Pauses before each retry of a transfer, seconds. */
-export const PAUSES = [0.5, 1, 2, 4] as const;
+/** Pauses before each retry, seconds. */
+const PAUSES = [0.5, 1, 2, 4] as const;
 /** Greatest number of concurrent transfers. */
-const AT_ONCE = 6;
+const MAX_TRANSFERS = 6;
 /** Name of the document that a page loads first. */
 const DOCUMENT = 'manifest.json';
 /** Greatest size of a manifest, bytes; a thousand regions take a fifth of it. */
@@ -24,7 +24,7 @@ export type Fetch = (name: string, signal: AbortSignal, received?: Received) => 
 export type Serve = (name: string, signal: AbortSignal, received: Received) => Promise<ArrayBuffer>;
 
 /** Fetches a file from elsewhere, or from the server by `serve`. */
-export type Way = (...request: [...Parameters<Serve>, serve: Serve]) => Promise<ArrayBuffer>;
+export type Route = (...request: [...Parameters<Serve>, serve: Serve]) => Promise<ArrayBuffer>;
 
 export interface Files {
   /**
@@ -35,9 +35,9 @@ export interface Files {
   /** Reports a damaged file, so that the next fetch bypasses the browser's cache. */
   readonly distrust: (name: string) => void;
   /** Manifest entry of a file; undefined for unlisted files. */
-  readonly described: (name: string) => FileEntry | undefined;
+  readonly entryOf: (name: string) => FileEntry | undefined;
   /** Sets another way to fetch files; null for the server only. */
-  readonly setRoute: (way: Way | null) => void;
+  readonly setRoute: (route: Route | null) => void;
 }
 
 export interface Source extends Pick<Files, 'fetch' | 'distrust'> {
@@ -52,7 +52,7 @@ export async function readDocument(
   network: Network = NETWORK,
 ): Promise<string> {
   const limits = { name: DOCUMENT, bytes: null, maxBytes: MAX_MANIFEST };
-  const content = await withRetries(DOCUMENT, signal, network, (isRetry) =>
+  const content = await withRetries(`${DOCUMENT} cannot be loaded`, signal, network, (isRetry) =>
     transfer(new URL(DOCUMENT, base), limits, received, signal, isRetry, network),
   );
   return new TextDecoder().decode(content);
@@ -60,13 +60,13 @@ export async function readDocument(
 
 /** Fetches listed files by `load`, at most `atOnce` of them at a time; others are refused. */
 export function serveListed(
-  described: Files['described'],
+  entryOf: Files['entryOf'],
   atOnce: number,
   load: (name: string, bytes: number, signal: AbortSignal, received: Received) => Promise<ArrayBuffer>,
 ): Serve {
   const slots = createSlots(atOnce);
   return async (name, signal, received) => {
-    const bytes = described(name)?.bytes;
+    const bytes = entryOf(name)?.bytes;
     if (bytes === undefined) throw new BundleError(`${name}: the manifest does not list this file`);
     return slots(signal, () => load(name, bytes, signal, received));
   };
@@ -75,51 +75,51 @@ export function serveListed(
 /** Fetches files below a base URL that a manifest lists; `received` gets the bytes of all files. */
 export function createFiles(
   base: URL,
-  described: Files['described'],
+  entryOf: Files['entryOf'],
   received: Received,
   network: Network = NETWORK,
 ): Files {
   const distrusted = new Set<string>();
-  let way: Way | null = null;
+  let route: Route | null = null;
 
-  const serve = serveListed(described, AT_ONCE, (name, bytes, own, onBytes) =>
-    withRetries(name, own, network, (isRetry) => {
-      const isRenewed = distrusted.delete(name) || isRetry;
-      return transfer(new URL(name, base), { name, bytes, maxBytes: bytes }, onBytes, own, isRenewed, network);
+  const serve = serveListed(entryOf, MAX_TRANSFERS, (name, bytes, signal, onBytes) =>
+    withRetries(`${name} cannot be loaded`, signal, network, (isRetry) => {
+      const mustReload = distrusted.delete(name) || isRetry;
+      return transfer(new URL(name, base), { name, bytes, maxBytes: bytes }, onBytes, signal, mustReload, network);
     }),
   );
 
-  const shared = createShared((name, own, onBytes) => {
-    const both: Received = (more) => {
-      received(more);
-      onBytes(more);
+  const shared = shareRequests((name, signal, onBytes) => {
+    const report: Received = (bytes) => {
+      received(bytes);
+      onBytes(bytes);
     };
-    return way ? way(name, own, both, serve) : serve(name, own, both);
+    return route ? route(name, signal, report, serve) : serve(name, signal, report);
   });
   return {
-    fetch: (name, own, onBytes = () => undefined) => shared(name, own, onBytes),
+    fetch: (name, signal, onBytes = () => undefined) => shared(name, signal, onBytes),
     distrust: (name) => distrusted.add(name),
-    described,
-    setRoute: (next) => (way = next),
+    entryOf,
+    setRoute: (next) => (route = next),
   };
 }
 
-async function withRetries<T>(
-  name: string,
+/** Repeats an attempt until it succeeds or throws a BundleError; the error after the last one begins with `failure`. */
+export async function withRetries<T>(
+  failure: string,
   signal: AbortSignal,
   network: Network,
-  trial: (isRetry: boolean) => Promise<T>,
+  attempt: (isRetry: boolean) => Promise<T>,
 ): Promise<T> {
   for (let number = 0; ; number++) {
     signal.throwIfAborted();
     try {
-      return await trial(number > 0);
+      return await attempt(number > 0);
     } catch (error) {
       // A definite response of the server does not change on retry.
       if (signal.aborted || error instanceof BundleError) throw error;
       const pause = PAUSES[number];
-      const reason = messageOf(error);
-      if (pause === undefined) throw new BundleError(`${name} cannot be loaded: ${reason}`, 'network');
+      if (pause === undefined) throw new BundleError(`${failure}: ${messageOf(error)}`, 'network');
       await network.wait(pause, signal);
     }
   }

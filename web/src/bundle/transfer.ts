@@ -4,9 +4,9 @@ import { abortable } from '../base/errors';
 import { BundleError } from './error';
 
 /** Seconds without a byte before a transfer is aborted; up to twice as long may pass. */
-const STALLED = 10;
+const STALL_SECONDS = 10;
 /** Status codes below 500 that make a retry worthwhile: timeout, too early, too many requests. */
-const LATER = new Set([408, 425, 429]);
+const RETRY_STATUSES = new Set([408, 425, 429]);
 
 /** Timer and fetch function, replaceable by tests. */
 export interface Network {
@@ -43,29 +43,29 @@ export async function transfer(
   isRetry: boolean,
   network: Network,
 ): Promise<ArrayBuffer> {
-  const stop = new AbortController();
-  const end = AbortSignal.any([signal, stop.signal]);
-  let isMoving = true;
+  const timeout = new AbortController();
+  const eitherSignal = AbortSignal.any([signal, timeout.signal]);
+  let hasNewBytes = true;
   const watch = async (): Promise<void> => {
-    while (isMoving) {
-      isMoving = false;
-      await network.wait(STALLED, end);
+    while (hasNewBytes) {
+      hasNewBytes = false;
+      await network.wait(STALL_SECONDS, eitherSignal);
     }
-    stop.abort(new Error(`the server sends nothing for ${STALLED} s`));
+    timeout.abort(new Error(`the server sends nothing for ${STALL_SECONDS} s`));
   };
   // Ends together with the transfer.
   watch().catch(() => undefined);
   let size = 0;
   try {
-    const response = await network.fetch(url, end, isRetry);
+    const response = await network.fetch(url, eitherSignal, isRetry);
     checkStatus(limits.name, response);
     const parts: Uint8Array<ArrayBuffer>[] = [];
     for await (const chunk of chunksOf(response.body)) {
-      isMoving = true;
+      hasNewBytes = true;
       parts.push(chunk);
       size += chunk.length;
       received(chunk.length);
-      if (size > limits.maxBytes) throw wrongSize(limits, 'more');
+      if (size > limits.maxBytes) throw tooLarge(limits);
     }
     // A broken transfer without a length looks complete.
     if (limits.bytes !== null && size < limits.bytes) throw new Error(`expected ${limits.bytes} bytes, got ${size}`);
@@ -74,18 +74,18 @@ export async function transfer(
     received(-size);
     throw error;
   } finally {
-    stop.abort(new Error('over'));
+    timeout.abort(new Error('over'));
   }
 }
 
 function checkStatus(name: string, { ok, status, statusText }: Response): void {
   if (ok) return;
   const answer = `the server answers ${status} ${statusText}`.trim();
-  if (status >= 500 || LATER.has(status)) throw new Error(answer);
+  if (status >= 500 || RETRY_STATUSES.has(status)) throw new Error(answer);
   throw new BundleError(`${name}: ${answer}`, 'network');
 }
 
-function wrongSize({ name, bytes, maxBytes }: Limits, got: string): BundleError {
+function tooLarge({ name, bytes, maxBytes }: Limits): BundleError {
   const expected = bytes === null ? `at most ${maxBytes} bytes` : `${bytes} bytes, as the manifest lists it`;
-  return new BundleError(`${name}: expected ${expected}, got ${got}`);
+  return new BundleError(`${name}: expected ${expected}, got more`);
 }

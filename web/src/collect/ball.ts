@@ -4,73 +4,61 @@ import type { Point } from '../bundle/manifest';
 import { directionTo } from '../control/floor';
 import { addScaled, type Pose, subtract, type Vector } from '../control/pose';
 import type { ScreenPoint } from '../rooms/hold';
-import { createMesh, type Drawn, geometryOf, ribbon } from '../rooms/meshes';
+import { createMesh, createRibbon, type Drawn } from '../rooms/meshes';
 import { morphOf } from '../rooms/pointing';
 import { HEAD } from '../rooms/shaders';
-import { shownAt } from '../rooms/unmorph';
+import { applyMorph } from '../rooms/unmorph';
 import { NEAR_VERTEX } from '../shaders/scene';
 import type { Shared } from '../show/materials';
 import type { Viewer } from '../show/viewer';
 
 /** Colours for no aiming user, some, all, and for the remaining part of the ring. */
-const [NOBODY, SOME, ALL, REST] = ['#e6ebf2', '#ffb52e', '#35d07f', '#3a434e'].map((name) => new Color(name));
-/** Pieces of a full turn of the ring; y is 0 inside and 1 outside. */
-const PIECES = 96;
+const [NONE_COLOR, SOME_COLOR, ALL_COLOR, REMAINING_COLOR] = ['#e6ebf2', '#ffb52e', '#35d07f', '#3a434e'].map((name) => new Color(name));
+/** Number of segments of the ring. */
+const SEGMENTS = 96;
 
-export interface Ball {
-  readonly meshes: readonly Drawn[];
-  /**
-   * Sets the world position, the radius, the share of users who aim at it, and the elapsed share of the holding time.
-   */
-  show(at: Vector | null, radius: number, share: number, held: number): void;
-  /** Places it for pictures whose centre is at the origin. */
-  place(center: Point): void;
-}
-
-export function createBall(shared: Shared): Ball {
+export function createBall(shared: Shared) {
   const color = new Vector4(1, 1, 1, 1);
-  const size = { value: 1 };
+  const [placement, begin, size] = [new Matrix4(), new Vector3(), { value: 1 }];
   const body = createMesh(new SphereGeometry(1, 40, 28), shared, NEAR_VERTEX, { SMOOTH: '' }, {
     base_color: { value: color },
-    placement: { value: new Matrix4() },
+    placement: { value: placement },
   });
-  const ring = (base: Color | undefined): Drawn =>
-    createMesh(geometryOf(ribbon(PIECES, 0)), shared, RING_VERTEX, { UNLIT: '' }, {
-      base_color: { value: new Vector4(base?.r, base?.g, base?.b, 1) },
-      begin: { value: new Vector3() },
+  const arc = (ringColor: Color | undefined, shares: { value: number[] }): Drawn =>
+    createMesh(createRibbon(SEGMENTS, 0), shared, RING_VERTEX, { UNLIT: '' }, {
+      base_color: { value: new Vector4(ringColor?.r, ringColor?.g, ringColor?.b, 1) },
+      begin: { value: begin },
       radius: size,
-      shares: { value: [0, 1] },
+      shares,
     });
-  const [done, rest] = [ring(ALL), ring(REST)];
+  const [doneShares, remainingShares] = [{ value: [0, 0] }, { value: [0, 1] }];
+  const shapes = [body, arc(ALL_COLOR, doneShares), arc(REMAINING_COLOR, remainingShares)];
   let meshes: readonly Drawn[] = [];
-  let middle: Vector = [0, 0, 0];
+  let position: Vector = [0, 0, 0];
 
   return {
-    get meshes() {
+    get meshes(): readonly Drawn[] {
       return meshes;
     },
-    show(at, radius, share, held) {
-      meshes = at ? [body, done, rest] : [];
-      if (!at) return;
-      middle = at;
+    /**
+     * Sets the world position, the radius, the share of users who aim at it, and the elapsed share of the holding time.
+     */
+    show(center: Vector | null, radius: number, aimShare: number, heldShare: number): void {
+      meshes = center ? shapes : [];
+      if (!center) return;
+      position = center;
       size.value = radius;
-      const { r, g, b } = (share >= 1 ? ALL : share > 0 ? SOME : NOBODY) ?? new Color();
+      const { r, g, b } = (aimShare >= 1 ? ALL_COLOR : aimShare > 0 ? SOME_COLOR : NONE_COLOR) ?? new Color();
       color.set(r, g, b, 1);
-      set(done, 'shares', [0, held]);
-      set(rest, 'shares', [held, 1]);
+      doneShares.value = [0, heldShare];
+      remainingShares.value = [heldShare, 1];
     },
-    place(center) {
-      const [x, y, z] = subtract(middle, center);
-      const { value: radius } = size;
-      (body.material.uniforms['placement']?.value as Matrix4).makeScale(radius, radius, radius).setPosition(x, y, z);
-      for (const { material } of [done, rest]) (material.uniforms['begin']?.value as Vector3).set(x, y, z);
+    /** Places it for pictures whose centre is at the origin. */
+    place(center: Point): void {
+      begin.set(...subtract(position, center));
+      placement.makeScale(size.value, size.value, size.value).setPosition(begin);
     },
   };
-}
-
-function set({ material }: Drawn, name: string, value: unknown): void {
-  const uniform = material.uniforms[name];
-  if (uniform) uniform.value = value;
 }
 
 /** Vertex shader of the ring around a sphere; its fragment shader is that of near geometry. */
@@ -80,40 +68,34 @@ ${HEAD}
 in vec3 position;
 uniform vec3 begin;
 uniform float radius;
-// Shares of a turn, clockwise from above, between which the ring is drawn.
+// Shares of a turn, clockwise from the top, between which the ring is drawn.
 uniform float shares[2];
 // Inner and outer radius in radii of the sphere.
 const vec2 RING = vec2(1.25, 1.45);
 
 void main() {
   v_point = begin;
-  vec3 at = displayed(v_point);
-  mat3 axes = facing(at);
+  vec3 from_eye = displayed(v_point);
+  mat3 axes = facing(from_eye);
   float angle = 6.2831853 * mix(shares[0], shares[1], position.x);
   float size = radius * mix(RING.x, RING.y, position.y);
-  v_shown = at + size * (sin(angle) * axes[0] + cos(angle) * axes[1]);
+  v_shown = from_eye + size * (sin(angle) * axes[0] + cos(angle) * axes[1]);
   gl_Position = projectionMatrix * vec4(mat3(viewMatrix) * v_shown, 1.0);
 }
 `;
 
-/** Greatest tangent of the angle between the direction and the sphere's centre at which the sphere is meant. */
-const MEANT = 0.5;
+/** Greatest tangent of the angle between a direction and the sphere's centre at which the user means the sphere. */
+const MAX_TANGENT = 0.5;
 
 /**
- * Target beside or on a sphere for a place of the picture, at the sphere's distance, so that a hand beside the eyes
- * points there, too; null for directions that miss the sphere.
+ * World point at a point of the picture and at a sphere's distance, on or beside the sphere, so that a hand that points
+ * there from beside the eyes agrees with them; null for directions that miss the sphere.
  */
-export function pointBeside(
-  viewer: Viewer,
-  nearShare: number,
-  pose: Pose,
-  place: ScreenPoint,
-  sphere: Vector,
-): Vector | null {
+export function pointBeside(viewer: Viewer, nearShare: number, pose: Pose, point: ScreenPoint, sphere: Vector): Vector | null {
   const { center, morph } = morphOf(viewer, nearShare, pose);
-  const seen = shownAt(subtract(sphere, center), morph);
-  const [dx, dy, dz] = directionTo(pose, place, viewer.camera);
-  const along = seen[0] * dx + seen[1] * dy + seen[2] * dz;
-  const aside = subtract([along * dx, along * dy, along * dz], seen);
-  return along > 0 && Math.hypot(...aside) <= MEANT * along ? addScaled(sphere, aside, 1) : null;
+  const shownCenter = applyMorph(subtract(sphere, center), morph);
+  const [dx, dy, dz] = directionTo(pose, point, viewer.camera);
+  const distanceAlong = shownCenter[0] * dx + shownCenter[1] * dy + shownCenter[2] * dz;
+  const offset = subtract([distanceAlong * dx, distanceAlong * dy, distanceAlong * dz], shownCenter);
+  return distanceAlong > 0 && Math.hypot(...offset) <= MAX_TANGENT * distanceAlong ? addScaled(sphere, offset, 1) : null;
 }

@@ -1,5 +1,5 @@
 /** Judgement of the conductor: who aims at the sphere, who has lost it, and whether it is collected. */
-import { type Aims, type Collected, type Event, LONGEST, MAX_COUNT, type Sphere, type Trial } from './messages';
+import { type Aims, type Collected, type Event, MAX_SECONDS, MAX_COUNT, type Sphere, type Trial } from './messages';
 import { isAimed, placeOf, type Ray } from './spheres';
 
 /** Last pointers of users by number; users without a pointer are missing. */
@@ -13,7 +13,7 @@ export interface Aiming {
   /** Users who aim at it, in ascending order, and its misses. */
   readonly aims: readonly number[];
   readonly misses: number;
-  /** Number of users who must aim at once, and seconds for which they have; null while some do not. */
+  /** Number of users who must aim at once, and seconds for which all have done so; null while some do not. */
   readonly needed: number;
   readonly held: number | null;
   readonly present: ReadonlySet<number>;
@@ -24,32 +24,32 @@ export interface Aiming {
 export function judge(aiming: Aiming, trial: Trial, rays: Rays): Aims | Collected | null {
   const { sphere, age, aims, misses, needed, held, present, seated } = aiming;
   const center = placeOf(sphere, trial.box, age);
-  const found = seated.filter((user) => {
+  const aimingUsers = seated.filter((user) => {
     const ray = rays.get(user);
     return ray !== undefined && isAimed(ray, center, trial.radius);
   });
-  const lost = aims.find((user) => !found.includes(user));
-  if (lost !== undefined) {
-    const users = aims.filter((user) => user !== lost);
-    // A user who has left is no miss.
-    return aimsOf(aiming, present.has(lost) ? 'lost' : 'told', lost, users);
+  const lostUser = aims.find((user) => !aimingUsers.includes(user));
+  if (lostUser !== undefined) {
+    const users = aims.filter((user) => user !== lostUser);
+    // A user who has left the room does not count as a miss.
+    return aimsOf(aiming, present.has(lostUser) ? 'lost' : 'told', lostUser, users);
   }
-  const [selected] = found.filter((user) => !aims.includes(user)).sort((a, b) => a - b);
-  if (selected !== undefined) {
-    const users = [...aims, selected].sort((a, b) => a - b);
-    return aimsOf(aiming, 'selected', selected, users);
+  const [joinedUser] = aimingUsers.filter((user) => !aims.includes(user)).sort((a, b) => a - b);
+  if (joinedUser !== undefined) {
+    const users = [...aims, joinedUser].sort((a, b) => a - b);
+    return aimsOf(aiming, 'selected', joinedUser, users);
   }
   if (aims.length >= needed !== (held !== null)) return aimsOf(aiming, 'told', 0, aims);
   if (held === null || held < trial.hold) return null;
-  const { run, trial: played } = trial;
+  const { run, trial: trialNumber } = trial;
   const { number, level } = sphere;
-  return { kind: 'collected', run, trial: played, number, level, misses, seconds: Math.min(age, LONGEST) };
+  return { kind: 'collected', run, trial: trialNumber, number, level, misses, seconds: Math.min(age, MAX_SECONDS) };
 }
 
 /** Message that these users aim at the sphere, after an event of one of them. */
 export function aimsOf(aiming: Aiming, event: Event, user: number, users: readonly number[]): Aims {
   const { run, trial, number } = aiming.sphere;
-  const held = users.length >= aiming.needed ? Math.min(aiming.held ?? 0, LONGEST) : null;
+  const held = users.length >= aiming.needed ? Math.min(aiming.held ?? 0, MAX_SECONDS) : null;
   const misses = Math.min(aiming.misses + Number(event === 'lost'), MAX_COUNT);
   return { kind: 'aims', run, trial, number, event, user, misses, held, users };
 }

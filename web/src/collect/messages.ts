@@ -1,111 +1,154 @@
 /** Binary messages of the sphere collection, sent as payloads of a room: the tables of docs/collect.md. */
 import type { Vector } from '../control/pose';
-import { FrameError, Reader, Writer } from '../rooms/bytes';
+import {
+  checked,
+  choiceOf,
+  type Codec,
+  decode,
+  encode,
+  F32,
+  FrameError,
+  kindsOf,
+  type MessageOf,
+  prefixed,
+  record,
+  shortList,
+  tuple,
+  U16,
+  U32,
+  U8,
+  type ValueOf,
+} from '../rooms/bytes';
 
 /** First byte of all messages of the task, and their format version. */
 const [MARK, VERSION] = [0xc5, 1] as const;
-/** Greatest coordinate, speed, radius and time, in metres and seconds. */
-const [FARTHEST, FASTEST, LARGEST] = [1e6, 100, 1000] as const;
-export const LONGEST = 86400;
+/** Greatest coordinate in metres, speed in metres per second, and radius in metres. */
+const [MAX_COORDINATE, MAX_SPEED, MAX_RADIUS] = [1e6, 100, 1000] as const;
+export const MAX_SECONDS = 86400;
 /** Greatest number of seated users in a group. */
 export const MAX_USERS = 64;
 /** Greatest number of spheres and of misses that messages can hold. */
 export const MAX_COUNT = 0xffff;
 
-/** Levels and reasons in the order of their codes; `told` for all reasons without an event. */
 export const LEVELS = ['easy', 'intermediate', 'hard'] as const;
-export type Level = (typeof LEVELS)[number];
-const EVENTS = ['told', 'selected', 'lost'] as const;
-export type Event = (typeof EVENTS)[number];
+
+const flag = choiceOf([false, true], 'a code is unknown');
+const level = choiceOf(LEVELS, 'a code is unknown');
+/** Reasons of `aims`; `told` for all reasons without an event. */
+const event = choiceOf(['told', 'selected', 'lost'], 'a code is unknown');
+const seconds = within(0, MAX_SECONDS);
+const speed = within(0, MAX_SPEED);
+const position = vector(MAX_COORDINATE);
+/** Least and greatest coordinates. */
+const BOX = tuple(position, position);
+/** Collected spheres of a level, their misses, and the sum of their times. */
+const TALLY = record({ spheres: U16, misses: U16, seconds });
+/** Seat of a user: position of the eyes, metres from the scene's origin. */
+const SEAT = record({ user: U16, position });
+/** Seconds for which all required users have aimed; null while some do not. */
+const held: Codec<number | null> = {
+  read(from) {
+    const value = F32.read(from);
+    if (value !== -1) checkRange(value, 0, MAX_SECONDS);
+    return value === -1 ? null : value;
+  },
+  write: (out, value) => F32.write(out, value ?? -1),
+};
+/** Users who aim, in ascending order. */
+const users = checked(shortList(U16), (numbers) => {
+  const isAscending = numbers.every((user, index) => index === 0 || user > (numbers[index - 1] ?? 0));
+  if (numbers.length > MAX_USERS || !isAscending) throw new FrameError('the users who aim are not in ascending order');
+});
 
 /** Run and trial that a message belongs to; a group's next run has a greater number. */
-export interface Stage {
-  readonly run: number;
-  readonly trial: number;
-}
+const STAGE = { run: U16, trial: U8 } as const;
 
-export interface Seat {
-  readonly user: number;
-  /** Position of the eyes, metres from the scene's origin. */
-  readonly position: Vector;
-}
-
-/** Collected spheres of a level, and the sum of their times. */
-export interface Tally {
-  readonly spheres: number;
-  readonly misses: number;
-  readonly seconds: number;
-}
-export type Tallies = readonly [Tally, Tally, Tally];
-
-/** Least and greatest coordinates. */
-export type Box = readonly [Vector, Vector];
-
-export interface Rules {
-  readonly trials: number;
-  readonly users: number;
-  readonly seed: number;
-  readonly duration: number;
+const TRIAL = record({
+  ...STAGE,
+  trials: U8,
+  over: flag,
+  /** Number of users who must aim at once. */
+  users: U8,
+  seed: U32,
+  /** Seconds since the start of the trial, and its duration. */
+  elapsed: seconds,
+  duration: seconds,
   /** Seconds for which all must aim; between a collected sphere and the next one; between trials. */
-  readonly hold: number;
-  readonly pause: number;
-  readonly rest: number;
-  readonly radius: number;
+  hold: seconds,
+  pause: seconds,
+  rest: seconds,
+  radius: within(0, MAX_RADIUS),
   /** Speeds by level, metres per second. */
-  readonly speeds: Vector;
+  speeds: tuple(speed, speed, speed),
   /** Boxes of sphere centres and of seats. */
-  readonly box: Box;
-  readonly area: Box;
+  box: BOX,
+  area: BOX,
+  tallies: tuple(TALLY, TALLY, TALLY),
+  seats: shortList(SEAT),
+});
+
+const SPHERE = record({
+  ...STAGE,
+  number: U16,
+  level,
+  /** Seconds since the sphere appeared at its position. */
+  age: seconds,
+  position,
+  velocity: vector(MAX_SPEED),
+});
+
+const KINDS = {
+  trial: [1, checked(TRIAL, checkTrial)],
+  sphere: [2, SPHERE],
+  aims: [3, record({ ...STAGE, number: U16, event, user: U16, misses: U16, held, users })],
+  collected: [4, record({ ...STAGE, number: U16, level, misses: U16, seconds })],
+  score: [5, record({ ...STAGE, over: flag, spheres: U16, misses: U16 })],
+} as const;
+const MESSAGE = prefixed(
+  MARK,
+  'a message is not of the sphere collection',
+  prefixed(
+    VERSION,
+    'a message of the sphere collection has another version',
+    kindsOf(KINDS, 'a message of the sphere collection has an unknown kind'),
+  ),
+);
+
+export type Message = MessageOf<typeof KINDS>;
+export type Trial = Message & { readonly kind: 'trial' };
+export type Sphere = Message & { readonly kind: 'sphere' };
+export type Aims = Message & { readonly kind: 'aims' };
+export type Collected = Message & { readonly kind: 'collected' };
+export type Score = Message & { readonly kind: 'score' };
+export type Event = Aims['event'];
+export type Stage = Pick<Trial, 'run' | 'trial'>;
+export type Tally = ValueOf<typeof TALLY>;
+export type Tallies = Trial['tallies'];
+export type Seat = ValueOf<typeof SEAT>;
+export type Box = ValueOf<typeof BOX>;
+export type Rules = Omit<Trial, 'kind' | keyof Stage | 'over' | 'elapsed' | 'tallies' | 'seats'>;
+
+function within(low: number, high: number): Codec<number> {
+  return checked(F32, (value) => checkRange(value, low, high));
 }
 
-export interface Trial extends Stage, Rules {
-  readonly kind: 'trial';
-  readonly over: boolean;
-  /** Seconds since its start. */
-  readonly elapsed: number;
-  readonly tallies: Tallies;
-  readonly seats: readonly Seat[];
+function vector(greatest: number): Codec<Vector> {
+  const coordinate = within(-greatest, greatest);
+  return tuple(coordinate, coordinate, coordinate);
 }
 
-export interface Sphere extends Stage {
-  readonly kind: 'sphere';
-  readonly number: number;
-  readonly level: Level;
-  /** Seconds since it appeared at its position. */
-  readonly age: number;
-  readonly position: Vector;
-  readonly velocity: Vector;
+function checkRange(value: number, low: number, high: number): void {
+  // NaN fails the comparison.
+  if (!(value >= low && value <= high)) throw new FrameError('a number is out of its range');
 }
 
-export interface Aims extends Stage {
-  readonly kind: 'aims';
-  readonly number: number;
-  readonly event: Event;
-  readonly user: number;
-  readonly misses: number;
-  /** Seconds for which all required users have aimed; null while some do not. */
-  readonly held: number | null;
-  readonly users: readonly number[];
+function checkTrial({ trial, trials, users, duration, radius, box, area, seats }: ValueOf<typeof TRIAL>): void {
+  const isOrdered = [box, area].every(([least, most]) => least.every((low, axis) => low <= (most[axis] ?? low)));
+  const isPossible = trial >= 1 && trial <= trials && users >= 1 && users <= MAX_USERS;
+  if (!isPossible || seats.length > MAX_USERS || radius === 0 || duration === 0 || !isOrdered) {
+    throw new FrameError('a trial has rules out of range');
+  }
 }
-
-export interface Collected extends Stage {
-  readonly kind: 'collected';
-  readonly number: number;
-  readonly level: Level;
-  readonly misses: number;
-  readonly seconds: number;
-}
-
-export interface Score extends Stage {
-  readonly kind: 'score';
-  readonly over: boolean;
-  readonly spheres: number;
-  readonly misses: number;
-}
-
-export type Message = Trial | Sphere | Aims | Collected | Score;
-
-const KINDS = { trial: 1, sphere: 2, aims: 3, collected: 4, score: 5 } as const;
 
 /** Recipients of a message: the room for scores, else the group. */
 export function audienceOf({ kind }: Message): 'group' | 'room' {
@@ -113,149 +156,12 @@ export function audienceOf({ kind }: Message): 'group' | 'room' {
 }
 
 export function write(message: Message): Uint8Array {
-  const out = new Writer();
-  for (const value of [MARK, VERSION, KINDS[message.kind]]) out.u8(value);
-  out.u16(message.run);
-  out.u8(message.trial);
-  if (message.kind === 'trial') writeTrial(out, message);
-  else if (message.kind === 'score') {
-    out.u8(Number(message.over));
-    out.u16(message.spheres);
-    out.u16(message.misses);
-  } else {
-    out.u16(message.number);
-    writePlay(out, message);
-  }
-  return out.toBytes();
-}
-
-function writeTrial(out: Writer, trial: Trial): void {
-  for (const value of [trial.trials, Number(trial.over), trial.users]) out.u8(value);
-  out.u32(trial.seed);
-  const { elapsed, duration, hold, pause, rest, radius } = trial;
-  floats(out, [elapsed, duration, hold, pause, rest, radius], trial.speeds, ...trial.box, ...trial.area);
-  for (const { spheres, misses, seconds } of trial.tallies) {
-    out.u16(spheres);
-    out.u16(misses);
-    out.f32(seconds);
-  }
-  out.u8(trial.seats.length);
-  for (const { user, position } of trial.seats) {
-    out.u16(user);
-    floats(out, position);
-  }
-}
-
-function writePlay(out: Writer, message: Sphere | Aims | Collected): void {
-  if (message.kind === 'sphere') {
-    out.u8(LEVELS.indexOf(message.level));
-    floats(out, [message.age], message.position, message.velocity);
-  } else if (message.kind === 'aims') {
-    out.u8(EVENTS.indexOf(message.event));
-    out.u16(message.user);
-    out.u16(message.misses);
-    out.f32(message.held ?? -1);
-    out.u8(message.users.length);
-    for (const user of message.users) out.u16(user);
-  } else {
-    out.u8(LEVELS.indexOf(message.level));
-    out.u16(message.misses);
-    out.f32(message.seconds);
-  }
+  return encode(MESSAGE, message);
 }
 
 /** Decodes a payload; null if it is not a message of the task, throws `FrameError` for a damaged message. */
 export function read(bytes: Uint8Array): Message | null {
-  if (bytes[0] !== MARK) return null;
-  const body = new Reader(bytes.subarray(1));
-  if (body.u8() !== VERSION) throw new FrameError('a message of the sphere collection has another version');
-  const kind = body.u8();
-  const message = readBody(body, kind, { run: body.u16(), trial: body.u8() });
-  body.expectEnd('a message of the sphere collection is too long');
-  return message;
-}
-
-function readBody(body: Reader, kind: number, stage: Stage): Message {
-  switch (kind) {
-    case KINDS.trial:
-      return readTrial(body, stage);
-    case KINDS.sphere: {
-      const [number, level, age] = [body.u16(), readName(body, LEVELS), readWithin(body, 0, LONGEST)];
-      const [position, velocity] = [readVector(body, FARTHEST), readVector(body, FASTEST)];
-      return { kind: 'sphere', ...stage, number, level, age, position, velocity };
-    }
-    case KINDS.aims:
-      return readAims(body, stage);
-    case KINDS.collected: {
-      const [number, level, misses] = [body.u16(), readName(body, LEVELS), body.u16()];
-      return { kind: 'collected', ...stage, number, level, misses, seconds: readWithin(body, 0, LONGEST) };
-    }
-    case KINDS.score:
-      return { kind: 'score', ...stage, over: readFlag(body), spheres: body.u16(), misses: body.u16() };
-    default:
-      throw new FrameError('a message of the sphere collection has an unknown kind');
-  }
-}
-
-function readTrial(body: Reader, stage: Stage): Trial {
-  const [trials, over, users, seed] = [body.u8(), readFlag(body), body.u8(), body.u32()];
-  const time = (): number => readWithin(body, 0, LONGEST);
-  const [elapsed, duration, hold, pause, rest] = [time(), time(), time(), time(), time()];
-  const radius = readWithin(body, 0, LARGEST);
-  const speed = (): number => readWithin(body, 0, FASTEST);
-  const speeds = [speed(), speed(), speed()] as const;
-  const corner = (): Vector => readVector(body, FARTHEST);
-  const [box, area]: [Box, Box] = [[corner(), corner()], [corner(), corner()]];
-  const tally = (): Tally => ({ spheres: body.u16(), misses: body.u16(), seconds: time() });
-  const tallies = [tally(), tally(), tally()] as const;
-  const count = body.u8();
-  const seats = Array.from({ length: count }, (): Seat => ({ user: body.u16(), position: corner() }));
-  const isOrdered = [box, area].every(([least, most]) => least.every((low, axis) => low <= (most[axis] ?? low)));
-  const isPossible = stage.trial >= 1 && stage.trial <= trials && users >= 1 && users <= MAX_USERS;
-  if (!isPossible || count > MAX_USERS || radius === 0 || duration === 0 || !isOrdered) {
-    throw new FrameError('a trial has rules out of range');
-  }
-  const rules = { trials, users, seed, duration, hold, pause, rest, radius, speeds, box, area };
-  return { kind: 'trial', ...stage, ...rules, over, elapsed, tallies, seats };
-}
-
-function readAims(body: Reader, stage: Stage): Aims {
-  const [number, event, user, misses] = [body.u16(), readName(body, EVENTS), body.u16(), body.u16()];
-  const time = body.f32();
-  const users = Array.from({ length: body.u8() }, () => body.u16());
-  if (users.length > MAX_USERS || users.some((each, at) => at > 0 && each <= (users[at - 1] ?? 0))) {
-    throw new FrameError('the users who aim are not in ascending order');
-  }
-  const held = time === -1 ? null : checkRange(time, 0, LONGEST);
-  return { kind: 'aims', ...stage, number, event, user, misses, held, users };
-}
-
-function readName<Name>(body: Reader, names: readonly Name[]): Name {
-  const name = names[body.u8()];
-  if (name === undefined) throw new FrameError('a code is unknown');
-  return name;
-}
-
-function readFlag(body: Reader): boolean {
-  return readName(body, [false, true]);
-}
-
-function readVector(body: Reader, most: number): Vector {
-  return [readWithin(body, -most, most), readWithin(body, -most, most), readWithin(body, -most, most)];
-}
-
-function readWithin(body: Reader, low: number, high: number): number {
-  return checkRange(body.f32(), low, high);
-}
-
-function checkRange(value: number, low: number, high: number): number {
-  // NaN fails the comparison.
-  if (!(value >= low && value <= high)) throw new FrameError('a number is out of its range');
-  return value;
-}
-
-function floats(out: Writer, ...lists: readonly (readonly number[])[]): void {
-  for (const value of lists.flat()) out.f32(value);
+  return bytes[0] === MARK ? decode(MESSAGE, bytes, 'a message of the sphere collection is too long') : null;
 }
 
 /** Whether two messages belong to the same trial. */
@@ -263,7 +169,6 @@ export function isSameStage(a: Stage, b: Stage): boolean {
   return a.run === b.run && a.trial === b.trial;
 }
 
-/** Number of spheres collected in a trial. */
 export function countOf({ tallies }: Trial): number {
   return tallies.reduce((sum, { spheres }) => sum + spheres, 0);
 }
@@ -273,8 +178,8 @@ export function isEarlier(a: Trial, b: Trial): boolean {
   // Run numbers are cyclic.
   const ahead = (a.run - b.run) & MAX_COUNT;
   if (ahead !== 0) return ahead > MAX_COUNT / 2;
-  const age = (trial: Trial): number[] => [trial.trial, Number(trial.over), countOf(trial)];
-  const [own, other] = [age(a), age(b)];
-  const at = own.findIndex((value, place) => value !== other[place]);
-  return at >= 0 && (own[at] ?? 0) < (other[at] ?? 0);
+  const agesOf = (trial: Trial): number[] => [trial.trial, Number(trial.over), countOf(trial)];
+  const [agesA, agesB] = [agesOf(a), agesOf(b)];
+  const index = agesA.findIndex((value, n) => value !== agesB[n]);
+  return index >= 0 && (agesA[index] ?? 0) < (agesB[index] ?? 0);
 }

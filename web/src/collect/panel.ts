@@ -1,43 +1,25 @@
 /** Card of the task: results so far, remaining time, and the figures of a trial at its end. */
 import { button, make, write } from '../ui/dom';
 import { milliseconds } from '../ui/format';
-import { LEVELS, type Tallies } from './messages';
+import { LEVELS, type Trial } from './messages';
+import type { Task } from './task';
 
-/** Content of the card. */
 export interface CardState {
-  /** Instruction for the user. */
   readonly instruction: string;
   readonly canStart: boolean;
-  /** Null before the first trial. */
-  readonly trial: TrialState | null;
   /** Scores of other groups, as text. */
   readonly otherScores: string;
-}
-
-export interface TrialState {
-  /** Title, such as `Trial 1 of 3`. */
-  readonly title: string;
-  readonly secondsLeft: number;
-  /** Level of the sphere; empty without a sphere. */
-  readonly level: string;
-  /** Users who aim at the sphere and users needed, such as `1/2`; empty without a sphere. */
-  readonly aiming: string;
-  readonly spheres: number;
-  readonly misses: number;
-  readonly isOver: boolean;
-  readonly tallies: Tallies;
-  /** Null if unknown. */
-  readonly framesPerSecond: number | null;
+  /** Null outside the room. */
+  readonly task: Task | null;
+  readonly now: number;
+  /** Frames per second; null if unknown. */
+  readonly frameRate: number | null;
   /** Seconds; null if unknown. */
   readonly roundTrip: number | null;
 }
 
-export interface CollectPanel {
-  update(state: CardState): void;
-}
-
 /** Builds the card above the page's buttons; `start` begins a run. */
-export function createPanel(root: HTMLElement, start: () => void): CollectPanel {
+export function createPanel(root: HTMLElement, start: () => void) {
   const instruction = make('p', { class: 'collect-words', role: 'status' });
   const title = make('h2', {}, 'Sphere collection');
   const figureNames = ['Left', 'Level', 'Aiming', 'Spheres', 'Misses'] as const;
@@ -69,33 +51,34 @@ export function createPanel(root: HTMLElement, start: () => void): CollectPanel 
   );
   root.querySelector('.bottom')?.prepend(card);
 
-  function showTrial({ title: name, isOver, ...state }: TrialState): void {
-    write(title, name);
-    figures.hidden = isOver;
-    table.hidden = speedLine.hidden = !isOver;
-    const counts = [state.spheres, state.misses].map(String);
-    const texts = [formatClock(state.secondsLeft), state.level || '–', state.aiming || '–', ...counts];
+  function showTrial(task: Task, trial: Trial, { now, frameRate, roundTrip }: CardState): void {
+    write(title, `Trial ${trial.trial} of ${trial.trials}`);
+    figures.hidden = trial.over;
+    table.hidden = speedLine.hidden = !trial.over;
+    const aiming = task.sphere ? `${task.aims.length}/${task.needed}` : '–';
+    const counts = [task.count, task.collectedMisses + task.misses].map(String);
+    const texts = [formatClock(trial.duration - task.elapsed(now)), task.sphere?.level ?? '–', aiming, ...counts];
     texts.forEach((text, index) => figureCells[index] && write(figureCells[index], text));
-    state.tallies.forEach(({ spheres, seconds, misses }, index) => {
+    trial.tallies.forEach(({ spheres, seconds, misses }, index) => {
       const cells = [String(spheres), spheres > 0 ? (seconds / spheres).toFixed(2) : '–', String(misses)];
       cells.forEach((text, column) => {
         const cell = rows[index]?.[column];
         if (cell) write(cell, text);
       });
     });
-    const rateText = state.framesPerSecond === null ? [] : [`${state.framesPerSecond.toFixed(1)} frames a second`];
-    const tripText = state.roundTrip === null ? [] : [`round trip ${milliseconds(1000 * state.roundTrip)}`];
+    const rateText = frameRate === null ? [] : [`${frameRate.toFixed(1)} frames a second`];
+    const tripText = roundTrip === null ? [] : [`round trip ${milliseconds(1000 * roundTrip)}`];
     write(speedLine, [...rateText, ...tripText].join(', '));
   }
 
   return {
-    update(state) {
+    update(state: CardState): void {
       write(instruction, state.instruction);
       instruction.hidden = state.instruction === '';
       write(otherScores, state.otherScores);
       otherScores.hidden = state.otherScores === '';
       startButton.hidden = !state.canStart;
-      if (state.trial) showTrial(state.trial);
+      if (state.task?.trial) showTrial(state.task, state.task.trial, state);
       else figures.hidden = table.hidden = speedLine.hidden = true;
     },
   };

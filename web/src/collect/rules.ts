@@ -1,9 +1,9 @@
 /** Rules of a trial: the published ones, changed by the page's address parameters. */
 import type { Vector } from '../control/pose';
-import { type Box, LONGEST, MAX_USERS, type Rules } from './messages';
+import { type Box, MAX_SECONDS, MAX_USERS, type Rules } from './messages';
 
-/** Sizes of the seats along and across the view, and of the box across, up and along it, metres. */
-const [SEATS, BOX] = [[5, 2], [8, 4, 4]] as const;
+/** Sizes of the seats' rectangle across and along the view, and of the spheres' box across, up and along it, metres. */
+const [SEAT_AREA, SPHERE_BOX] = [[5, 2], [8, 4, 4]] as const;
 /** Offset ahead and up from the centre of the seats to the centre of the box, metres. */
 const [DISTANCE, RISE] = [8, 0.5] as const;
 const SPEEDS = [0, 0.5, 1.5] as const;
@@ -13,38 +13,38 @@ const PARAMETERS = {
   users: [4, 1, MAX_USERS],
   trials: [3, 1, 255],
   seed: [0, 0, 0xffffffff],
-  duration: [180, 1, LONGEST],
-  hold: [2, 0, LONGEST],
-  pause: [1.65, 0, LONGEST],
-  rest: [5, 0, LONGEST],
+  duration: [180, 1, MAX_SECONDS],
+  hold: [2, 0, MAX_SECONDS],
+  pause: [1.65, 0, MAX_SECONDS],
+  rest: [5, 0, MAX_SECONDS],
   radius: [0.3, 0.01, 1000],
 } as const;
-const WHOLE: readonly string[] = ['users', 'trials', 'seed'];
+const INTEGERS: readonly string[] = ['users', 'trials', 'seed'];
 
 export type RuleParameters = Readonly<Record<keyof typeof PARAMETERS, number>>;
 
 /** Rules from `?users=…&hold=…`; an error message for invalid numbers. */
 export function readRules(query: URLSearchParams): RuleParameters | string {
-  const found: Record<string, number> = {};
-  for (const [name, [usual, least, most]] of Object.entries(PARAMETERS)) {
+  const values: Record<string, number> = {};
+  for (const [name, [defaultValue, least, most]] of Object.entries(PARAMETERS)) {
     const text = query.get(name);
-    const value = text === null ? usual : Number(text);
-    const isWhole = Number.isInteger(value) || !WHOLE.includes(name);
+    const value = text === null ? defaultValue : Number(text);
+    const isWhole = Number.isInteger(value) || !INTEGERS.includes(name);
     if (text?.trim() === '' || !isWhole || !(value >= least && value <= most)) {
-      return `${name}: expected a ${WHOLE.includes(name) ? 'whole ' : ''}number from ${least} to ${most}`;
+      return `${name}: expected a ${INTEGERS.includes(name) ? 'whole ' : ''}number from ${least} to ${most}`;
     }
-    found[name] = value;
+    values[name] = value;
   }
-  return found as RuleParameters;
+  return values as RuleParameters;
 }
 
 /** Rules with seats about a place at eye height and spheres ahead of it, aligned to quarter turns. */
 export function rulesAt(parameters: RuleParameters, [x, y, z]: Vector, yaw: number): Rules {
   const quarter = Math.round(yaw / (Math.PI / 2));
-  const isAcross = quarter % 2 !== 0;
+  const isSideways = quarter % 2 !== 0;
   const [ahead, aside] = [-Math.cos((quarter * Math.PI) / 2), -Math.sin((quarter * Math.PI) / 2)].map(Math.round);
-  const [wide, deep] = isAcross ? [SEATS[1], SEATS[0]] : SEATS;
-  const [across, high, along] = isAcross ? [BOX[2], BOX[1], BOX[0]] : BOX;
+  const [wide, deep] = isSideways ? [SEAT_AREA[1], SEAT_AREA[0]] : SEAT_AREA;
+  const [across, high, along] = isSideways ? [SPHERE_BOX[2], SPHERE_BOX[1], SPHERE_BOX[0]] : SPHERE_BOX;
   const middle: Vector = [x + DISTANCE * (aside ?? 0), y + RISE, z + DISTANCE * (ahead ?? 0)];
   return {
     ...parameters,

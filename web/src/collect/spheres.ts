@@ -9,18 +9,18 @@ export interface Ray {
 }
 
 /** Sequence of levels: easy, hard, intermediate. */
-const TURNS = [0, 2, 1] as const;
+const LEVEL_ORDER = [0, 2, 1] as const;
 /** Least distance between seats in metres, and the number of attempts to place them so. */
-const [APART, TRIES] = [0.7, 32] as const;
+const [MIN_SEAT_DISTANCE, MAX_ATTEMPTS] = [0.7, 32] as const;
 /** Random numbers reserved per sphere, and index of the first one for seats. */
-const [DRAWS, SEATS] = [8, 2 ** 32] as const;
+const [DRAWS_PER_SPHERE, FIRST_SEAT_DRAW] = [8, 2 ** 32] as const;
 
 /** A trial's sphere by number. */
 export function sphereOf(rules: Rules, stage: Stage, group: number, number: number): Sphere {
-  const draw = drawsOf(rules, stage, group, DRAWS * number);
+  const draw = drawsOf(rules, stage, group, DRAWS_PER_SPHERE * number);
   const [least, most] = rules.box;
   const place = (axis: 0 | 1 | 2): number => least[axis] + draw(axis) * (most[axis] - least[axis]);
-  const level = TURNS[number % TURNS.length] ?? 0;
+  const level = LEVEL_ORDER[number % LEVEL_ORDER.length] ?? 0;
   // Uniform directions have uniformly distributed heights (Archimedes).
   const [up, turn, speed] = [2 * draw(3) - 1, 2 * Math.PI * draw(4), rules.speeds[level]];
   const across = speed * Math.sqrt(1 - up * up);
@@ -40,14 +40,14 @@ export function sphereOf(rules: Rules, stage: Stage, group: number, number: numb
 export function seatsOf(rules: Rules, stage: Stage, group: number, users: readonly number[]): Seat[] {
   const [least, most] = rules.area;
   let seats: Seat[] = [];
-  for (let attempt = 0; attempt < TRIES; attempt++) {
-    const draw = drawsOf(rules, stage, group, SEATS + 2 * users.length * attempt);
-    seats = users.map((user, at) => {
-      const [x, z] = [draw(2 * at), draw(2 * at + 1)];
+  for (let attempt = 0; attempt < MAX_ATTEMPTS; attempt++) {
+    const draw = drawsOf(rules, stage, group, FIRST_SEAT_DRAW + 2 * users.length * attempt);
+    seats = users.map((user, n) => {
+      const [x, z] = [draw(2 * n), draw(2 * n + 1)];
       return { user, position: [least[0] + x * (most[0] - least[0]), least[1], least[2] + z * (most[2] - least[2])] };
     });
-    const isApart = seats.every(({ position }, at) =>
-      seats.slice(0, at).every((other) => Math.hypot(...subtract(position, other.position)) >= APART),
+    const isApart = seats.every(({ position }, index) =>
+      seats.slice(0, index).every((other) => Math.hypot(...subtract(position, other.position)) >= MIN_SEAT_DISTANCE),
     );
     if (isApart) break;
   }
@@ -56,16 +56,16 @@ export function seatsOf(rules: Rules, stage: Stage, group: number, users: readon
 
 /** Position of a sphere's centre some seconds after it appeared. */
 export function placeOf({ position, velocity }: Sphere, [least, most]: Box, age: number): Vector {
-  const at = (axis: 0 | 1 | 2): number => reflectInto(position[axis] + age * velocity[axis], least[axis], most[axis]);
-  return [at(0), at(1), at(2)];
+  const along = (axis: 0 | 1 | 2): number => reflectInto(position[axis] + age * velocity[axis], least[axis], most[axis]);
+  return [along(0), along(1), along(2)];
 }
 
 /** Coordinate reflected at both ends of a range. */
-export function reflectInto(at: number, low: number, high: number): number {
+export function reflectInto(value: number, low: number, high: number): number {
   const length = high - low;
   if (length <= 0) return low;
-  const turned = (((at - low) % (2 * length)) + 2 * length) % (2 * length);
-  return low + (turned <= length ? turned : 2 * length - turned);
+  const offset = (((value - low) % (2 * length)) + 2 * length) % (2 * length);
+  return low + (offset <= length ? offset : 2 * length - offset);
 }
 
 /** Whether a ray of any length hits a sphere. */
@@ -80,7 +80,7 @@ function drawsOf({ seed }: Rules, { run, trial }: Stage, group: number, first: n
   return (number) => uniform(seed, cell, first + number);
 }
 
-const GOLDEN = 0x9e3779b97f4a7c15n;
+const GOLDEN_GAMMA = 0x9e3779b97f4a7c15n;
 const word = (value: bigint): bigint => BigInt.asUintN(64, value);
 
 /** SplitMix64's finaliser. */
@@ -92,7 +92,7 @@ function mixed(value: bigint): bigint {
 
 /** Random number in [0, 1) (docs/base.md): a function of seed, cell and index, identical in all languages. */
 function uniform(seed: number, cell: number, index: number): number {
-  let state = mixed(word(BigInt(seed) + GOLDEN));
-  for (const each of [cell, index]) state = mixed(word((state ^ BigInt(each)) + GOLDEN));
+  let state = mixed(word(BigInt(seed) + GOLDEN_GAMMA));
+  for (const each of [cell, index]) state = mixed(word((state ^ BigInt(each)) + GOLDEN_GAMMA));
   return Number(state >> 11n) / 2 ** 53;
 }

@@ -1,6 +1,6 @@
 /** Sphere collection in the page, loaded as a separate script only by its users. */
 import type { Point } from '../bundle/manifest';
-import { type Pose, subtract, type Vector } from '../control/pose';
+import { clamp, type Pose, unit, type Vector } from '../control/pose';
 import type { Host, Room } from '../room';
 import { FrameError } from '../rooms/bytes';
 import { CLOCK } from '../rooms/clock';
@@ -10,86 +10,80 @@ import type { Activity } from '../rooms/pointing';
 import { type Body, rotate } from '../rooms/pose';
 import { make } from '../ui/dom';
 import { createBall, pointBeside } from './ball';
-import { audienceOf, type Box, type Message, read, type Trial, write } from './messages';
-import { type CardState, createPanel, type TrialState } from './panel';
+import { audienceOf, type Box, type Message, read, write } from './messages';
+import { type CardState, createPanel } from './panel';
 import { readRules, type RuleParameters, rulesAt } from './rules';
 import type { Ray } from './spheres';
 import { Task } from './task';
 
 /** Interval of the card's updates, seconds. */
-const CARD_EVERY = 0.1;
+const CARD_INTERVAL = 0.1;
 /** Greatest number of other groups whose scores the card shows. */
 const MAX_GROUPS = 8;
 /** Least seconds between two moves to a seat, and metres that a seat may lie outside of the rectangle. */
-const [SEAT_EVERY, ASIDE] = [3, 2] as const;
-
-export interface Collecting extends Activity {
-  /** State of the task; null before the user is in the room. */
-  readonly task: Task | null;
-}
+const [SEAT_INTERVAL, SEAT_MARGIN] = [3, 2] as const;
 
 /** Starts the sphere collection for a room's users, with rules from the page's address. */
-export function begin(room: Room, host: Host): Collecting | null {
+export function begin(room: Room, host: Host): void {
   document.head.append(make('link', { rel: 'stylesheet', href: new URL('collect.css', import.meta.url).href }));
   const parameters = readRules(new URLSearchParams(location.search));
-  if (typeof parameters === 'string') {
-    host.announce(parameters);
-    return null;
-  }
-  return collect(room, host, parameters);
+  if (typeof parameters === 'string') host.announce(parameters);
+  else collect(room, host, parameters);
 }
 
-function collect(room: Room, host: Host, parameters: RuleParameters): Collecting {
+function collect(room: Room, host: Host, parameters: RuleParameters): void {
   const { viewer } = host;
   const ball = createBall(viewer.shared);
   const rays = new Map<number, Ray>();
   const groups = new Map<number, number>();
-  const frames = createFrames();
   const panel = createPanel(host.root, start);
   let task: Task | null = null;
   let pose: Pose | null = null;
-  let seated = '';
+  let seatedStage = '';
   let [updatedAt, seatedAt] = [-Infinity, -Infinity];
+  /** Number of frames in the trial, and times of its first and its last frame. */
+  let [frameCount, firstFrame, lastFrame] = [0, 0, 0];
 
   function start(): void {
     if (!task || !pose || !canStart(task)) return;
     const middle = viewer.facts.entry?.center ?? pose.position;
     const now = CLOCK.now();
-    say(task.start(rulesAt(parameters, middle, pose.yaw), now));
+    send(task.start(rulesAt(parameters, middle, pose.yaw), now));
     follow(task, now);
   }
 
   /** Whether the user may start a run: as conductor, with enough users, while no trial runs or is pending. */
-  function canStart(of: Task): boolean {
-    const isEnough = of.present.size >= Math.min(parameters.users, 2);
-    return of.user === of.conductor && isEnough && (of.trial === null || of.isOver);
+  function canStart(activeTask: Task): boolean {
+    const hasEnoughUsers = activeTask.present.size >= Math.min(parameters.users, 2);
+    return activeTask.user === activeTask.conductor && hasEnoughUsers && (activeTask.trial === null || activeTask.isOver);
   }
 
-  function say(messages: readonly Message[]): void {
+  function send(messages: readonly Message[]): void {
     for (const message of messages) room.connection.say(write(message), audienceOf(message));
   }
 
   function conduct(now: number): void {
     if (!task || room.connection.state.kind !== 'here') return;
-    say(task.conduct(now, rays));
+    send(task.conduct(now, rays));
     follow(task, now);
   }
 
   /** Moves the user to its seat when a trial has begun. */
-  function follow(of: Task, now: number): void {
-    const { trial, seat } = of;
+  function follow(activeTask: Task, now: number): void {
+    const { trial, seat } = activeTask;
     const stage = trial ? `${trial.run} ${trial.trial}` : '';
-    if (stage === seated || now - seatedAt < SEAT_EVERY) return;
-    seated = stage;
-    frames.restart(now);
-    if (!seat || !trial || !isAbout(trial.area, seat)) return;
+    if (stage === seatedStage || now - seatedAt < SEAT_INTERVAL) return;
+    seatedStage = stage;
+    [frameCount, firstFrame, lastFrame] = [0, now, now];
+    if (!seat || !trial || !isNearBox(trial.area, seat)) return;
     seatedAt = now;
-    const [x, , z] = subtract(middleOf(trial), seat);
-    host.go({ position: seat, yaw: Math.atan2(-x, -z), pitch: 0 });
+    const [[minX, , minZ], [maxX, , maxZ]] = trial.box;
+    const yaw = Math.atan2(seat[0] - (minX + maxX) / 2, seat[2] - (minZ + maxZ) / 2);
+    host.go({ position: seat, yaw, pitch: 0 });
     host.announce(`Trial ${trial.trial} of ${trial.trials}: all aim at the sphere at the same time`);
   }
 
-  function listen(user: number, payload: Uint8Array, now: number): void {
+  function hearPayload(user: number, payload: Uint8Array, now: number): void {
     const group = groups.get(user);
     if (!task || group === undefined) return;
     try {
@@ -106,69 +100,72 @@ function collect(room: Room, host: Host, parameters: RuleParameters): Collecting
     groups.clear();
     rays.clear();
     // A returning user continues from its state; another number means another user.
-    if (task?.user === user) task.alone();
+    if (task?.user === user) task.resetUsers();
     else task = new Task(user, room.address.group);
   }
 
-  function show(of: Task | null, now: number): void {
-    const { trial, heldSince } = of ?? { trial: null, heldSince: null };
-    if (!of || !trial || room.connection.state.kind !== 'here') {
+  function show(activeTask: Task | null, now: number): void {
+    const trial = room.connection.state.kind === 'here' ? activeTask?.trial : null;
+    if (!activeTask || !trial) {
       ball.show(null, 0, 0, 0);
       return;
     }
-    const held = heldSince === null ? 0 : (now - heldSince) / Math.max(trial.hold, 1e-3);
-    ball.show(of.place(now), trial.radius, of.aims.length / of.needed, Math.min(held, 1));
+    const heldShare = activeTask.heldSince === null ? 0 : (now - activeTask.heldSince) / Math.max(trial.hold, 1e-3);
+    ball.show(activeTask.place(now), trial.radius, activeTask.aims.length / activeTask.needed, Math.min(heldShare, 1));
   }
 
   function cardState(now: number): CardState {
-    const isHere = room.connection.state.kind === 'here';
-    if (!task || !isHere) return { instruction: 'Not in the room', canStart: false, trial: null, otherScores: '' };
+    const frameRate = frameCount > 0 && lastFrame > firstFrame ? frameCount / (lastFrame - firstFrame) : null;
+    const common = { now, frameRate, roundTrip: room.connection.roundTrips.median };
+    if (!task || room.connection.state.kind !== 'here') {
+      return { ...common, instruction: 'Not in the room', canStart: false, task: null, otherScores: '' };
+    }
     const { group } = task;
-    const others = [...task.scores]
+    const scores = [...task.scores]
       .filter(([other]) => other !== group)
       .sort(([a], [b]) => a - b)
       .slice(0, MAX_GROUPS)
       .map(([other, { spheres, misses }]) => `Group ${other}: ${spheres} spheres, ${misses} misses`);
-    const { roundTrips } = room.connection;
-    const trial = task.trial && trialState(task, task.trial, now, frames.rate, roundTrips.median);
-    const instruction = wordsOf(task, canStart(task));
-    return { instruction, canStart: canStart(task), trial, otherScores: others.join(' · ') };
+    const isStartable = canStart(task);
+    const instruction = instructionFor(task, isStartable);
+    return { ...common, instruction, canStart: isStartable, task, otherScores: scores.join(' · ') };
   }
 
-  const collecting: Collecting = {
-    get task() {
+  const activity = {
+    /** State of the task; null before the user is in the room. */
+    get task(): Task | null {
       return task;
     },
-    get meshes() {
+    get meshes(): Activity['meshes'] {
       return ball.meshes;
     },
-    get isPointing() {
+    get isPointing(): boolean {
       return task?.trial?.over === false;
     },
-    place: (center: Point) => ball.place(center),
-    hear(frame: FromServer, now: number) {
+    place: (center: Point): void => ball.place(center),
+    hear(frame: FromServer, now: number): void {
       if (frame.kind === 'welcome') enter(frame.user);
       else if (frame.kind === 'joined') {
         groups.set(frame.user, frame.group);
-        if (frame.group === room.address.group) task?.joined(frame.user);
+        if (frame.group === room.address.group) task?.addUser(frame.user);
       } else if (frame.kind === 'left') {
         groups.delete(frame.user);
         rays.delete(frame.user);
-        task?.left(frame.user);
+        task?.removeUser(frame.user);
         task?.forgetScores((group) => group === room.address.group || [...groups.values()].includes(group));
       } else if (frame.kind === 'pose') {
-        see(rays, frame.user, frame.pose);
+        storeRay(rays, frame.user, frame.pose);
         // A hidden page gets poses, but no animation frames.
         conduct(now);
-      } else if (frame.kind === 'say') listen(frame.user, frame.payload, now);
+      } else if (frame.kind === 'say') hearPayload(frame.user, frame.payload, now);
     },
-    frame(at: Pose, body: Body, now: number) {
-      pose = at;
-      if (task) see(rays, task.user, body);
+    frame(userPose: Pose, body: Body, now: number): void {
+      pose = userPose;
+      if (task) storeRay(rays, task.user, body);
       conduct(now);
-      if (task?.trial?.over === false) frames.count(now);
+      if (task?.trial?.over === false) [frameCount, lastFrame] = [frameCount + 1, now];
       show(task, now);
-      if (now - updatedAt < CARD_EVERY) return;
+      if (now - updatedAt < CARD_INTERVAL) return;
       updatedAt = now;
       panel.update(cardState(now));
     },
@@ -181,76 +178,28 @@ function collect(room: Room, host: Host, parameters: RuleParameters): Collecting
   if (state.kind === 'here') {
     enter(state.user);
     for (const { number, group } of room.presence.guests) {
-      collecting.hear({ kind: 'joined', user: number, group, name: '' }, CLOCK.now());
+      activity.hear({ kind: 'joined', user: number, group, name: '' }, CLOCK.now());
     }
   }
-  room.begin(collecting);
-  return collecting;
+  room.begin(activity);
 }
 
-/** Stores the ray of a user's pointer, if there is one. */
-function see(rays: Map<number, Ray>, user: number, body: Body): void {
-  const from = body.pointer && body[body.pointer.begin];
-  if (!from) {
-    rays.delete(user);
-    return;
-  }
+/** Stores the ray of a user's pointer, or removes it if the user points no longer. */
+function storeRay(rays: Map<number, Ray>, user: number, body: Body): void {
+  const origin = body.pointer && body[body.pointer.begin];
   // Quaternions in frames may deviate from length 1 by a tenth.
-  const [x, y, z] = rotate(from.rotation, [0, 0, -1]);
-  const size = Math.hypot(x, y, z) || 1;
-  rays.set(user, { begin: from.position, direction: [x / size, y / size, z / size] });
+  if (origin) rays.set(user, { begin: origin.position, direction: unit(rotate(origin.rotation, [0, 0, -1])) });
+  else rays.delete(user);
 }
 
-function middleOf({ box: [least, most] }: Trial): Vector {
-  return [(least[0] + most[0]) / 2, (least[1] + most[1]) / 2, (least[2] + most[2]) / 2];
+/** Whether a place is in a box or at most `SEAT_MARGIN` metres outside. */
+function isNearBox([least, most]: Box, place: Vector): boolean {
+  return place.every((value, axis) => Math.abs(value - clamp(value, least[axis] ?? value, most[axis] ?? value)) <= SEAT_MARGIN);
 }
 
-/** Whether a place is in a box or at most `ASIDE` metres outside. */
-function isAbout([least, most]: Box, place: Vector): boolean {
-  return place.every((at, axis) => at >= (least[axis] ?? at) - ASIDE && at <= (most[axis] ?? at) + ASIDE);
-}
-
-function wordsOf(task: Task, canStart: boolean): string {
+function instructionFor(task: Task, canStart: boolean): string {
   if (task.trial && !task.trial.over) return task.seat ? '' : 'You get a seat in the next trial';
   if (task.trial && !task.isOver) return 'The next trial begins in a moment';
   if (canStart) return `Users of your group: ${task.present.size}. Look to where the spheres should appear, and start.`;
   return task.user === task.conductor ? 'Waiting for others of your group' : `#${task.conductor} starts the trials`;
-}
-
-function trialState(task: Task, trial: Trial, now: number, frames: number | null, roundTrip: number | null): TrialState {
-  return {
-    title: `Trial ${trial.trial} of ${trial.trials}`,
-    secondsLeft: trial.duration - task.elapsed(now),
-    level: task.sphere?.level ?? '',
-    aiming: task.sphere ? `${task.aims.length}/${task.needed}` : '',
-    spheres: task.count,
-    misses: task.missed + task.misses,
-    isOver: trial.over,
-    tallies: trial.tallies,
-    framesPerSecond: frames,
-    roundTrip,
-  };
-}
-
-interface Frames {
-  /** Frames per second since the restart; null before the second one. */
-  readonly rate: number | null;
-  restart(now: number): void;
-  count(now: number): void;
-}
-
-function createFrames(): Frames {
-  let [counted, first, last] = [0, 0, 0];
-  return {
-    get rate() {
-      return counted > 0 && last > first ? counted / (last - first) : null;
-    },
-    restart(now) {
-      [counted, first, last] = [0, now, now];
-    },
-    count(now) {
-      counted += 1;
-      last = now;
-    },
-  };
 }

@@ -9,7 +9,7 @@ import {
   isEarlier,
   isSameStage,
   LEVELS,
-  LONGEST,
+  MAX_SECONDS,
   MAX_COUNT,
   MAX_USERS,
   type Message,
@@ -24,16 +24,16 @@ import { placeOf, seatsOf, sphereOf } from './spheres';
 
 /** Least seconds from a collected sphere to the next sphere; bounds the conductor's message rate for any rules. */
 const MIN_PAUSE = 0.05;
-/** Least seconds between two judgements, less than between two poses: each pose may ask for one. */
+/** Least seconds between two judgements: less than between two poses of a user, each of which may cause one. */
 const MIN_JUDGEMENT_INTERVAL = 1 / 80;
 /** Rate of `aims` in bytes per second, half of the room's limit, and burst size in bytes. */
 const [AIMS_RATE, AIMS_AT_ONCE] = [1 << 14, 1 << 13] as const;
 /** Bytes of `aims` without users, at least the room's minimum charge, and additional bytes per user. */
 const [AIMS_BYTES, USER_BYTES] = [64, 2] as const;
 /** Seconds after entering in which every sender is accepted, because the conductor is not known yet. */
-const ENTERING = 5;
+const ENTRY_SECONDS = 5;
 
-const NOTHING: Tallies = [0, 1, 2].map(() => ({ spheres: 0, misses: 0, seconds: 0 })) as unknown as Tallies;
+const NO_TALLIES: Tallies = [0, 1, 2].map(() => ({ spheres: 0, misses: 0, seconds: 0 })) as unknown as Tallies;
 
 /** A group's task. Times are seconds on the caller's clock; a message's time is that of its arrival. */
 export class Task {
@@ -50,12 +50,12 @@ export class Task {
   heldSince: number | null = null;
   private startedAt = 0;
   private appearedAt = 0;
-  private nextAt = 0;
+  private nextSphereAt = 0;
   private mustSendState = false;
   private judgedAt = -Infinity;
   private readonly aimsRate = createBucket(AIMS_RATE, AIMS_AT_ONCE, () => this.judgedAt);
   /** Conductor before the last user joined; its last messages may arrive after that. */
-  private former: number | null = null;
+  private formerConductor: number | null = null;
   /** Time until which every sender is accepted; null until the first call after entering. */
   private enteredUntil: number | null = null;
 
@@ -93,11 +93,10 @@ export class Task {
   }
 
   /** Misses of the trial's collected spheres. */
-  get missed(): number {
+  get collectedMisses(): number {
     return Math.min(this.trial?.tallies.reduce((sum, { misses }) => sum + misses, 0) ?? 0, MAX_COUNT);
   }
 
-  /** Elapsed seconds of the trial. */
   elapsed(now: number): number {
     return now - this.startedAt;
   }
@@ -108,30 +107,29 @@ export class Task {
   }
 
   /** Records that a user of the group has joined, who must be told the state. */
-  joined(user: number): void {
+  addUser(user: number): void {
     const before = this.conductor;
     if (this.trial && before === this.user) this.mustSendState = true;
     this.present.add(user);
-    if (this.conductor !== before) this.former = before;
+    if (this.conductor !== before) this.formerConductor = before;
   }
 
-  /** Records that a user of the group has left. */
-  left(user: number): void {
+  removeUser(user: number): void {
     if (user !== this.user) this.present.delete(user);
-    if (user === this.former) this.former = null;
+    if (user === this.formerConductor) this.formerConductor = null;
   }
 
   /** Handles a broken connection: users are announced again later, and the task continues from its state. */
-  alone(): void {
+  resetUsers(): void {
     this.present.clear();
     this.present.add(this.user);
     this.forgetScores((group) => group === this.group);
-    [this.former, this.enteredUntil] = [null, null];
+    [this.formerConductor, this.enteredUntil] = [null, null];
   }
 
   /** Discards the scores of groups without users. */
-  forgetScores(isThere: (group: number) => boolean): void {
-    for (const group of [...this.scores.keys()]) if (!isThere(group)) this.scores.delete(group);
+  forgetScores(hasUsers: (group: number) => boolean): void {
+    for (const group of [...this.scores.keys()]) if (!hasUsers(group)) this.scores.delete(group);
   }
 
   /** Begins the first trial of a run for all users who are present; returns the conductor's messages. */
@@ -142,14 +140,14 @@ export class Task {
 
   /** Messages of the user as conductor, already applied to its own state; none if another user conducts. */
   conduct(now: number, rays: Rays): Message[] {
-    this.enteredUntil ??= now + ENTERING;
+    this.enteredUntil ??= now + ENTRY_SECONDS;
     const messages = this.mustSendState ? this.stateMessages(now) : [];
     this.mustSendState = false;
     const isDue = now - this.judgedAt >= MIN_JUDGEMENT_INTERVAL;
     if (isDue) this.judgedAt = now;
     while (this.user === this.conductor) {
       const message = this.decide(now, isDue ? rays : null);
-      if (!message || (message.kind === 'aims' && !this.maySay(message))) break;
+      if (!message || (message.kind === 'aims' && !this.isWithinRate(message))) break;
       const applied = this.apply(message, now);
       // A message without effect would be chosen again for ever.
       if (applied.length === 0) break;
@@ -159,7 +157,7 @@ export class Task {
   }
 
   /** Whether the rate limit allows the message: the server disconnects users who exceed it. */
-  private maySay({ users }: Aims): boolean {
+  private isWithinRate({ users }: Aims): boolean {
     return this.aimsRate.take(AIMS_BYTES + USER_BYTES * users.length);
   }
 
@@ -172,7 +170,7 @@ export class Task {
       this.scores.set(group, message);
       return true;
     }
-    this.enteredUntil ??= now + ENTERING;
+    this.enteredUntil ??= now + ENTRY_SECONDS;
     if (group !== this.group || !this.accepts(sender, now)) return false;
     if (message.kind === 'trial') {
       if (this.trial && isEarlier(message, this.trial)) return false;
@@ -186,7 +184,7 @@ export class Task {
   /** Without seated users anybody may begin. Of two who begin at the same time, the lower number wins. */
   private accepts(sender: number, now: number): boolean {
     if (sender === this.user || this.enteredUntil === null || now < this.enteredUntil) return true;
-    return this.seated().length === 0 || sender <= this.conductor || sender === this.former;
+    return this.seated().length === 0 || sender <= this.conductor || sender === this.formerConductor;
   }
 
   private hearTrial(trial: Trial, now: number): void {
@@ -195,8 +193,8 @@ export class Task {
     const isCollected = this.sphere !== null && this.sphere.number < countOf(trial);
     if (isOther || isCollected) {
       this.sphere = null;
-      this.nextAt = trial.elapsed === 0 ? now : now + Math.max(trial.pause, MIN_PAUSE);
-      this.rest();
+      this.nextSphereAt = trial.elapsed === 0 ? now : now + Math.max(trial.pause, MIN_PAUSE);
+      this.clearAims();
     }
     this.trial = trial;
     this.startedAt = now - trial.elapsed;
@@ -209,7 +207,7 @@ export class Task {
       if (message.number === known || message.number !== this.count || message.number >= MAX_COUNT) return false;
       this.sphere = message;
       this.appearedAt = now - message.age;
-      this.rest();
+      this.clearAims();
     } else if (message.kind === 'aims') {
       if (message.number !== known) return false;
       this.aims = message.users;
@@ -223,21 +221,21 @@ export class Task {
   }
 
   private hearCollected({ level, misses, seconds }: Collected, trial: Trial, now: number): void {
-    const tallies = trial.tallies.map((tally, at) => {
-      if (LEVELS[at] !== level) return tally;
+    const tallies = trial.tallies.map((tally, index) => {
+      if (LEVELS[index] !== level) return tally;
       return {
         spheres: tally.spheres + 1,
         misses: Math.min(tally.misses + misses, MAX_COUNT),
-        seconds: Math.min(tally.seconds + seconds, LONGEST),
+        seconds: Math.min(tally.seconds + seconds, MAX_SECONDS),
       };
     });
     this.trial = { ...trial, tallies: tallies as unknown as Tallies };
     this.sphere = null;
-    this.nextAt = now + Math.max(trial.pause, MIN_PAUSE);
-    this.rest();
+    this.nextSphereAt = now + Math.max(trial.pause, MIN_PAUSE);
+    this.clearAims();
   }
 
-  private rest(): void {
+  private clearAims(): void {
     this.aims = [];
     this.misses = 0;
     this.heldSince = null;
@@ -252,7 +250,7 @@ export class Task {
     if (!this.hear(message, now)) return [];
     if (!this.trial || (message.kind !== 'trial' && message.kind !== 'collected')) return [message];
     const { run, trial, over } = this.trial;
-    const score: Score = { kind: 'score', run, trial, over, spheres: Math.min(this.count, MAX_COUNT), misses: this.missed };
+    const score: Score = { kind: 'score', run, trial, over, spheres: Math.min(this.count, MAX_COUNT), misses: this.collectedMisses };
     this.hear(score, now);
     return [message, score];
   }
@@ -260,9 +258,9 @@ export class Task {
   /** Messages that a new user needs. */
   private stateMessages(now: number): Message[] {
     if (!this.trial) return [];
-    const messages: Message[] = [{ ...this.trial, elapsed: Math.min(this.elapsed(now), LONGEST) }];
+    const messages: Message[] = [{ ...this.trial, elapsed: Math.min(this.elapsed(now), MAX_SECONDS) }];
     if (this.sphere) {
-      messages.push({ ...this.sphere, age: Math.min(now - this.appearedAt, LONGEST) });
+      messages.push({ ...this.sphere, age: Math.min(now - this.appearedAt, MAX_SECONDS) });
       messages.push(aimsOf(this.aimingAt(this.sphere, now), 'told', 0, this.aims));
     }
     return messages;
@@ -271,7 +269,7 @@ export class Task {
   private createTrial(rules: Rules, stage: Stage): Trial {
     const users = [...this.present].sort((a, b) => a - b).slice(0, MAX_USERS);
     const seats = seatsOf(rules, stage, this.group, users);
-    return { ...rules, ...stage, kind: 'trial', over: false, elapsed: 0, tallies: NOTHING, seats };
+    return { ...rules, ...stage, kind: 'trial', over: false, elapsed: 0, tallies: NO_TALLIES, seats };
   }
 
   /** Next message that the state requires, or null. Without rays nobody is judged. */
@@ -283,9 +281,9 @@ export class Task {
       const isNext = trial.trial < trial.trials && elapsed >= trial.duration + trial.rest;
       return isNext ? this.createTrial(trial, { run: trial.run, trial: trial.trial + 1 }) : null;
     }
-    if (elapsed >= trial.duration) return { ...trial, over: true, elapsed: Math.min(elapsed, LONGEST) };
+    if (elapsed >= trial.duration) return { ...trial, over: true, elapsed: Math.min(elapsed, MAX_SECONDS) };
     if (sphere) return rays && judge(this.aimingAt(sphere, now), trial, rays);
-    return now >= this.nextAt && this.count < MAX_COUNT ? sphereOf(trial, trial, this.group, this.count) : null;
+    return now >= this.nextSphereAt && this.count < MAX_COUNT ? sphereOf(trial, trial, this.group, this.count) : null;
   }
 
   private aimingAt(sphere: Sphere, now: number): Aiming {

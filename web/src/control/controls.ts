@@ -6,10 +6,8 @@ import { createPointers, type Mode, type Thumb } from './pointers';
 import { isSamePose, type Pose } from './pose';
 import { createWalk } from './walk';
 
-export type { Mode, Thumb };
-
 /** Longest time per update, seconds: a page that was hidden continues where it was. */
-const LONGEST = 0.5;
+const MAX_SECONDS = 0.5;
 
 export interface ControlSettings {
   /** Start pose; its height is the eye height. */
@@ -18,7 +16,7 @@ export interface ControlSettings {
   readonly onChange?: (pose: Pose) => void;
   /** Position of the left thumb, which walks; null when it is lifted. */
   readonly onThumb?: (thumb: Thumb | null) => void;
-  /** A double tap or double click asks for a place, as shares of the picture's width and height from its upper left. */
+  /** Called on a double tap or double click; place as shares of the picture's width and height, from its upper left. */
   readonly onGo?: (x: number, y: number) => void;
   /**
    * Event target for keys: by default the window; in a notebook the element, so that the notebook keeps its own keys.
@@ -30,27 +28,14 @@ export interface ControlSettings {
   readonly isSudden?: () => boolean;
 }
 
-export interface Controls {
-  /** Pose after further seconds. Called once per frame. */
-  update(seconds: number): Pose;
-  readonly mode: Mode;
-  /** Switches between walking and orbiting; the pose stays. */
-  setMode(mode: Mode): void;
-  /** Moves the user at once. */
-  setPose(pose: Pose): void;
-  /** Locks the mouse pointer, so that a walker looks around without a button, until Escape. */
-  lookAround(): void;
-  /** Keeps the user within bounds; null removes them. */
-  setBounds(bounds: Bounds | null): void;
-  dispose(): void;
-}
+export type Controls = ReturnType<typeof createControls>;
 
 /** Controls a pose by input on an element, which should be focusable. */
-export function createControls(element: HTMLElement, settings: ControlSettings): Controls {
+export function createControls(element: HTMLElement, settings: ControlSettings) {
   const { start, onChange, onThumb, onGo, pads = browserPads, isSudden = reducedMotion() } = settings;
   let mode: Mode = 'walk';
   let bounds: Bounds | null = null;
-  let last = start;
+  let lastPose = start;
   const walk = createWalk(start, () => bounds, isSudden);
   const orbit = createOrbit(start, () => bounds);
   const keys = createKeys(settings.keys ?? window);
@@ -67,21 +52,23 @@ export function createControls(element: HTMLElement, settings: ControlSettings):
   const current = (): Pose => (mode === 'walk' ? walk.pose : orbit.pose);
 
   return {
-    update(seconds) {
+    /** Pose after further seconds. Called once per frame. */
+    update(seconds: number): Pose {
       const drive: Drive = combine(keys.drive, pointers.drive, readPads(pads()));
       // NaN fails every comparison and counts as zero.
-      const spent = seconds > 0 ? Math.min(seconds, LONGEST) : 0;
-      if (mode === 'walk') walk.update(spent, drive);
-      else orbit.update(spent, drive);
+      const elapsed = seconds > 0 ? Math.min(seconds, MAX_SECONDS) : 0;
+      if (mode === 'walk') walk.update(elapsed, drive);
+      else orbit.update(elapsed, drive);
       const pose = current();
-      if (!isSamePose(pose, last)) onChange?.(pose);
-      last = pose;
+      if (!isSamePose(pose, lastPose)) onChange?.(pose);
+      lastPose = pose;
       return pose;
     },
-    get mode() {
+    get mode(): Mode {
       return mode;
     },
-    setMode(next) {
+    /** Switches between walking and orbiting; the pose stays. */
+    setMode(next: Mode): void {
       if (next === mode) return;
       const pose = current();
       pointers.release();
@@ -89,15 +76,18 @@ export function createControls(element: HTMLElement, settings: ControlSettings):
       if (mode === 'walk') walk.resume(pose);
       else orbit.setPose(pose);
     },
-    setPose(pose) {
+    /** Moves the user at once. */
+    setPose(pose: Pose): void {
       walk.setPose(pose);
       orbit.setPose(pose);
     },
+    /** Locks the mouse pointer, so that a walker looks around without a button, until Escape. */
     lookAround: pointers.lock,
-    setBounds(next) {
+    /** Keeps the user within bounds; null removes them. */
+    setBounds(next: Bounds | null): void {
       bounds = next;
     },
-    dispose() {
+    dispose(): void {
       keys.dispose();
       pointers.dispose();
     },

@@ -64,32 +64,26 @@ export function hasOtherPurpose(event: KeyboardEvent): boolean {
 
 const TEXT_FIELDS = 'input, textarea, select, [contenteditable], dialog[open]';
 
-export interface Keys {
-  readonly drive: Drive;
-  dispose(): void;
-}
-
 /** Listens to keys of a window or an element. */
-export function createKeys(source: EventTarget): Keys {
+export function createKeys(source: EventTarget) {
   const pressedCodes = new Set<string>();
   const controller = new AbortController();
-  const listen = (name: string, action: (event: Event) => void): void =>
-    source.addEventListener(name, action, { signal: controller.signal });
+  const listen = (name: string, action: (event: KeyboardEvent) => void): void =>
+    source.addEventListener(name, action as EventListener, { signal: controller.signal });
   let isRunning = false;
 
   listen('keydown', (event) => {
-    const keyEvent = event as KeyboardEvent;
-    isRunning = keyEvent.shiftKey;
-    if (!isMovementKey(keyEvent.code) || hasOtherPurpose(keyEvent)) return;
-    pressedCodes.add(keyEvent.code);
+    isRunning = event.shiftKey;
+    if (!isMovementKey(event.code) || hasOtherPurpose(event)) return;
+    pressedCodes.add(event.code);
     // Otherwise arrow keys scroll the page.
-    keyEvent.preventDefault();
+    event.preventDefault();
   });
-  listen('keyup', (event) => {
-    isRunning = (event as KeyboardEvent).shiftKey;
-    pressedCodes.delete((event as KeyboardEvent).code);
+  listen('keyup', ({ shiftKey, code, key }) => {
+    isRunning = shiftKey;
+    pressedCodes.delete(code);
     // macOS sends no keyup events while Command is held.
-    if ((event as KeyboardEvent).key === 'Meta') pressedCodes.clear();
+    if (key === 'Meta') pressedCodes.clear();
   });
   // A key released elsewhere sends no event.
   listen('blur', () => {
@@ -98,14 +92,14 @@ export function createKeys(source: EventTarget): Keys {
   });
 
   return {
-    get drive() {
+    get drive(): Drive {
       const sums = [0, 0, 0, 0];
       for (const code of pressedCodes) AXES[code]?.forEach((value, axis) => (sums[axis] = (sums[axis] ?? 0) + value));
       const [right = 0, ahead = 0, turn = 0, look = 0] = sums;
       const [clampedRight, clampedAhead] = clampLength(right, ahead);
       return { right: clampedRight, ahead: clampedAhead, turn: Math.sign(turn), look: Math.sign(look), isRunning };
     },
-    dispose: () => controller.abort(),
+    dispose: (): void => controller.abort(),
   };
 }
 
@@ -124,8 +118,7 @@ export interface Pad {
 
 /** Commands of all gamepads with the standard layout. */
 export function readPads(pads: readonly (Pad | null)[]): Drive {
-  const standardPads = pads.filter((pad) => pad !== null && pad.connected && pad.mapping === 'standard');
-  return standardPads.length === 0 ? NO_MOTION : combine(...standardPads.map((pad) => (pad ? driveOf(pad) : NO_MOTION)));
+  return combine(...pads.flatMap((pad) => (pad?.connected && pad.mapping === 'standard' ? [driveOf(pad)] : [])));
 }
 
 function driveOf({ axes, buttons }: Pad): Drive {
@@ -136,7 +129,6 @@ function driveOf({ axes, buttons }: Pad): Drive {
   return { right, ahead: 0 - back, turn: 0 - clockwise, look: 0 - down, isRunning };
 }
 
-/** Gamepads of the browser. */
 export function browserPads(): readonly (Pad | null)[] {
   // Pages without https, or with a policy against gamepads, throw here.
   try {

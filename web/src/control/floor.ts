@@ -1,6 +1,6 @@
 /** Floor of the user in the world, the head above it, and destinations on it; independent of a headset. */
 import { type Bounds, clampToLimit } from './limit';
-import { addScaled, ahead, type Pose, rightOf, upOf, type Vector, wrapAngle } from './pose';
+import { addScaled, ahead, type Pose, rightOf, unit, upOf, type Vector, wrapAngle } from './pose';
 
 /** Origin of the headset's space in the world, metres, and its rotation about the vertical axis. */
 export interface Floor {
@@ -14,7 +14,7 @@ export type Head = Pose;
 /** Eye height above the floor that a pose of the page assumes, metres. */
 export const EYE_HEIGHT = 1.7;
 /** Greatest distance between the head's centre and an eye, metres. */
-export const EYE_APART = 0.04;
+export const EYE_OFFSET = 0.04;
 
 /** Converts a point from the headset's space to the world. */
 export function worldOf({ position, yaw }: Floor, [x, y, z]: Vector): Vector {
@@ -27,7 +27,6 @@ export function localOf({ position, yaw }: Floor, [x, y, z]: Vector): Vector {
   return worldOf({ position: [0, 0, 0], yaw: -yaw }, [x - position[0], y - position[1], z - position[2]]);
 }
 
-/** Pose of the head in the world. */
 export function worldPose(floor: Floor, head: Head): Pose {
   return { position: worldOf(floor, head.position), yaw: wrapAngle(floor.yaw + head.yaw), pitch: head.pitch };
 }
@@ -54,23 +53,23 @@ export function moveFloor(floor: Floor, head: Head, [x, , z]: Vector): Floor {
 
 /** Point moved into all walls, approximately. */
 export function clampToBounds(point: Vector, bounds: Bounds | null): Vector {
-  const walls = bounds?.shown ?? [];
+  const walls = bounds?.hard ?? [];
   // Moving into one wall may leave another one, so each is applied twice.
   return [...walls, ...walls].reduce((place: Vector, wall) => clampToLimit(place, wall), point);
 }
 
 /** Bounds for the head's centre such that its eyes stay within the given bounds. */
 export function headBounds(bounds: Bounds | null): Bounds | null {
-  const inner = (limits: Bounds['open']): Bounds['open'] =>
-    limits.map((limit) => ({ ...limit, metres: Math.max(limit.metres - EYE_APART, 0) }));
-  return bounds && { open: inner(bounds.open), shown: inner(bounds.shown) };
+  const inner = (limits: Bounds['soft']): Bounds['soft'] =>
+    limits.map((limit) => ({ ...limit, metres: Math.max(limit.metres - EYE_OFFSET, 0) }));
+  return bounds && { soft: inner(bounds.soft), hard: inner(bounds.hard) };
 }
 
 /** Pose from a headset's column-major matrix; for a head that looks straight up or down, the yaw of its forehead. */
 export function headOf(matrix: ArrayLike<number>): Head {
   const at = (index: number): number => matrix[index] ?? 0;
   const [x, y, z]: Vector = [-at(8), -at(9), -at(10)];
-  const isSteep = Math.hypot(x, z) < STEEP;
+  const isSteep = Math.hypot(x, z) < MIN_COSINE;
   const [alongX, alongZ] = isSteep ? [-Math.sign(y) * at(4), -Math.sign(y) * at(6)] : [x, z];
   return {
     position: [at(12), at(13), at(14)],
@@ -80,14 +79,14 @@ export function headOf(matrix: ArrayLike<number>): Head {
 }
 
 /** Cosine of the pitch below which a direction's horizontal part is too imprecise. */
-const STEEP = 0.05;
+const MIN_COSINE = 0.05;
 
 /** Greatest height above the ground of a surface to stand on, metres. */
-const STEP = 0.5;
+const MAX_STEP_HEIGHT = 0.5;
 /** Distance that the user keeps from other surfaces, metres. */
-const BEFORE = 1;
+const MIN_DISTANCE = 1;
 /** Step towards distant surfaces, metres. */
-const LEAP = 15;
+const FAR_STEP = 15;
 
 /** Shape of a picture: its vertical field of view in degrees, and its width divided by its height. */
 export interface Frame {
@@ -99,19 +98,17 @@ export interface Frame {
 export function directionTo(pose: Pose, [x, y]: readonly [number, number], { fov, aspect }: Frame): Vector {
   const height = Math.tan((fov * Math.PI) / 360);
   const across = addScaled(ahead(pose), rightOf(pose.yaw), (2 * x - 1) * height * aspect);
-  const [dx, dy, dz] = addScaled(across, upOf(pose), (1 - 2 * y) * height);
-  const size = Math.hypot(dx, dy, dz);
-  return [dx / size, dy / size, dz / size];
+  return unit(addScaled(across, upOf(pose), (1 - 2 * y) * height));
 }
 
-/** Place at the eye's own height for a direction; `hit` is the surface point seen there, or null. */
-export function placeFor(eye: Vector, direction: Vector, hit: Vector | null): Vector {
+/** Destination, at the eye's height, for a direction; `hit` is the surface point that is seen there, or null. */
+export function destinationOf(eye: Vector, direction: Vector, hit: Vector | null): Vector {
   const ground = eye[1] - EYE_HEIGHT;
-  if (hit && hit[1] <= ground + STEP) return [hit[0], eye[1], hit[2]];
-  const level = Math.hypot(direction[0], direction[2]);
-  if (level === 0) return eye;
-  const free = hit ? Math.hypot(hit[0] - eye[0], hit[2] - eye[2]) - BEFORE : LEAP;
-  const toGround = direction[1] < 0 ? (EYE_HEIGHT * level) / -direction[1] : Number.POSITIVE_INFINITY;
-  const away = Math.max(Math.min(free, toGround), 0);
-  return [eye[0] + (away * direction[0]) / level, eye[1], eye[2] + (away * direction[2]) / level];
+  if (hit && hit[1] <= ground + MAX_STEP_HEIGHT) return [hit[0], eye[1], hit[2]];
+  const horizontal = Math.hypot(direction[0], direction[2]);
+  if (horizontal === 0) return eye;
+  const freeDistance = hit ? Math.hypot(hit[0] - eye[0], hit[2] - eye[2]) - MIN_DISTANCE : FAR_STEP;
+  const groundDistance = direction[1] < 0 ? (EYE_HEIGHT * horizontal) / -direction[1] : Infinity;
+  const step = Math.max(Math.min(freeDistance, groundDistance), 0) / horizontal;
+  return [eye[0] + step * direction[0], eye[1], eye[2] + step * direction[2]];
 }

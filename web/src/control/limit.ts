@@ -7,52 +7,48 @@ export interface Limit {
   readonly metres: number;
 }
 
-/** Bounds of the user's position. */
 export interface Bounds {
   /**
-   * At least one of these must contain the user: regions that can be shown at once. Steps slow down towards their edge.
+   * At least one of these must contain the user: regions that can be shown immediately. Steps slow down at its edge.
    */
-  readonly open: readonly Limit[];
-  /** All of these must contain the user: the regions shown now, a hard wall until another region takes over. */
-  readonly shown: readonly Limit[];
+  readonly soft: readonly Limit[];
+  /** All of these must contain the user: regions that are shown now, hard walls until another region is shown. */
+  readonly hard: readonly Limit[];
 }
 
 /** Share of the radius from which outward steps shrink. */
-export const FREE = 0.8;
-/** Rate per second at which a user beyond the limit is led back: the excess falls by e in a third of a second. */
-const RETURN = 3;
+export const FREE_SHARE = 0.8;
+/** Rate per second at which a user beyond the limit is led back: the excess falls to 1/e in a third of a second. */
+const RETURN_RATE = 3;
 
 /**
- * End of a step from one place to another. Beyond the free part an outward step counts less and less: dr/ds = (m − r) /
- * (m − free), so that r tends to m. The closed form makes one long step equal many short ones.
+ * End of a step from one place to another. Beyond the share f = FREE_SHARE of a limit m, the distance r from the centre
+ * grows less than an outward step s: dr/ds = (m − r) / (m − f m), so r tends to m. One long step equals many short ones.
  */
 export function confine(from: Vector, to: Vector, bounds: Bounds | null): Vector {
-  const soft = bounds && roomiest(to, bounds.open);
+  const soft = bounds && withMostSpace(to, bounds.soft);
   let place = soft ? slowDown(from, to, soft) : to;
-  for (const wall of bounds?.shown ?? []) {
-    const end = Math.max(distance(from, wall), wall.metres);
-    const far = distance(place, wall);
-    if (far > end) place = atDistance(place, end, far, wall);
+  for (const wall of bounds?.hard ?? []) {
+    place = clampToLimit(place, { ...wall, metres: Math.max(distance(from, wall), wall.metres) });
   }
   return place;
 }
 
 /** Share of a straight step, 0 to 1, after which it is as far out as `confine` allows. */
 export function allowedShare(from: Vector, to: Vector, bounds: Bounds | null): number {
-  const soft = bounds && roomiest(to, bounds.open);
+  const soft = bounds && withMostSpace(to, bounds.soft);
   const share = soft ? shareOf(from, to, distance(slowDown(from, to, soft), soft), soft) : 1;
-  const walls = (bounds?.shown ?? []).map((wall) => shareOf(from, to, wall.metres, wall));
+  const walls = (bounds?.hard ?? []).map((wall) => shareOf(from, to, wall.metres, wall));
   return Math.min(share, ...walls);
 }
 
 /** Leads a user who is beyond the limits back smoothly. */
 export function leadBack(position: Vector, bounds: Bounds | null, seconds: number): Vector {
-  const soft = bounds && roomiest(position, bounds.open);
+  const soft = bounds && withMostSpace(position, bounds.soft);
   let place = position;
-  for (const limit of new Set([...(soft ? [soft] : []), ...(bounds?.shown ?? [])])) {
-    const far = distance(place, limit);
-    if (far <= limit.metres) continue;
-    place = atDistance(place, limit.metres + (far - limit.metres) * Math.exp(-RETURN * seconds), far, limit);
+  for (const limit of new Set([...(soft ? [soft] : []), ...(bounds?.hard ?? [])])) {
+    const excess = distance(place, limit) - limit.metres;
+    if (excess > 0) place = atDistance(place, limit.metres + excess * Math.exp(-RETURN_RATE * seconds), limit);
   }
   return place;
 }
@@ -64,24 +60,23 @@ export function distance([x, , z]: Vector, { center }: Limit): number {
 
 /** The place, moved towards the centre's axis if it is beyond the limit. */
 export function clampToLimit(place: Vector, limit: Limit): Vector {
-  const far = distance(place, limit);
-  return far <= limit.metres ? place : atDistance(place, limit.metres, far, limit);
+  return distance(place, limit) <= limit.metres ? place : atDistance(place, limit.metres, limit);
 }
 
 /** The limit whose edge is farthest from an inside position. */
-function roomiest(place: Vector, limits: readonly Limit[]): Limit | null {
-  const room = (limit: Limit): number => limit.metres - distance(place, limit);
-  return limits.reduce<Limit | null>((best, each) => (best && room(best) >= room(each) ? best : each), null);
+function withMostSpace(place: Vector, limits: readonly Limit[]): Limit | null {
+  const space = (limit: Limit): number => limit.metres - distance(place, limit);
+  return limits.reduce<Limit | null>((best, each) => (best && space(best) >= space(each) ? best : each), null);
 }
 
 function slowDown(from: Vector, to: Vector, limit: Limit): Vector {
   const [before, after] = [distance(from, limit), distance(to, limit)];
-  const free = FREE * limit.metres;
-  const start = Math.max(before, free);
+  const freeDistance = FREE_SHARE * limit.metres;
+  const start = Math.max(before, freeDistance);
   if (after <= start) return to;
-  const width = limit.metres - free;
+  const width = limit.metres - freeDistance;
   const end = start >= limit.metres ? start : limit.metres - (limit.metres - start) * Math.exp((start - after) / width);
-  return atDistance(to, end, after, limit);
+  return atDistance(to, end, limit);
 }
 
 /** Conservative estimate of the share of a step after which it reaches a distance. */
@@ -91,7 +86,9 @@ function shareOf(from: Vector, to: Vector, end: number, limit: Limit): number {
   return Math.max(end - before, 0) / (after - before);
 }
 
-function atDistance([x, y, z]: Vector, wanted: number, is: number, { center }: Limit): Vector {
-  const share = wanted / is;
-  return [center[0] + share * (x - center[0]), y, center[2] + share * (z - center[2])];
+/** Place in the same direction from the centre's axis, at another distance from it. */
+function atDistance(place: Vector, metres: number, limit: Limit): Vector {
+  const [[x, y, z], [centerX, , centerZ]] = [place, limit.center];
+  const factor = metres / distance(place, limit);
+  return [centerX + factor * (x - centerX), y, centerZ + factor * (z - centerZ)];
 }

@@ -1,73 +1,63 @@
 /** Orbiting a point in the middle of the picture; independent of a browser. */
 import type { Drive } from './drive';
 import { allowedShare, type Bounds, confine, leadBack } from './limit';
-import { addScaled, ahead, clamp, type Pose, rightOf, STEEPEST, upOf, type Vector } from './pose';
+import { addScaled, ahead, clamp, MAX_PITCH, type Pose, rightOf, upOf, type Vector } from './pose';
 
 /** Least and greatest distance from the point, and the default distance, metres. */
-const [NEAREST, FARTHEST, USUAL] = [0.3, 2000, 4] as const;
+const [MIN_DISTANCE, MAX_DISTANCE, DEFAULT_DISTANCE] = [0.3, 2000, 4] as const;
 /** Full speed: radians per second, zoom exponent per second, and pan distances per second. */
 const [TURN, ZOOM, PAN] = [1.4, 1.2, 0.8] as const;
 
-export interface Orbit {
-  readonly pose: Pose;
-  /** Advances by some seconds: sideways and turning orbit, ahead zooms in; with haste, steps move the point instead. */
-  update(seconds: number, drive: Drive): void;
-  /** Orbits by radians by which the view turns to the left and up. */
-  rotate(left: number, up: number): void;
-  /** Multiplies the distance. */
-  zoom(factor: number): void;
-  /** Moves eye and point, as shares of their distance, to the right and up in the picture. */
-  pan(right: number, up: number): void;
-  /** Starts at a pose; the point lies ahead of it. */
-  setPose(pose: Pose): void;
-}
-
-export function createOrbit(start: Pose, bounds: () => Bounds | null): Orbit {
+export function createOrbit(start: Pose, bounds: () => Bounds | null) {
   let view: Pose = start;
-  let away: number = USUAL;
+  let distance: number = DEFAULT_DISTANCE;
 
-  const target = (): Vector => addScaled(view.position, ahead(view), away);
+  const target = (): Vector => addScaled(view.position, ahead(view), distance);
 
   /** Places the eye and lets it look at a point. */
-  function put(eye: Vector, point: Vector): void {
+  function lookAt(eye: Vector, point: Vector): void {
     const [x, y, z] = addScaled(point, eye, -1);
-    const level = Math.hypot(x, z);
-    away = clamp(Math.hypot(level, y), NEAREST, FARTHEST);
-    const yaw = level > 1e-9 ? nearest(Math.atan2(-x, -z), view.yaw) : view.yaw;
-    view = { position: eye, yaw, pitch: clamp(Math.atan2(y, level), -STEEPEST, STEEPEST) };
+    const horizontal = Math.hypot(x, z);
+    distance = clamp(Math.hypot(horizontal, y), MIN_DISTANCE, MAX_DISTANCE);
+    const yaw = horizontal > 1e-9 ? equivalentAngle(Math.atan2(-x, -z), view.yaw) : view.yaw;
+    view = { position: eye, yaw, pitch: clamp(Math.atan2(y, horizontal), -MAX_PITCH, MAX_PITCH) };
   }
 
+  /** Orbits by radians by which the view turns to the left and up. */
   function rotate(left: number, up: number): void {
     if (left === 0 && up === 0) return;
     const point = target();
-    const turned = { yaw: view.yaw + left, pitch: clamp(view.pitch + up, -STEEPEST, STEEPEST) };
-    const eye = addScaled(point, ahead(turned), -away);
+    const turned = { yaw: view.yaw + left, pitch: clamp(view.pitch + up, -MAX_PITCH, MAX_PITCH) };
+    const eye = addScaled(point, ahead(turned), -distance);
     const allowed = confine(view.position, eye, bounds());
     if (allowed === eye) view = { ...turned, position: eye };
-    else put(allowed, point);
+    else lookAt(allowed, point);
   }
 
+  /** Multiplies the distance. */
   function zoom(factor: number): void {
     if (!(factor > 0) || factor === 1) return;
-    const wanted = clamp(away * factor, NEAREST, FARTHEST);
-    const eye = addScaled(target(), ahead(view), -wanted);
+    const newDistance = clamp(distance * factor, MIN_DISTANCE, MAX_DISTANCE);
+    const eye = addScaled(target(), ahead(view), -newDistance);
     const share = allowedShare(view.position, eye, bounds());
-    const position = addScaled(view.position, ahead(view), share * (away - wanted));
-    away += share * (wanted - away);
+    const position = addScaled(view.position, ahead(view), share * (distance - newDistance));
+    distance += share * (newDistance - distance);
     view = { ...view, position };
   }
 
+  /** Moves eye and point, as shares of their distance, to the right and up in the picture. */
   function pan(right: number, up: number): void {
-    const shift = addScaled(addScaled([0, 0, 0], rightOf(view.yaw), right * away), upOf(view), up * away);
+    const shift = addScaled(addScaled([0, 0, 0], rightOf(view.yaw), right * distance), upOf(view), up * distance);
     const share = allowedShare(view.position, addScaled(view.position, shift, 1), bounds());
     view = { ...view, position: addScaled(view.position, shift, share) };
   }
 
   return {
-    get pose() {
+    get pose(): Pose {
       return view;
     },
-    update(seconds, { right, ahead: nearer, turn, look, isRunning }) {
+    /** Advances by some seconds: steps aside and turns orbit, steps ahead zoom in; while running, steps pan instead. */
+    update(seconds: number, { right, ahead: nearer, turn, look, isRunning }: Drive): void {
       if (isRunning) pan(PAN * seconds * right, PAN * seconds * nearer);
       else zoom(Math.exp(-ZOOM * seconds * nearer));
       const aside = isRunning ? turn : turn - right;
@@ -77,14 +67,15 @@ export function createOrbit(start: Pose, bounds: () => Bounds | null): Orbit {
     rotate,
     zoom,
     pan,
-    setPose(pose) {
+    /** Starts at a pose; the point lies ahead of it. */
+    setPose(pose: Pose): void {
       view = pose;
-      away = USUAL;
+      distance = DEFAULT_DISTANCE;
     },
   };
 }
 
 /** Angle equivalent to `angle` that is nearest to another angle, so that views turn the short way. */
-function nearest(angle: number, other: number): number {
+function equivalentAngle(angle: number, other: number): number {
   return angle + 2 * Math.PI * Math.round((other - angle) / (2 * Math.PI));
 }

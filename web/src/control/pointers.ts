@@ -2,7 +2,7 @@
 import { applyDeadZone, type Drive, NO_MOTION } from './drive';
 
 /** Radians per picture height of dragging: for a walker's head, and for orbiting. */
-const [LOOK, AROUND] = [1.6, Math.PI] as const;
+const [LOOK_RADIANS, ORBIT_RADIANS] = [1.6, Math.PI] as const;
 /** Pan per picture height of dragging, as a multiple of the orbit's distance. */
 const PAN = 1.5;
 /** Zoom exponent per wheel pixel; pixels per line and per page. */
@@ -10,7 +10,7 @@ const WHEEL = 0.0015;
 const WHEEL_PIXELS = [1, 16, 400] as const;
 /** Distance in pixels from the left thumb's start to full speed, and the dead zone as a share of it. */
 export const THUMB_REACH = 56;
-const THUMB_REST = 0.12;
+const THUMB_DEAD_ZONE = 0.12;
 
 export type Mode = 'walk' | 'orbit';
 
@@ -29,32 +29,21 @@ export interface PointerActions {
   rotate(left: number, up: number): void;
   pan(right: number, up: number): void;
   zoom(factor: number): void;
-  /** The left thumb has moved, or is lifted. */
   thumb(thumb: Thumb | null): void;
-  /** A double tap or double click asks for a place, as shares of the picture's width and height from its upper left. */
+  /** Called on a double tap or double click; place as shares of the picture's width and height, from its upper left. */
   go(x: number, y: number): void;
 }
 
-export interface Pointers {
-  /** Movement command of the left thumb. */
-  readonly drive: Drive;
-  /** Locks the pointer to look around without a button, until Escape. */
-  lock(): void;
-  /** Discards all fingers, because the mode has changed. */
-  release(): void;
-  dispose(): void;
-}
-
 /** A finger, or a mouse with a button down. */
-interface Down {
+interface Press {
   readonly x: number;
   readonly y: number;
   /** `step` for the left thumb; `pan` for other buttons than the first. */
   readonly task: 'turn' | 'step' | 'pan';
 }
 
-export function createPointers(element: HTMLElement, actions: PointerActions): Pointers {
-  const downs = new Map<number, Down>();
+export function createPointers(element: HTMLElement, actions: PointerActions) {
+  const presses = new Map<number, Press>();
   const stop = new AbortController();
   let drive = NO_MOTION;
 
@@ -81,22 +70,22 @@ export function createPointers(element: HTMLElement, actions: PointerActions): P
     element.setPointerCapture(event.pointerId);
     if (isTouch) taps.down(event);
     const task = isThumb(event) ? 'step' : isFirst ? 'turn' : 'pan';
-    downs.set(event.pointerId, { x: event.clientX, y: event.clientY, task });
+    presses.set(event.pointerId, { x: event.clientX, y: event.clientY, task });
     if (task === 'step') step({ x: event.clientX, y: event.clientY }, event);
   }
 
   /** Whether a touch walks: the first one in the left half. */
   function isThumb({ pointerType, clientX }: PointerEvent): boolean {
     if (actions.mode() !== 'walk' || pointerType !== 'touch') return false;
-    if ([...downs.values()].some(({ task }) => task === 'step')) return false;
+    if ([...presses.values()].some(({ task }) => task === 'step')) return false;
     const { left, width } = element.getBoundingClientRect();
     return clientX - left < width / 2;
   }
 
   function move(event: PointerEvent): void {
-    const before = downs.get(event.pointerId);
+    const before = presses.get(event.pointerId);
     if (!before) {
-      if (isLocked()) actions.look(-event.movementX * LOOK * scale(), -event.movementY * LOOK * scale());
+      if (isLocked()) actions.look(-event.movementX * LOOK_RADIANS * scale(), -event.movementY * LOOK_RADIANS * scale());
       return;
     }
     if (before.task === 'step') {
@@ -104,36 +93,36 @@ export function createPointers(element: HTMLElement, actions: PointerActions): P
       return;
     }
     const after = { ...before, x: event.clientX, y: event.clientY };
-    const other = [...downs].find(([id, { task }]) => id !== event.pointerId && task !== 'step')?.[1];
+    const other = [...presses].find(([id, { task }]) => id !== event.pointerId && task !== 'step')?.[1];
     const [x, y] = [(after.x - before.x) * scale(), (after.y - before.y) * scale()];
-    downs.set(event.pointerId, after);
-    if (actions.mode() === 'walk') actions.look(x * LOOK, y * LOOK);
+    presses.set(event.pointerId, after);
+    if (actions.mode() === 'walk') actions.look(x * LOOK_RADIANS, y * LOOK_RADIANS);
     else if (other) pinch(before, after, other);
     else if (before.task === 'pan') actions.pan(-x * PAN, y * PAN);
-    else actions.rotate(-x * AROUND, -y * AROUND);
+    else actions.rotate(-x * ORBIT_RADIANS, -y * ORBIT_RADIANS);
   }
 
   function step({ x, y }: { x: number; y: number }, { clientX, clientY }: PointerEvent): void {
-    const [right, down] = applyDeadZone((clientX - x) / THUMB_REACH, (clientY - y) / THUMB_REACH, THUMB_REST);
-    drive = { ...NO_MOTION, right, ahead: 0 - down };
+    const [right, back] = applyDeadZone((clientX - x) / THUMB_REACH, (clientY - y) / THUMB_REACH, THUMB_DEAD_ZONE);
+    drive = { ...NO_MOTION, right, ahead: 0 - back };
     actions.thumb({ x, y, right: clientX - x, down: clientY - y });
   }
 
   /** One of two fingers has moved: their midpoint pans, their distance zooms. */
-  function pinch(before: Down, after: Down, other: Down): void {
-    const [was, is] = [before, after].map(({ x, y }) => Math.hypot(x - other.x, y - other.y));
-    if (was && is) actions.zoom(was / is);
-    const half = (0.5 * PAN) * scale();
-    actions.pan(-(after.x - before.x) * half, (after.y - before.y) * half);
+  function pinch(before: Press, after: Press, other: Press): void {
+    const [oldGap, newGap] = [before, after].map(({ x, y }) => Math.hypot(x - other.x, y - other.y));
+    if (oldGap && newGap) actions.zoom(oldGap / newGap);
+    const halfPan = 0.5 * PAN * scale();
+    actions.pan(-(after.x - before.x) * halfPan, (after.y - before.y) * halfPan);
   }
 
   function up(event: PointerEvent): void {
     if (event.pointerType === 'touch') taps.up(event);
-    if (downs.get(event.pointerId)?.task === 'step') rest();
-    downs.delete(event.pointerId);
+    if (presses.get(event.pointerId)?.task === 'step') stopThumb();
+    presses.delete(event.pointerId);
   }
 
-  function rest(): void {
+  function stopThumb(): void {
     drive = NO_MOTION;
     actions.thumb(null);
   }
@@ -145,6 +134,7 @@ export function createPointers(element: HTMLElement, actions: PointerActions): P
     actions.zoom(Math.exp(WHEEL * event.deltaY * (WHEEL_PIXELS[event.deltaMode] ?? 1) * (event.ctrlKey ? 6 : 1)));
   }
 
+  /** Locks the pointer to look around without a button, until Escape. */
   function lock(): void {
     if (actions.mode() !== 'walk') return;
     // Browsers refuse a lock in frames and shortly after Escape; dragging still works.
@@ -162,19 +152,21 @@ export function createPointers(element: HTMLElement, actions: PointerActions): P
   element.addEventListener('wheel', wheel, { signal, passive: false });
   element.addEventListener('contextmenu', (event) => event.preventDefault(), { signal });
 
+  /** Discards all fingers, because the mode has changed. */
   function release(): void {
-    downs.clear();
-    rest();
+    presses.clear();
+    stopThumb();
     if (isLocked()) element.ownerDocument.exitPointerLock();
   }
 
   return {
-    get drive() {
+    /** Movement command of the left thumb. */
+    get drive(): Drive {
       return drive;
     },
     lock,
     release,
-    dispose() {
+    dispose(): void {
       release();
       stop.abort();
     },
@@ -182,40 +174,35 @@ export function createPointers(element: HTMLElement, actions: PointerActions): P
 }
 
 /** Greatest milliseconds of a tap, and between two taps; greatest movement in pixels meanwhile. */
-const [LONGEST, PAUSE, STILL] = [300, 400, 16] as const;
+const [MAX_TAP_MS, MAX_PAUSE_MS, MAX_TAP_PIXELS] = [300, 400, 16] as const;
 
 type Event = Pick<PointerEvent, 'pointerId' | 'clientX' | 'clientY' | 'timeStamp'>;
 
-export interface Taps {
-  down(event: Event): void;
-  up(event: Event): void;
-}
-
-/** `twice` receives the second tap. */
-export function createTaps(twice: (event: Event) => void): Taps {
+/** `onDoubleTap` receives the second tap. */
+export function createTaps(onDoubleTap: (event: Event) => void) {
   const downs = new Map<number, Event>();
   let last: Event | null = null;
 
-  const isNear = (a: Event, b: Event): boolean => Math.hypot(a.clientX - b.clientX, a.clientY - b.clientY) <= STILL;
+  const isNear = (a: Event, b: Event): boolean => Math.hypot(a.clientX - b.clientX, a.clientY - b.clientY) <= MAX_TAP_PIXELS;
 
   return {
-    down(event) {
+    down(event: Event): void {
       // Two simultaneous fingers are no tap.
       if (downs.size > 0) last = null;
       downs.set(event.pointerId, event);
     },
-    up(event) {
-      const begun = downs.get(event.pointerId);
+    up(event: Event): void {
+      const firstEvent = downs.get(event.pointerId);
       const isAlone = downs.size === 1;
       downs.delete(event.pointerId);
-      const isTap = begun && isAlone && event.timeStamp - begun.timeStamp <= LONGEST && isNear(begun, event);
+      const isTap = firstEvent && isAlone && event.timeStamp - firstEvent.timeStamp <= MAX_TAP_MS && isNear(firstEvent, event);
       if (!isTap) {
         last = null;
         return;
       }
-      const isSecond = last !== null && event.timeStamp - last.timeStamp <= PAUSE && isNear(last, event);
+      const isSecond = last !== null && event.timeStamp - last.timeStamp <= MAX_PAUSE_MS && isNear(last, event);
       last = isSecond ? null : event;
-      if (isSecond) twice(event);
+      if (isSecond) onDoubleTap(event);
     },
   };
 }

@@ -12,7 +12,7 @@ export interface Pose {
 export type Vector = readonly [number, number, number];
 
 /** Greatest pitch, radians: straight up has no yaw. */
-export const STEEPEST = 1.5;
+export const MAX_PITCH = 1.5;
 
 export function clamp(value: number, least: number, greatest: number): number {
   return Math.min(Math.max(value, least), greatest);
@@ -38,34 +38,39 @@ export function upOf({ yaw, pitch }: Pick<Pose, 'yaw' | 'pitch'>): Vector {
   return [Math.sin(yaw) * Math.sin(pitch), Math.cos(pitch), Math.cos(yaw) * Math.sin(pitch)];
 }
 
-/** a + share · b. */
-export function addScaled(a: Vector, b: Vector, share: number): Vector {
-  return [a[0] + share * b[0], a[1] + share * b[1], a[2] + share * b[2]];
+/** a + factor · b. */
+export function addScaled(a: Vector, b: Vector, factor: number): Vector {
+  return [a[0] + factor * b[0], a[1] + factor * b[1], a[2] + factor * b[2]];
 }
 
 export function subtract(a: Vector, b: Vector): Vector {
   return [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
 }
 
+/** Vector of length 1 in the same direction; the zero vector stays. */
+export function unit([x, y, z]: Vector): Vector {
+  const length = Math.hypot(x, y, z) || 1;
+  return [x / length, y / length, z / length];
+}
+
 export function isSamePose(a: Pose, b: Pose): boolean {
   return a.yaw === b.yaw && a.pitch === b.pitch && a.position.every((value, axis) => value === b.position[axis]);
 }
 
-/** Greatest length of a fragment. */
-const LONGEST = 512;
+const MAX_FRAGMENT_LENGTH = 512;
 /** Greatest coordinate, metres: beyond twice the size of the Earth there is no scene. */
-const FARTHEST = 3e7;
+const MAX_COORDINATE = 3e7;
 const NUMBER = /^[+-]?(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d{1,3})?$/i;
 
 /** Pose in a fragment (with or without `#`), or null. Never throws. */
 export function readLink(fragment: string): Pose | null {
-  if (fragment.length > LONGEST) return null;
+  if (fragment.length > MAX_FRAGMENT_LENGTH) return null;
   const fields = new URLSearchParams(fragment.replace(/^#/, ''));
   const [x, y, z, ...rest] = (fields.get('p') ?? '').split(',').map(parseNumber);
   if (!isPlace(x) || !isPlace(y) || !isPlace(z) || rest.length > 0) return null;
   const [yaw, pitch] = [parseNumber(fields.get('yaw') ?? '0'), parseNumber(fields.get('pitch') ?? '0')];
   if (yaw === null || pitch === null) return null;
-  return { position: [x, y, z], yaw: wrapAngle(yaw), pitch: clamp(pitch, -STEEPEST, STEEPEST) };
+  return { position: [x, y, z], yaw: wrapAngle(yaw), pitch: clamp(pitch, -MAX_PITCH, MAX_PITCH) };
 }
 
 /** Fragment of a pose, precise to a millimetre and 10⁻⁴ radians. */
@@ -80,7 +85,7 @@ function parseNumber(text: string): number | null {
 }
 
 function isPlace(value: number | null | undefined): value is number {
-  return value !== null && value !== undefined && Math.abs(value) <= FARTHEST;
+  return value !== null && value !== undefined && Math.abs(value) <= MAX_COORDINATE;
 }
 
 /** Formats a number without trailing zeros. */

@@ -1,7 +1,7 @@
 /** First-person walking at a constant eye height; independent of a browser. */
 import type { Drive } from './drive';
 import { type Bounds, confine, leadBack } from './limit';
-import { clamp, type Pose, rightOf, STEEPEST, type Vector } from './pose';
+import { clamp, MAX_PITCH, type Pose, rightOf, type Vector } from './pose';
 
 /** Walking speed, metres per second. */
 const SPEED = 1.6;
@@ -16,22 +16,8 @@ const HEIGHT_TIME = 0.25;
 /** Longest integration step, seconds; within it the path is straight. */
 const MAX_STEP = 1 / 120;
 
-export interface Walk {
-  readonly pose: Pose;
-  /** Advances by some seconds. */
-  update(seconds: number, drive: Drive): void;
-  /** Turns at once, radians to the left and up. */
-  look(left: number, up: number): void;
-  /** Moves the user; the new height is the eye height from then on. */
-  setPose(pose: Pose): void;
-  /** Continues from the pose of a tracked head, whose height becomes the eye height; the speed does not change. */
-  follow(pose: Pose): void;
-  /** Continues from the last pose of another mode with speed 0; the eye then returns to its height. */
-  resume(pose: Pose): void;
-}
-
 /** `isSudden` makes speeds and heights change at once, for users prone to motion sickness. */
-export function createWalk(start: Pose, bounds: () => Bounds | null, isSudden: () => boolean): Walk {
+export function createWalk(start: Pose, bounds: () => Bounds | null, isSudden: () => boolean) {
   let { position, yaw, pitch } = start;
   let height = position[1];
   // Metres per second to the right and ahead.
@@ -41,7 +27,7 @@ export function createWalk(start: Pose, bounds: () => Bounds | null, isSudden: (
     const turnAngle = TURN_SPEED * drive.turn * seconds;
     const middleYaw = yaw + turnAngle / 2;
     yaw += turnAngle;
-    pitch = clamp(pitch + TURN_SPEED * drive.look * seconds, -STEEPEST, STEEPEST);
+    pitch = clamp(pitch + TURN_SPEED * drive.look * seconds, -MAX_PITCH, MAX_PITCH);
     const speed = SPEED * (drive.isRunning ? RUN_FACTOR : 1);
     const [rightDistance, rightSpeed] = glide(velocity[0], speed * drive.right, seconds, isSudden());
     const [aheadDistance, aheadSpeed] = glide(velocity[1], speed * drive.ahead, seconds, isSudden());
@@ -57,29 +43,33 @@ export function createWalk(start: Pose, bounds: () => Bounds | null, isSudden: (
     position = leadBack(confine(position, target, bounds()), bounds(), seconds);
   }
 
+  /** Continues from the pose of a tracked head, whose height becomes the eye height; the speed does not change. */
   function follow(pose: Pose): void {
     ({ position, yaw, pitch } = pose);
     height = position[1];
   }
 
   return {
-    get pose() {
+    get pose(): Pose {
       return { position, yaw, pitch };
     },
-    update(seconds, drive) {
+    update(seconds: number, drive: Drive): void {
       const steps = Math.ceil(seconds / MAX_STEP);
       for (let number = 0; number < steps; number++) step(seconds / steps, drive);
     },
-    look(left, up) {
+    /** Turns at once, radians to the left and up. */
+    look(left: number, up: number): void {
       yaw += left;
-      pitch = clamp(pitch + up, -STEEPEST, STEEPEST);
+      pitch = clamp(pitch + up, -MAX_PITCH, MAX_PITCH);
     },
-    setPose(pose) {
+    /** Moves the user; the new height is the eye height from then on. */
+    setPose(pose: Pose): void {
       follow(pose);
       velocity = [0, 0];
     },
     follow,
-    resume(pose) {
+    /** Continues from the last pose of another mode with speed 0; the eye then returns to its height. */
+    resume(pose: Pose): void {
       ({ position, yaw, pitch } = pose);
       velocity = [0, 0];
     },
@@ -87,8 +77,8 @@ export function createWalk(start: Pose, bounds: () => Bounds | null, isSudden: (
 }
 
 /**
- * Distance and final speed when the speed v tends to a goal g by dv/dt = (g − v) / SPEED_TIME. The closed form
- * makes one long step equal many short ones.
+ * Distance and final speed when the speed v tends to a goal g by dv/dt = (g − v) / SPEED_TIME. The closed form makes one
+ * long step equal many short ones.
  */
 function glide(speed: number, goal: number, seconds: number, isSudden: boolean): readonly [number, number] {
   if (isSudden) return [goal * seconds, goal];

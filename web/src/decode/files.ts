@@ -1,5 +1,5 @@
 /** Checks and decompression of a bundle's files, and its WebP pictures. */
-import { inflated, sha256 as hashOf } from '../base/bytes';
+import { inflate, sha256 as hashOf } from '../base/bytes';
 import { messageOf } from '../base/errors';
 import type { Band, FileData } from './messages';
 
@@ -10,18 +10,18 @@ export async function contentOf(file: FileData): Promise<Uint8Array<ArrayBuffer>
     throw new Error(`${name}: expected ${bytes} bytes, as the manifest lists it, got ${data.byteLength}`);
   }
   // Browsers offer hashes only on https and localhost; elsewhere only the size is checked.
-  const found = await hashOf(data);
-  if (found !== null && found !== sha256) {
-    throw new Error(`${name}: expected SHA-256 ${sha256.slice(0, 16)}…, got ${found.slice(0, 16)}…`);
+  const actualHash = await hashOf(data);
+  if (actualHash !== null && actualHash !== sha256) {
+    throw new Error(`${name}: expected SHA-256 ${sha256.slice(0, 16)}…, got ${actualHash.slice(0, 16)}…`);
   }
   return new Uint8Array(data);
 }
 
-/** Content of a compressed file; throws an error if it has more than `most` bytes. */
-export async function inflatedFile(file: FileData, most: number): Promise<Uint8Array> {
+/** Content of a compressed file; throws an error if it has more than `maxBytes` bytes. */
+export async function inflateFile(file: FileData, maxBytes: number): Promise<Uint8Array> {
   const content = await contentOf(file);
   try {
-    return await inflated(content, most);
+    return await inflate(content, maxBytes);
   } catch (error) {
     throw new Error(`${file.name}: expected compressed ranges, got ${messageOf(error)}`);
   }
@@ -53,9 +53,9 @@ export async function bandsOf(images: Readonly<Record<string, ImageBitmap>>): Pr
   const bands: Band[] = [];
   for (const [name, image] of Object.entries(images)) {
     const { width, height } = image;
-    const most = Math.max(Math.floor(BAND_BYTES / (4 * width)), 1);
-    for (let y = 0; y < height; y += most) {
-      const rows = await createImageBitmap(image, 0, y, width, Math.min(most, height - y), RAW_PIXELS);
+    const rowsPerBand = Math.max(Math.floor(BAND_BYTES / (4 * width)), 1);
+    for (let y = 0; y < height; y += rowsPerBand) {
+      const rows = await createImageBitmap(image, 0, y, width, Math.min(rowsPerBand, height - y), RAW_PIXELS);
       bands.push({ name, width, height, y, rows });
     }
     image.close();
@@ -66,9 +66,9 @@ export async function bandsOf(images: Readonly<Record<string, ImageBitmap>>): Pr
 /** Pixels of an opaque picture of known size, RGBA from the top. */
 export async function pixelsOf(file: FileData, width: number, height: number): Promise<Uint8Array> {
   const data = await contentOf(file);
-  const found = sizeOf(file.name, data);
-  if (found[0] !== width || found[1] !== height) {
-    throw new Error(`${file.name}: expected ${width} × ${height} pixels, got ${found[0]} × ${found[1]}`);
+  const size = sizeOf(file.name, data);
+  if (size[0] !== width || size[1] !== height) {
+    throw new Error(`${file.name}: expected ${width} × ${height} pixels, got ${size[0]} × ${size[1]}`);
   }
   const bitmap = await pictureOf(file.name, data);
   return new Uint8Array(rgbaOf(bitmap).buffer);

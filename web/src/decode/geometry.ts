@@ -5,11 +5,11 @@ import { contentOf, pictureOf } from './files';
 import { entries, entryAt, type Glb, openGlb } from './glb';
 import type { FileData, GeometryRequest, Piece, Triangles } from './messages';
 import { splitIntoPieces } from './pieces';
-import { concatPlacements, isIdentity, placementsOf, ROWS } from './placements';
+import { concatPlacements, isIdentity, originOf, type PlacedNode, placedByMesh, ROWS } from './placements';
 import { splitPlaced } from './split/placed';
 import { createRule, NO_GROWTH, type Rule, TOLERANCE } from './split/rule';
 import { type Budget, splitArrays } from './split/triangles';
-import { type Arrays, FOLDER, pictureName, primitiveOf, sameOf } from './surfaces';
+import { type Arrays, FOLDER, pictureName, primitiveOf, arraysKey } from './surfaces';
 
 /** Greatest number of pieces of a file; each needs a draw call. */
 const MAX_PIECES = 2 ** 18;
@@ -27,18 +27,19 @@ export interface Decoded {
   readonly triangles: Triangles;
 }
 
-/** Decodes a file; `kept` has the buffers of earlier requests and receives those of this one. */
-export async function decodeGeometry(request: GeometryRequest, kept: Buffers): Promise<Decoded> {
-  const parts = await partsOf(request.parts, kept);
+/** Decodes a file; `buffers` has those of earlier requests and receives those of this one. */
+export async function decodeGeometry(request: GeometryRequest, buffers: Buffers): Promise<Decoded> {
+  const parts = await partsOf(request.parts, buffers);
   const { name } = request.glb;
-  const content = await fileOf(request, kept);
+  const content = await fileOf(request, buffers);
   try {
-    const glb = openGlb(content, kept);
+    const glb = openGlb(content, buffers);
     const [surfaces, offset] = await surfacesOf(glb, request);
     const pieces = splitPieces(surfaces, offset, request);
-    const own = surfaces.flatMap(({ arrays, placed }) => placed.map((where) => trianglesOf(arrays, where)));
-    const drawn = pieces.map((piece) => trianglesOf(piece, piece));
-    const triangles = { own: own.reduce((sum, n) => sum + n, 0), drawn: drawn.reduce((sum, n) => sum + n, 0) };
+    const fileCounts = surfaces.flatMap(({ arrays, placed }) => placed.map((group) => trianglesOf(arrays, group)));
+    const pieceCounts = pieces.map((piece) => trianglesOf(piece, piece));
+    const [inFile = 0, drawn = 0] = [fileCounts, pieceCounts].map((counts) => counts.reduce((sum, count) => sum + count, 0));
+    const triangles = { inFile, drawn };
     return { pieces, images: await imagesOf(glb, parts, request.known), triangles };
   } catch (error) {
     const reason = messageOf(error);
@@ -47,15 +48,15 @@ export async function decodeGeometry(request: GeometryRequest, kept: Buffers): P
 }
 
 /** Content of the file itself; that of dynamic objects is cached, because every region asks for it. */
-async function fileOf({ glb, isDynamic }: GeometryRequest, kept: Buffers): Promise<Uint8Array<ArrayBuffer>> {
+async function fileOf({ glb, isDynamic }: GeometryRequest, buffers: Buffers): Promise<Uint8Array<ArrayBuffer>> {
   const name = glb.name.slice(FOLDER.length);
   if (glb.data === null) {
-    const content = kept.get(name);
+    const content = buffers.get(name);
     if (!content) throw new Error(`${glb.name} is missing`);
     return content;
   }
   const content = await contentOf(glb);
-  if (isDynamic) kept.set(name, content);
+  if (isDynamic) buffers.set(name, content);
   return content;
 }
 
@@ -64,29 +65,23 @@ function trianglesOf({ indices }: Pick<Piece, 'indices'>, { placements }: Pick<P
   return (indices.length / 3) * (placements ? placements.length / ROWS : 1);
 }
 
-/**
- * Contents of parts by name. Valid buffers are cached even if another part is damaged, because they are sent only once.
- */
-async function partsOf(parts: readonly FileData[], kept: Buffers): Promise<Map<string, Uint8Array<ArrayBuffer>>> {
-  const found = new Map<string, Uint8Array<ArrayBuffer>>();
+/** Contents of parts by name. Buffers are sent only once, so valid ones are cached even if another part is damaged. */
+async function partsOf(parts: readonly FileData[], buffers: Buffers): Promise<Map<string, Uint8Array<ArrayBuffer>>> {
+  const contents = new Map<string, Uint8Array<ArrayBuffer>>();
   const results = await Promise.allSettled(
     parts.map(async (part) => {
       const data = await contentOf(part);
-      found.set(part.name, data);
-      if (part.name.endsWith('.bin')) kept.set(part.name.slice(FOLDER.length), data);
+      contents.set(part.name, data);
+      if (part.name.endsWith('.bin')) buffers.set(part.name.slice(FOLDER.length), data);
     }),
   );
   const failed = results.find((result) => result.status === 'rejected');
   if (failed) throw failed.reason as Error;
-  return found;
+  return contents;
 }
 
 /** Pictures that the page does not have yet, by name. */
-async function imagesOf(
-  glb: Glb,
-  parts: ReadonlyMap<string, Uint8Array<ArrayBuffer>>,
-  known: readonly string[],
-): Promise<Record<string, ImageBitmap>> {
+async function imagesOf(glb: Glb, parts: ReadonlyMap<string, Uint8Array<ArrayBuffer>>, known: readonly string[]) {
   const images: Record<string, ImageBitmap> = {};
   try {
     for (const entry of entries(glb.document.images, 'images')) {
@@ -102,40 +97,29 @@ async function imagesOf(
   return images;
 }
 
-/** Placements of a mesh: static nodes that show it form one group, dynamic ones stay separate. */
-interface Placed {
-  readonly name: string;
-  readonly rows: Float64Array[];
-}
-
 /** A primitive and its placements; without placements it lies in the frame of the nodes. */
 interface Surface {
   readonly arrays: Arrays;
-  readonly same: string;
+  readonly sharedKey: string;
   readonly placed: readonly { readonly name: string; readonly placements: Float32Array | null }[];
 }
 
 async function surfacesOf(glb: Glb, { glb: file, center, isDynamic }: GeometryRequest): Promise<[Surface[], Point]> {
   const [root, ...nodes] = entries(glb.document.nodes, 'nodes');
-  const offset = offsetOf(root?.translation, center);
-  const byMesh = new Map<number, Placed[]>();
-  for (const node of nodes) {
-    if (node.mesh === undefined) continue;
-    const rows = await placementsOf(glb, node);
-    const groups = byMesh.get(node.mesh) ?? [];
-    byMesh.set(node.mesh, groups);
-    const last = groups.at(-1);
-    if (last && !isDynamic) last.rows.push(rows);
-    else groups.push({ name: typeof node.name === 'string' ? node.name : '', rows: [rows] });
-  }
+  const [x, y, z] = originOf(root?.translation);
+  // Vector from the centre to the origin of the nodes' frame, metres.
+  const offset = [x - center[0], y - center[1], z - center[2]] as const;
   const surfaces: Surface[] = [];
-  for (const [mesh, groups] of byMesh) {
-    const placed = groups.map(({ name, rows }) => {
+  for (const [mesh, meshNodes] of await placedByMesh(glb, nodes)) {
+    // Static nodes of a mesh form one group; dynamic ones stay separate.
+    const groups = isDynamic ? meshNodes.map((node) => [node]) : [meshNodes];
+    const placed = groups.map((group) => {
+      const [{ name }, rows] = [group[0] as PlacedNode, group.map((node) => node.rows)];
       const isPlain = !isDynamic && rows.length === 1 && rows.every(isIdentity);
       return { name, placements: isPlain ? null : concatPlacements(rows, offset) };
     });
     for (const primitive of entries(entryAt(glb.document.meshes, mesh, 'mesh').primitives, 'primitives')) {
-      surfaces.push({ arrays: await primitiveOf(glb, primitive), same: sameOf(glb, primitive, file.name), placed });
+      surfaces.push({ arrays: await primitiveOf(glb, primitive), sharedKey: arraysKey(glb, primitive, file.name), placed });
     }
   }
   return [surfaces, offset];
@@ -153,31 +137,23 @@ function splitPieces(surfaces: readonly Surface[], offset: Point, { growth, isDy
 
 function piecesOf(surfaces: readonly Surface[], offset: Point, rule: Rule, budget: Budget): Piece[] {
   const pieces: Piece[] = [];
-  for (const { arrays, same, placed } of surfaces) {
+  for (const { arrays, sharedKey, placed } of surfaces) {
     for (const { name, placements } of placed) {
-      const lying = (): Arrays => ({ ...arrays, positions: translate(arrays.positions, offset) });
+      const translated = (): Arrays => ({ ...arrays, positions: translate(arrays.positions, offset) });
       const parts = placements
         ? splitPlaced(arrays, placements, rule, budget)
-        : [{ arrays: splitArrays(lying(), rule, budget), placements }];
+        : [{ arrays: splitArrays(translated(), rule, budget), placements }];
       for (const part of parts) {
         for (const [number, piece] of splitIntoPieces(part.arrays).entries()) {
           // Split triangles, and positions without placements, belong to this region only.
-          const own = part.arrays === arrays ? `${same} ${number}` : null;
-          if (part.placements?.length !== 0) pieces.push({ ...piece, name, same: own, placements: part.placements });
+          const key = part.arrays === arrays ? `${sharedKey} ${number}` : null;
+          if (part.placements?.length !== 0) pieces.push({ ...piece, name, sharedKey: key, placements: part.placements });
           if (pieces.length > MAX_PIECES) throw new Error(`expected at most ${MAX_PIECES} pieces of geometry`);
         }
       }
     }
   }
   return pieces;
-}
-
-/** Vector from the centre to the origin of the nodes' frame, metres. */
-function offsetOf(translation: readonly number[] | undefined, center: Point): Point {
-  const [x, y, z] = translation ?? [0, 0, 0];
-  const offset = [Number(x) - center[0], Number(y) - center[1], Number(z) - center[2]] as const;
-  if (!offset.every(Number.isFinite)) throw new Error('expected an origin of three numbers');
-  return offset;
 }
 
 /** Sums are computed in float64 and rounded once. */

@@ -1,6 +1,4 @@
-/**
- * Reads the GLB files that nearfar writes: their documents, and the arrays described there, packed by meshoptimizer.
- */
+/** Reads the GLB files that nearfar writes: their documents, and their arrays, which meshoptimizer has packed. */
 import { MeshoptDecoder } from 'meshoptimizer/decoder';
 
 /** Subset of a glTF 2.0 document that nearfar writes. Every number may be wrong in a damaged file. */
@@ -68,10 +66,10 @@ interface View {
 const [MAGIC, VERSION] = [0x46546c67, 2];
 const [JSON_CHUNK, BIN_CHUNK] = [0x4e4f534a, 0x004e4942];
 const WIDTHS: Readonly<Record<string, number>> = { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4 };
-/**
- * Greatest number of rows of an array, and of bytes of all arrays of a file; the largest rings have a fraction of them.
- */
-const [MAX_ROWS, MAX_BYTES] = [2 ** 26, 2 ** 30] as const;
+/** Greatest number of rows of an array; the largest rings have a fraction of it. */
+const MAX_ROWS = 2 ** 26;
+/** Greatest number of bytes of all arrays of a file; the largest rings have a fraction of it. */
+const MAX_BYTES: number = 2 ** 30;
 
 const TYPES = {
   5120: Int8Array,
@@ -83,35 +81,25 @@ const TYPES = {
 } as const;
 export type Numbers = InstanceType<(typeof TYPES)[keyof typeof TYPES]>;
 
-export interface Glb {
-  readonly document: Document;
-  /** Rows of an accessor, tightly packed; `width` is the required number of columns. */
-  read(accessor: number | undefined, width: number): Promise<Numbers>;
-  /** File and position of an accessor's content; the file is '' for the GLB itself. */
-  placeOf(accessor: number): string;
-}
+export type Glb = ReturnType<typeof openGlb>;
 
-/** Opens a GLB. `parts` are the files that it refers to, by their URIs; its arrays may take at most `most` bytes. */
-export function openGlb(
-  bytes: Uint8Array<ArrayBuffer>,
-  parts: ReadonlyMap<string, Uint8Array>,
-  most: number = MAX_BYTES,
-): Glb {
+/** Opens a GLB. `parts` are the files that it refers to, by their URIs; its arrays may take at most `maxBytes`. */
+export function openGlb(bytes: Uint8Array<ArrayBuffer>, parts: ReadonlyMap<string, Uint8Array>, maxBytes = MAX_BYTES) {
   const { document, chunk } = chunksOf(bytes);
   const decoded = new Map<number, Promise<Uint8Array>>();
-  let spent = 0;
+  let allocatedBytes = 0;
 
   /** Limits the total size, because many entries of a damaged document can describe the same bytes. */
-  function spend(size: number): void {
-    spent += size;
-    if (spent > most) throw new Error(`the arrays take more than ${most} bytes`);
+  function allocate(size: number): void {
+    allocatedBytes += size;
+    if (allocatedBytes > maxBytes) throw new Error(`the arrays take more than ${maxBytes} bytes`);
   }
 
   function bufferOf(number: number): Uint8Array {
     const entry = entryAt(document.buffers, number, 'buffer');
-    const found = entry.uri === undefined ? chunk : parts.get(entry.uri);
-    if (!found) throw new Error(`the buffer ${entry.uri ?? number} is missing`);
-    return found;
+    const buffer = entry.uri === undefined ? chunk : parts.get(entry.uri);
+    if (!buffer) throw new Error(`the buffer ${entry.uri ?? number} is missing`);
+    return buffer;
   }
 
   async function viewOf(number: number): Promise<Uint8Array> {
@@ -120,13 +108,14 @@ export function openGlb(
     if (!packed) return slice(bufferOf(view.buffer), view.byteOffset ?? 0, view.byteLength);
     const source = slice(bufferOf(packed.buffer), packed.byteOffset ?? 0, packed.byteLength);
     const data = await decompress(source, packed);
-    spend(data.length);
+    allocate(data.length);
     return data;
   }
 
   return {
     document,
-    async read(number, width) {
+    /** Rows of an accessor, tightly packed; `width` is the required number of columns. */
+    async read(number: number | undefined, width: number): Promise<Numbers> {
       const accessor = entryAt(document.accessors, number, 'accessor');
       const { count, byteOffset: start = 0 } = accessor;
       const Type = TYPES[accessor.componentType as keyof typeof TYPES];
@@ -134,29 +123,27 @@ export function openGlb(
         throw new Error(`accessor ${number}: expected rows of ${width} columns, got ${accessor.type}`);
       }
       const view = entryAt(document.bufferViews, accessor.bufferView, 'view');
-      let whole = decoded.get(accessor.bufferView);
-      if (!whole) {
-        whole = viewOf(accessor.bufferView);
-        decoded.set(accessor.bufferView, whole);
-      }
+      const decoding = decoded.get(accessor.bufferView) ?? viewOf(accessor.bufferView);
+      decoded.set(accessor.bufferView, decoding);
       const row = width * Type.BYTES_PER_ELEMENT;
       const stride = view.byteStride ?? view.extensions?.EXT_meshopt_compression?.byteStride ?? row;
-      const data = await whole;
+      const data = await decoding;
       if (!isCount(stride) || stride < row) throw new Error(`accessor ${number}: expected rows of ${row} bytes`);
       if (count > 0 && start + (count - 1) * stride + row > data.length) {
         throw new Error(`accessor ${number} reaches beyond its array`);
       }
-      spend(count * row);
+      allocate(count * row);
       const packed = new Uint8Array(count * row);
       if (stride === row) packed.set(data.subarray(start, start + packed.length));
       else {
-        for (let n = 0, place = start; n < count; n++, place += stride) {
-          packed.set(data.subarray(place, place + row), n * row);
+        for (let n = 0, from = start; n < count; n++, from += stride) {
+          packed.set(data.subarray(from, from + row), n * row);
         }
       }
       return new Type(packed.buffer);
     },
-    placeOf(number) {
+    /** File and position of an accessor's content; the file is '' for the GLB itself. */
+    placeOf(number: number): string {
       const { bufferView, byteOffset = 0, count } = entryAt(document.accessors, number, 'accessor');
       const view = entryAt(document.bufferViews, bufferView, 'view');
       const { buffer, byteOffset: start = 0 } = view.extensions?.EXT_meshopt_compression ?? view;
@@ -168,9 +155,9 @@ export function openGlb(
 /** Entry of a list; throws an error that says what is missing. */
 export function entryAt<T>(list: readonly T[] | undefined, number: number | undefined, what: string): T {
   if (number === undefined) throw new Error(`the ${what}'s number is missing`);
-  const found = Array.isArray(list) && isCount(number) ? (list as readonly T[])[number] : undefined;
-  if (typeof found !== 'object' || found === null) throw new Error(`${what} ${number} is missing`);
-  return found;
+  const entry = Array.isArray(list) && isCount(number) ? (list as readonly T[])[number] : undefined;
+  if (typeof entry !== 'object' || entry === null) throw new Error(`${what} ${number} is missing`);
+  return entry;
 }
 
 /** Entries of a list that may be missing. */
@@ -228,17 +215,17 @@ const MAX_ARRAY_BYTES = 2 ** 28;
  * Greatest number of bytes that a compressed byte decodes to: version 0 of the vertex codec spends at least two bits on
  * 16 bytes of a column, the index codecs spend at least a byte on a triangle, or on an index.
  */
-const MAX_GROWTH = 64;
-/** Allowed size of short arrays in any case, bytes, because their last block may be padded. */
-const MIN_BYTES = 2 ** 16;
+const MAX_EXPANSION = 64;
+/** Size in bytes that is allowed for any array, because the last block of a short one may be padded. */
+const MIN_ALLOWED_BYTES = 2 ** 16;
 const MAX_STRIDE = 256;
 
 type Strides = (stride: number) => boolean;
-const isCorner: Strides = (stride) => stride === 2 || stride === 4;
+const isIndexStride: Strides = (stride) => stride === 2 || stride === 4;
 const MODES: ReadonlyMap<string, Strides> = new Map([
   ['ATTRIBUTES', (stride: number) => stride % 4 === 0 && stride <= MAX_STRIDE],
-  ['TRIANGLES', isCorner],
-  ['INDICES', isCorner],
+  ['TRIANGLES', isIndexStride],
+  ['INDICES', isIndexStride],
 ]);
 const FILTERS: ReadonlyMap<string, Strides> = new Map([
   ['NONE', () => true],
@@ -250,7 +237,7 @@ const FILTERS: ReadonlyMap<string, Strides> = new Map([
 async function decompress(source: Uint8Array, { count, byteStride, mode, filter = 'NONE' }: Compression) {
   const isSized = isCount(count) && isCount(byteStride) && byteStride > 0;
   const size = count * byteStride;
-  if (!isSized || size > Math.min(MAX_ARRAY_BYTES, MIN_BYTES + MAX_GROWTH * source.length)) {
+  if (!isSized || size > Math.min(MAX_ARRAY_BYTES, MIN_ALLOWED_BYTES + MAX_EXPANSION * source.length)) {
     throw new Error(`${source.length} compressed bytes claim ${count} rows of ${byteStride} bytes`);
   }
   if (!MODES.get(mode)?.(byteStride) || (mode === 'TRIANGLES' && count % 3 !== 0)) {

@@ -1,20 +1,21 @@
 /** Maps of a region: the whole map of ring 0, then the changes of each ring. */
 import { messageOf } from '../base/errors';
-import { inflatedFile, pixelsOf } from './files';
-import type { FileData, FirstMapRequest, MapUpdate, NextMapRequest } from './messages';
+import { inflateFile, pixelsOf } from './files';
+import { type FileData, type FirstMapRequest, type MapUpdate, type NextMapRequest, tileAt } from './messages';
 import { decodeRanges } from './ranges';
 
 const FACES = 6;
 /** Greatest number of texels along a face. */
 const MAX_SIDE = 4096;
-/** Size limits of a range file: nine lengths, then per texel at most two flags, a pair of bits, a byte and a word. */
-const [HEAD, MAX_BYTES, PLANES] = [36, 4, 9] as const;
+/** Size of the head of a range file, bytes: nine lengths. */
+const HEAD_BYTES = 36;
+/** Greatest size of a texel in a range file, bytes: two flags, a pair of bits, a byte and a word. */
+const MAX_TEXEL_BYTES = 4;
+/** Bytes by which the bits of the nine planes may be padded. */
+const PADDING_BYTES = 9;
 
 /** Applies the changes of rings; keeps the last ring's map. */
-export interface Maps {
-  first(request: FirstMapRequest): Promise<MapUpdate>;
-  next(request: NextMapRequest): Promise<MapUpdate>;
-}
+export type Maps = ReturnType<typeof createMaps>;
 
 interface State {
   readonly size: number;
@@ -29,19 +30,19 @@ interface State {
   readonly changed: number[][];
 }
 
-export function createMaps(): Maps {
+export function createMaps() {
   let state: State | null = null;
   return {
-    async first({ faceSize: size, tile, across, step, color }) {
+    async first({ faceSize: size, tile, across, step, color }: FirstMapRequest): Promise<MapUpdate> {
       checkLayout(size, tile, across);
       if (color.length !== FACES) throw new Error(`map: expected six pictures, got ${color.length}`);
-      const whole = new Uint8Array(4 * FACES * size * size);
+      const colors = new Uint8Array(4 * FACES * size * size);
       const faces = await Promise.all(color.map((file) => pixelsOf(file, size, size)));
-      faces.forEach((face, number) => whole.set(face, number * face.length));
-      state = { size, tile, across, step, color: whole, codes: null, changed: [] };
+      faces.forEach((face, number) => colors.set(face, number * face.length));
+      state = { size, tile, across, step, color: colors, codes: null, changed: [] };
       return wholeMap(state);
     },
-    async next(request) {
+    async next(request: NextMapRequest): Promise<MapUpdate> {
       if (!state) throw new Error('map: a ring was requested before the first map');
       const { since, ring } = request;
       if (since !== null && !(Number.isInteger(since) && since >= 0 && since <= ring)) {
@@ -59,13 +60,14 @@ function checkLayout(size: number, tile: number, across: number): void {
   if (!isLayout) throw new Error(`map: expected faces of up to ${MAX_SIDE} texels in tiles, got ${size} in ${tile}`);
 }
 
-async function apply(state: State, { ring, tiles, color, range }: NextMapRequest): Promise<void> {
+async function apply(state: State, request: NextMapRequest): Promise<void> {
+  const { ring, tiles, color } = request;
   const { size, tile } = state;
   const side = size / tile;
   if (ring !== state.changed.length + 1) throw new Error(`map: expected ring ${state.changed.length + 1}, got ${ring}`);
   const isTile = (number: number): boolean => Number.isInteger(number) && number >= 0 && number < FACES * side * side;
   if (!tiles.every(isTile)) throw new Error('map: expected tiles of the map, got others');
-  const next = await (state.codes ? laterCodes(state, state.codes, tiles, range) : firstCodes(state, tiles, range));
+  const next = await (state.codes ? laterCodes(state, state.codes, request) : firstCodes(state, request));
   const sheet = await sheetOf(state, tiles.length, color);
   // Everything is decoded first, so that a damaged file leaves the previous map unchanged.
   if (sheet) putChanges(state, sheet, next.changed, tiles);
@@ -79,14 +81,8 @@ function sheetOf({ tile, across }: State, count: number, color: FileData | null)
   return pixelsOf(color, across * tile, Math.ceil(count / across) * tile);
 }
 
-interface Codes {
-  readonly codes: Uint16Array<ArrayBuffer>;
-  /** Mask of changed texels. */
-  readonly changed: Uint8Array;
-}
-
-/** Codes of ring 1, from one file per face. */
-async function firstCodes(state: State, tiles: readonly number[], range: readonly FileData[]): Promise<Codes> {
+/** Codes of ring 1, from one file per face, and the mask of changed texels. */
+async function firstCodes(state: State, { tiles, range }: NextMapRequest) {
   const area = state.size * state.size;
   const perFace = (state.size / state.tile) ** 2;
   if (range.length !== FACES) throw new Error(`map: expected six files of ranges, got ${range.length}`);
@@ -94,29 +90,25 @@ async function firstCodes(state: State, tiles: readonly number[], range: readonl
   const changed = new Uint8Array(FACES * area);
   await Promise.all(
     range.map(async (file, face) => {
-      const raw = await inflatedFile(file, HEAD + PLANES + MAX_BYTES * area);
-      const own = tiles.filter((number) => Math.floor(number / perFace) === face).map((number) => number % perFace);
-      const place = codes.subarray(face * area, (face + 1) * area);
-      changed.set(withFileName(file, () => decodeRanges(raw, place, null, own, state)), face * area);
+      const raw = await inflateFile(file, HEAD_BYTES + PADDING_BYTES + MAX_TEXEL_BYTES * area);
+      const inFace = tiles.filter((number) => Math.floor(number / perFace) === face);
+      const faceTiles = inFace.map((number) => number % perFace);
+      const faceCodes = codes.subarray(face * area, (face + 1) * area);
+      changed.set(withFileName(file, () => decodeRanges(raw, faceCodes, null, faceTiles, state)), face * area);
     }),
   );
   return { codes, changed };
 }
 
 /** Codes of a later ring, from one file, unless nothing changes. */
-async function laterCodes(
-  state: State,
-  before: Uint16Array<ArrayBuffer>,
-  tiles: readonly number[],
-  range: readonly FileData[],
-): Promise<Codes> {
+async function laterCodes(state: State, before: Uint16Array<ArrayBuffer>, { tiles, range }: NextMapRequest) {
   const { tile } = state;
   const [file] = range;
   if (range.length !== (tiles.length > 0 ? 1 : 0)) {
     throw new Error(`map: expected ranges exactly where tiles change, got ${range.length} files`);
   }
   if (!file) return { codes: before, changed: new Uint8Array(before.length) };
-  const raw = await inflatedFile(file, HEAD + PLANES + MAX_BYTES * tiles.length * tile * tile);
+  const raw = await inflateFile(file, HEAD_BYTES + PADDING_BYTES + MAX_TEXEL_BYTES * tiles.length * tile * tile);
   const codes = before.slice();
   return { codes, changed: withFileName(file, () => decodeRanges(raw, codes, before, tiles, state)) };
 }
@@ -133,17 +125,14 @@ function withFileName<T>(file: FileData, work: () => T): T {
 /** Copies changed texels, and their eight neighbours on the same face, from a tile sheet to the map. */
 function putChanges(state: State, sheet: Uint8Array, changed: Uint8Array, tiles: readonly number[]): void {
   const { size, tile, across } = state;
-  const side = size / tile;
   tiles.forEach((number, order) => {
-    const face = Math.floor(number / (side * side));
-    const [column, row] = [number % side, Math.floor(number / side) % side];
-    const [fromX, fromY] = [(order % across) * tile, Math.floor(order / across) * tile];
+    const { face, x: left, y: top } = tileAt(number, size / tile, tile);
+    const [sheetLeft, sheetTop] = [(order % across) * tile, Math.floor(order / across) * tile];
     for (let y = 0; y < tile; y++) {
       for (let x = 0; x < tile; x++) {
-        const [faceX, faceY] = [column * tile + x, row * tile + y];
-        if (!isNear(changed, face * size * size, faceX, faceY, size)) continue;
-        const to = 4 * (face * size * size + faceY * size + faceX);
-        const from = 4 * ((fromY + y) * across * tile + fromX + x);
+        if (!isNear(changed, face * size * size, left + x, top + y, size)) continue;
+        const to = 4 * (face * size * size + (top + y) * size + left + x);
+        const from = 4 * ((sheetTop + y) * across * tile + sheetLeft + x);
         for (let channel = 0; channel < 3; channel++) state.color[to + channel] = sheet[from + channel] as number;
       }
     }
@@ -175,7 +164,6 @@ function changedTiles(state: State, since: number, ring: number): MapUpdate {
   const { size, tile, color, codes } = state;
   if (!codes) throw new Error('map: a ring has no ranges');
   const tiles = Int32Array.from(new Set(state.changed.slice(since, ring).flat())).sort();
-  const side = size / tile;
   const update = {
     whole: false as const,
     tiles,
@@ -183,10 +171,9 @@ function changedTiles(state: State, since: number, ring: number): MapUpdate {
     codes: new Uint16Array(tiles.length * tile * tile),
   };
   tiles.forEach((number, order) => {
-    const face = Math.floor(number / (side * side));
-    const [column, row] = [number % side, Math.floor(number / side) % side];
+    const { face, x, y: top } = tileAt(number, size / tile, tile);
     for (let y = 0; y < tile; y++) {
-      const from = face * size * size + (row * tile + y) * size + column * tile;
+      const from = face * size * size + (top + y) * size + x;
       const to = (order * tile + y) * tile;
       update.color.set(color.subarray(4 * from, 4 * (from + tile)), 4 * to);
       update.codes.set(codes.subarray(from, from + tile), to);

@@ -19,10 +19,7 @@ export interface Material {
 
 /** Arrays of a mesh with one material. */
 export interface Piece {
-  /**
-   * Vertex positions (x, y, z), metres, y up: relative to the centre O of the region; with placements, in the mesh's
-   * own frame.
-   */
+  /** Vertex positions, metres, y up: relative to the region's centre O; with placements, in the mesh's own frame. */
   readonly positions: Float32Array;
   /** Unit vectors, or null for flat shading. */
   readonly normals: Float32Array | null;
@@ -37,7 +34,7 @@ export interface Piece {
    * Key shared by pieces with the same arrays, apart from placements, in any file; null if unknown. Within a file only
    * the first such piece has the arrays; they are empty in the others.
    */
-  readonly same: string | null;
+  readonly sharedKey: string | null;
   readonly material: Material;
   /** Name of the dynamic object, or of the node. */
   readonly name: string;
@@ -46,7 +43,7 @@ export interface Piece {
 /** Numbers of triangles; a mesh counts once for each placement. */
 export interface Triangles {
   /** Triangles of the file. */
-  readonly own: number;
+  readonly inFile: number;
   /** Drawn triangles: more, if large ones were split. */
   readonly drawn: number;
 }
@@ -115,14 +112,14 @@ export interface GeometryRequest {
 export interface PartRequest {
   readonly kind: 'part';
   /** Number of the geometry, and of its part. */
-  readonly of: number;
+  readonly geometry: number;
   readonly part: number;
 }
 
 /** Drops parts that will not be requested. */
 export interface DropRequest {
   readonly kind: 'drop';
-  readonly of: number;
+  readonly geometry: number;
 }
 
 /** Begins the maps of a region with ring 0: six pictures. */
@@ -167,6 +164,15 @@ export interface WorkerMemory {
 
 export type Request = GeometryRequest | PartRequest | DropRequest | FirstMapRequest | NextMapRequest | ForgetRequest;
 
+/** Sends requests to a worker. */
+export interface Decoder {
+  (request: GeometryRequest): Promise<Geometry>;
+  (request: PartRequest): Promise<Part>;
+  (request: DropRequest): Promise<null>;
+  (request: FirstMapRequest | NextMapRequest): Promise<MapUpdate>;
+  (request: ForgetRequest): Promise<WorkerMemory>;
+}
+
 /** Results of requests; null for no result. */
 export type Result = Geometry | Part | MapUpdate | WorkerMemory | null;
 
@@ -187,6 +193,12 @@ export type MapUpdate =
       readonly color: Uint8Array;
       readonly codes: Uint16Array;
     };
+
+/** Face and least coordinates of a tile, in texels; a face has `perSide` × `perSide` tiles. */
+export function tileAt(number: number, perSide: number, tile: number): { face: number; x: number; y: number } {
+  const [column, row] = [number % perSide, Math.floor(number / perSide) % perSide];
+  return { face: Math.floor(number / perSide ** 2), x: column * tile, y: row * tile };
+}
 
 export type Answer =
   | { readonly id: number; readonly result: Result }

@@ -1,6 +1,4 @@
-/**
- * Division of meshes into pieces of bounded size, and of pieces into parts that deserialise in a fraction of a frame.
- */
+/** Splits meshes into pieces of bounded size, and packs these into parts that deserialise in a fraction of a frame. */
 import type { Band, Part, Piece } from './messages';
 import type { Arrays } from './surfaces';
 
@@ -21,10 +19,7 @@ export function splitIntoPieces(mesh: Arrays): Arrays[] {
   });
 }
 
-/**
- * Triangles by their indices, with the vertices that they use. `newIndices` is −1 for each vertex on entry and on
- * return.
- */
+/** Triangles, with the vertices that they use. `newIndices` is −1 for each vertex on entry and on return. */
 export function selectTriangles(
   mesh: Arrays,
   triangleIndices: Uint16Array | Uint32Array,
@@ -54,12 +49,12 @@ export function selectTriangles(
 }
 
 function rowsOf<T extends Float32Array | Uint16Array>(rows: T, selection: Uint32Array, width: number): T {
-  const selectedRows = new (rows.constructor as new (length: number) => T)(selection.length * width);
+  const selected = new (rows.constructor as new (length: number) => T)(selection.length * width);
   for (let n = 0; n < selection.length; n++) {
     const row = selection[n] as number;
-    for (let column = 0; column < width; column++) selectedRows[n * width + column] = rows[row * width + column] as number;
+    for (let column = 0; column < width; column++) selected[n * width + column] = rows[row * width + column] as number;
   }
-  return selectedRows;
+  return selected;
 }
 
 /** Greatest number of pieces and bands of a part; deserialising one takes about 20 µs. */
@@ -85,12 +80,12 @@ export function packIntoParts(bands: readonly Band[], pieces: readonly Piece[]):
   for (const band of bands) partFor(4 * band.rows.width * band.rows.height).bands.push(band);
   const sent = new Set<string | Float32Array | null>();
   for (const piece of pieces) {
-    const { same, placements } = piece;
-    const withNeededArrays = same !== null && sent.has(same) ? withoutArrays(piece) : piece;
+    const { sharedKey, placements } = piece;
+    const withNeededArrays = sharedKey !== null && sent.has(sharedKey) ? withoutArrays(piece) : piece;
     // Pieces of a mesh share placements; transferring them with one piece detaches them for the others.
     const isShared = placements !== null && sent.has(placements);
     const transferable = isShared ? { ...withNeededArrays, placements: placements.slice() } : withNeededArrays;
-    sent.add(same).add(placements);
+    sent.add(sharedKey).add(placements);
     partFor(arraysOf(transferable).reduce((sum, array) => sum + array.byteLength, 0)).pieces.push(transferable);
   }
   return parts;
@@ -100,11 +95,12 @@ export function packIntoParts(bands: readonly Band[], pieces: readonly Piece[]):
 export function samplesOf(pieces: readonly Piece[]): Piece[] {
   const samples = new Map<string, Piece>();
   for (const piece of pieces) {
-    const { normals, uvs, colors, placements, material } = piece;
+    const { normals, uvs, colors, material } = piece;
     const { image, cutoff, emission, glow, isUnlit } = material;
+    const placements = piece.placements && new Float32Array(0);
     const parts = [normals, uvs, colors, placements, image, cutoff, emission, glow];
     const kind = [...parts.map((part) => part !== null), isUnlit].join();
-    if (!samples.has(kind)) samples.set(kind, { ...withoutArrays(piece), placements: placements && new Float32Array(0) });
+    if (!samples.has(kind)) samples.set(kind, { ...withoutArrays(piece), placements });
   }
   return [...samples.values()];
 }
@@ -115,19 +111,12 @@ export function contentsOf({ bands, pieces }: Part): Transferable[] {
   return [...new Set(buffers), ...bands.map(({ rows }) => rows)];
 }
 
-function arraysOf({ positions, normals, uvs, colors, indices, placements }: Piece): (Float32Array | Uint16Array | Uint32Array)[] {
+export function arraysOf(piece: Omit<Arrays, 'material'> & Pick<Piece, 'placements'>) {
+  const { positions, normals, uvs, colors, indices, placements } = piece;
   return [positions, normals, uvs, colors, indices, placements].filter((array) => array !== null);
 }
 
 /** Copy of a piece without the arrays that an earlier piece of the same mesh has. */
 function withoutArrays(piece: Piece): Piece {
-  const { normals, uvs, colors } = piece;
-  return {
-    ...piece,
-    positions: new Float32Array(0),
-    normals: normals && new Float32Array(0),
-    uvs: uvs && new Float32Array(0),
-    colors: colors && new Uint16Array(0),
-    indices: new Uint16Array(0),
-  };
+  return { ...piece, ...selectTriangles(piece, new Uint16Array(0), new Int32Array(0)) };
 }

@@ -11,8 +11,34 @@ export function isIdentity(rows: Float64Array): boolean {
   return rows.length === ROWS && rows.every((value, n) => value === IDENTITY[n]);
 }
 
+/** Position of a root node. */
+export function originOf(translation: readonly number[] | undefined): Point {
+  const [x, y, z] = translation ?? [0, 0, 0];
+  const origin = [Number(x), Number(y), Number(z)] as const;
+  if (!origin.every(Number.isFinite)) throw new Error('expected an origin of three numbers');
+  return origin;
+}
+
+/** Name and placements of a node. */
+export interface PlacedNode {
+  readonly name: string;
+  readonly rows: Float64Array;
+}
+
+/** Nodes by their mesh. */
+export async function placedByMesh(glb: Glb, nodes: readonly Node[]): Promise<Map<number, PlacedNode[]>> {
+  const byMesh = new Map<number, PlacedNode[]>();
+  for (const node of nodes) {
+    if (node.mesh === undefined) continue;
+    const placed = byMesh.get(node.mesh) ?? [];
+    byMesh.set(node.mesh, placed);
+    placed.push({ name: typeof node.name === 'string' ? node.name : '', rows: await placementsOf(glb, node) });
+  }
+  return byMesh;
+}
+
 /** Placements of a node in the root's frame: its matrix, or its instancing attributes. */
-export async function placementsOf(glb: Glb, node: Node): Promise<Float64Array> {
+async function placementsOf(glb: Glb, node: Node): Promise<Float64Array> {
   const rows = node.extensions?.EXT_mesh_gpu_instancing ? await instancesOf(glb, node) : matrixOf(node);
   if (!rows.every(Number.isFinite)) throw new Error('expected placements of finite numbers');
   return rows;
@@ -33,15 +59,16 @@ async function instancesOf(glb: Glb, node: Node): Promise<Float64Array> {
     if (!(rows instanceof Float32Array)) throw new Error(`expected placements whose ${name} has 32 bits`);
     return rows;
   };
-  const [moves, turns, scales] = await Promise.all([read('TRANSLATION', 3), read('ROTATION', 4), read('SCALE', 3)]);
-  const counts = [[moves, 3], [turns, 4], [scales, 3]] as const;
+  const reads = [read('TRANSLATION', 3), read('ROTATION', 4), read('SCALE', 3)] as const;
+  const [translations, rotations, scales] = await Promise.all(reads);
+  const counts = [[translations, 3], [rotations, 4], [scales, 3]] as const;
   const numbers = counts.flatMap(([rows, width]) => (rows ? [rows.length / width] : []));
   const [count] = numbers;
-  if (count === undefined || numbers.some((own) => own !== count) || node.matrix !== undefined) {
+  if (count === undefined || numbers.some((other) => other !== count) || node.matrix !== undefined) {
     throw new Error('expected arrays of placements of one length');
   }
   const placements = new Float64Array(ROWS * count);
-  for (let n = 0; n < count; n++) compose(placements, n, moves, turns, scales);
+  for (let n = 0; n < count; n++) compose(placements, n, translations, rotations, scales);
   return placements;
 }
 
@@ -49,26 +76,26 @@ async function instancesOf(glb: Glb, node: Node): Promise<Float64Array> {
 function compose(
   placements: Float64Array,
   n: number,
-  moves: Float32Array | null,
-  turns: Float32Array | null,
+  translations: Float32Array | null,
+  rotations: Float32Array | null,
   scales: Float32Array | null,
 ): void {
   const part = (rows: Float32Array | null, width: number, column: number, missing: number): number =>
     rows ? (rows[width * n + column] as number) : missing;
-  const [qx, qy, qz, qw] = [part(turns, 4, 0, 0), part(turns, 4, 1, 0), part(turns, 4, 2, 0), part(turns, 4, 3, 1)];
+  const quaternion = [0, 1, 2, 3].map((axis) => part(rotations, 4, axis, axis === 3 ? 1 : 0));
   // Normalised, because float32 quaternions have length 1 only up to rounding.
-  const size = Math.sqrt(qx * qx + qy * qy + qz * qz + qw * qw) || 1;
-  const [x, y, z, w] = [qx / size, qy / size, qz / size, qw / size];
-  const turn = [
+  const size = Math.sqrt(quaternion.reduce((sum, component) => sum + component * component, 0)) || 1;
+  const [x, y, z, w] = quaternion.map((component) => component / size) as [number, number, number, number];
+  const rotation = [
     1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y),
     2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x),
     2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y),
   ];
   for (let row = 0; row < 3; row++) {
     for (let column = 0; column < 3; column++) {
-      placements[ROWS * n + 4 * row + column] = (turn[3 * row + column] as number) * part(scales, 3, column, 1);
+      placements[ROWS * n + 4 * row + column] = (rotation[3 * row + column] as number) * part(scales, 3, column, 1);
     }
-    placements[ROWS * n + 4 * row + 3] = part(moves, 3, row, 0);
+    placements[ROWS * n + 4 * row + 3] = part(translations, 3, row, 0);
   }
 }
 

@@ -1,6 +1,6 @@
 /** Reader of the nine byte planes of a range file, and the scale of its codes: docs/stream.md, "Files of ranges". */
 
-export const NOTHING = 65535;
+export const NO_SURFACE = 65535;
 
 const PLANES = 9;
 const [CHANGED, EMPTY, BITS, WORDS] = [0, 1, 2, 8] as const;
@@ -8,27 +8,19 @@ const [CHANGED, EMPTY, BITS, WORDS] = [0, 1, 2, 8] as const;
 /** Confidence of a prediction: planes in which its residual begins. */
 export const TRUST = {
   high: { pair: 3, byte: 6, isBit: true },
-  some: { pair: 4, byte: 6, isBit: false },
+  medium: { pair: 4, byte: 6, isBit: false },
   calm: { pair: 5, byte: 6, isBit: false },
   low: { pair: null, byte: 7, isBit: false },
 } as const;
 export type Trust = (typeof TRUST)[keyof typeof TRUST];
 
-export interface Planes {
-  /** Flag, given its prediction. */
-  changed(predicted: boolean): boolean;
-  nothing(predicted: boolean): boolean;
-  /** Folded (zigzag) residual. */
-  residual(trust: Trust): number;
-  /** Throws if bytes are left unread. */
-  finish(): void;
-}
+export type Planes = ReturnType<typeof readPlanes>;
 
 export function damaged(how: string): Error {
   return new Error(`expected ranges of the listed tiles, got ${how}`);
 }
 
-export function readPlanes(raw: Uint8Array): Planes {
+export function readPlanes(raw: Uint8Array) {
   const head = 4 * PLANES;
   if (raw.length < head) throw damaged('fewer bytes');
   const lengths = new DataView(raw.buffer, raw.byteOffset, head);
@@ -41,39 +33,34 @@ export function readPlanes(raw: Uint8Array): Planes {
     planes.push(raw.subarray(start, end));
   }
   if (end !== raw.length) throw damaged('more bytes');
-  // Number of bits, bytes or words read from each plane.
+  // Number of bits read from each plane; for the last plane, number of words.
   const read = new Uint32Array(PLANES);
 
+  /** Reads bits that lie in one byte. */
   function bits(plane: number, count: number): number {
-    const place = read[plane] as number;
-    const byte = planes[plane]?.[place >> 3];
+    const first = read[plane] as number;
+    const byte = planes[plane]?.[first >> 3];
     if (byte === undefined) throw damaged('fewer bytes');
-    read[plane] = place + count;
-    return (byte >> (8 - count - (place & 7))) & ((1 << count) - 1);
-  }
-
-  function byteOf(plane: number): number {
-    const place = read[plane] as number;
-    const byte = planes[plane]?.[place];
-    if (byte === undefined) throw damaged('fewer bytes');
-    read[plane] = place + 1;
-    return byte;
+    read[plane] = first + count;
+    return (byte >> (8 - count - (first & 7))) & ((1 << count) - 1);
   }
 
   function word(): number {
     const plane = planes[WORDS] as Uint8Array;
-    const half = plane.length >> 1;
-    const place = read[WORDS] as number;
-    const [high, low] = [plane[place], plane[half + place]];
-    if (place >= half || high === undefined || low === undefined) throw damaged('fewer bytes');
-    read[WORDS] = place + 1;
+    const wordCount = plane.length >> 1;
+    const index = read[WORDS] as number;
+    const [high, low] = [plane[index], plane[wordCount + index]];
+    if (index >= wordCount || high === undefined || low === undefined) throw damaged('fewer bytes');
+    read[WORDS] = index + 1;
     return (high << 8) | low;
   }
 
   return {
-    changed: (predicted) => predicted !== (bits(CHANGED, 1) === 1),
-    nothing: (predicted) => predicted !== (bits(EMPTY, 1) === 1),
-    residual(trust) {
+    /** Flag, given its prediction. */
+    changed: (predicted: boolean): boolean => predicted !== (bits(CHANGED, 1) === 1),
+    empty: (predicted: boolean): boolean => predicted !== (bits(EMPTY, 1) === 1),
+    /** Folded (zigzag) residual. */
+    residual(trust: Trust): number {
       let sum = 0;
       if (trust.isBit) {
         if (bits(BITS, 1) === 0) return 0;
@@ -84,18 +71,15 @@ export function readPlanes(raw: Uint8Array): Planes {
         if (pair < 3) return sum + pair;
         sum += 3;
       }
-      const byte = byteOf(trust.byte);
+      const byte = bits(trust.byte, 8);
       const value = sum + byte + (byte === 255 ? word() : 0);
       if (value > 65535) throw damaged('a number beyond 16 bits');
       return value;
     },
-    finish() {
-      const whole = (plane: number): number => {
-        const count = read[plane] as number;
-        if (plane === WORDS) return 2 * count;
-        return plane >= 6 ? count : (count + 7) >> 3;
-      };
-      if (planes.some((plane, number) => whole(number) !== plane.length)) throw damaged('more bytes');
+    /** Throws if bytes are left unread. */
+    finish(): void {
+      const bytesRead = [...read].map((count, plane) => (plane === WORDS ? 2 * count : (count + 7) >> 3));
+      if (planes.some((plane, number) => bytesRead[number] !== plane.length)) throw damaged('more bytes');
     },
   };
 }
@@ -104,36 +88,32 @@ export function readPlanes(raw: Uint8Array): Planes {
 const NEARBY = 4;
 
 /** Powers of the ratio of two consecutive codes' ranges, bit-identical on every machine. */
-export interface Scale {
-  /** Inverse range, scaled to be linear over the texels of a plane: the texel's distance at depth 1 over its range. */
-  nearness(code: number, distance: number): number;
-  /** Code of a nearness; the guess only saves time. */
-  code(nearness: number, distance: number, guess: number): number;
-}
+export type Scale = ReturnType<typeof createScale>;
 
-export function createScale(step: number): Scale {
+export function createScale(step: number) {
   const [ratio, half] = [exponential(step), exponential(0.5 * step)];
-  const reciprocals = new Float64Array(NOTHING);
-  const ends = new Float64Array(NOTHING - 1);
-  for (let code = 0, power = 1; code < NOTHING; code++, power *= ratio) {
+  const reciprocals = new Float64Array(NO_SURFACE);
+  const bounds = new Float64Array(NO_SURFACE - 1);
+  for (let code = 0, power = 1; code < NO_SURFACE; code++, power *= ratio) {
     reciprocals[code] = 1 / power;
-    if (code < ends.length) ends[code] = power * half;
+    if (code < bounds.length) bounds[code] = power * half;
   }
-  const last = ends.length;
+  const last = bounds.length;
   return {
-    nearness: (code, distance) => distance * (reciprocals[code] as number),
-    code(nearness, distance, guess) {
-      if (!(nearness > 0)) return NOTHING - 1;
+    /** Inverse range times the texel's distance at depth 1, which is linear over the texels of a plane. */
+    nearness: (code: number, distance: number): number => distance * (reciprocals[code] as number),
+    /** Code of a nearness; the guess only saves time. */
+    code(nearness: number, distance: number, guess: number): number {
+      if (!(nearness > 0)) return NO_SURFACE - 1;
       const range = distance / nearness;
       let from = Math.max(guess - NEARBY, 0);
       let to = guess + NEARBY;
-      const isWithin =
-        to < last && (from === 0 || (ends[from - 1] as number) <= range) && range < (ends[to] as number);
+      const isWithin = to < last && (from === 0 || (bounds[from - 1] as number) <= range) && range < (bounds[to] as number);
       if (!isWithin) [from, to] = [0, last];
       // Binary search for the number of bounds up to the range.
       while (from < to) {
         const middle = (from + to) >> 1;
-        if ((ends[middle] as number) <= range) from = middle + 1;
+        if ((bounds[middle] as number) <= range) from = middle + 1;
         else to = middle;
       }
       return from;

@@ -1,5 +1,5 @@
 /** Decodes the ranges of a map: docs/stream.md, "Files of ranges". All decoders yield bit-identical codes. */
-import { createScale, damaged, NOTHING, type Planes, readPlanes, type Scale, TRUST } from './planes';
+import { createScale, damaged, NO_SURFACE, type Planes, readPlanes, type Scale, TRUST, type Trust } from './planes';
 
 /** Division of a map. */
 export interface Layout {
@@ -11,14 +11,18 @@ export interface Layout {
   readonly step: number;
 }
 
-/**
- * Least texels of a line that predicts, least texels of a line that is trusted; greatest texels that a line remembers.
- */
-const [MIN, LONG, MEMORY] = [3, 8, 128] as const;
-/**
- * Greatest differences in codes: of a texel from its line, of the second texel from the first, of two calm neighbours.
- */
-const [FIT, FIRST_FIT, CALM] = [1, 64, 8] as const;
+/** Least number of texels of a line that predicts. */
+const MIN_TEXELS = 3;
+/** Number of texels above which a line is trusted. */
+const LONG_LINE = 8;
+/** Greatest number of texels that a line remembers. */
+const MAX_MEMORY = 128;
+/** Greatest difference of a texel's code from its line. */
+const FIT = 1;
+/** Greatest difference of the second texel's code from the first. */
+const FIRST_FIT = 64;
+/** Greatest difference of the codes of two calm neighbours. */
+const CALM = 8;
 
 /**
  * Decodes the codes of faces in place. Without `before` all texels are new; otherwise only changed ones, and `codes`
@@ -38,12 +42,12 @@ export function decodeRanges(
   const listed = new Set(tiles);
   for (let face = 0; face < codes.length / area; face++) {
     const [start, end] = [face * area, (face + 1) * area];
-    const own = {
+    const faceArrays = {
       codes: codes.subarray(start, end),
       before: before?.subarray(start, end) ?? null,
       changed: changed.subarray(start, end),
     };
-    decodeFace(face, own, listed, layout, scale, planes);
+    decodeFace(face, faceArrays, listed, layout, scale, planes);
   }
   planes.finish();
   return changed;
@@ -74,32 +78,30 @@ function decodeFace(
   scale: Scale,
   planes: Planes,
 ): void {
-  const across = size / tile;
+  const tilesPerRow = size / tile;
   const columns = createLines(size);
   const row = createLines(1);
-  const walk = { last: 0 };
-  for (let band = 0; band < across; band++) {
-    const before = (number * across + band) * across;
-    const isListed = Array.from({ length: across }, (_, column) => listed.has(before + column));
-    const isVisited = isListed.map((own) => own || face.before === null);
+  const scan = { lastCode: 0 };
+  for (let band = 0; band < tilesPerRow; band++) {
+    const before = (number * tilesPerRow + band) * tilesPerRow;
+    const isListed = Array.from({ length: tilesPerRow }, (_, column) => listed.has(before + column));
+    const isVisited = isListed.map((value) => value || face.before === null);
     for (let x = 0; x < size; x++) {
       if (band === 0 || !isVisited[Math.floor(x / tile)]) columns.count[x] = 0;
     }
     for (let y = band * tile; y < (band + 1) * tile; y++) {
       const v = (2 * y + 1) / size - 1;
       row.count[0] = 0;
-      for (let column = 0; column < across; column++) {
+      for (let column = 0; column < tilesPerRow; column++) {
         if (!isVisited[column]) {
           row.count[0] = 0;
           continue;
         }
         for (let x = column * tile; x < (column + 1) * tile; x++) {
           const place = y * size + x;
-          if (isListed[column]) {
-            face.changed[place] = planes.changed(predictChange(face, x, y, size)) ? 1 : 0;
-          }
+          if (isListed[column]) face.changed[place] = planes.changed(predictChange(face, x, y, size)) ? 1 : 0;
           const u = (2 * x + 1) / size - 1;
-          texel(face, x, y, size, Math.sqrt(1 + u * u + v * v), row, columns, walk, scale, planes);
+          decodeTexel(face, x, y, size, Math.sqrt(1 + u * u + v * v), row, columns, scan, scale, planes);
         }
       }
     }
@@ -107,7 +109,7 @@ function decodeFace(
 }
 
 /** Decodes a texel if it is new, and adds it to the lines through it. */
-function texel(
+function decodeTexel(
   face: Face,
   x: number,
   y: number,
@@ -115,79 +117,78 @@ function texel(
   distance: number,
   row: Lines,
   columns: Lines,
-  walk: { last: number },
+  walk: { lastCode: number },
   scale: Scale,
   planes: Planes,
 ): void {
   const { codes } = face;
   const place = y * size + x;
   const isNew = face.before === null || face.changed[place] === 1;
-  const left = x > 0 ? (codes[place - 1] as number) : NOTHING;
-  const above = y > 0 ? (codes[place - size] as number) : NOTHING;
-  const corner = x > 0 && y > 0 ? (codes[place - size - 1] as number) : NOTHING;
-  let isNothing = codes[place] === NOTHING;
-  if (isNew) isNothing = planes.nothing(median(left === NOTHING, above === NOTHING, corner === NOTHING));
-  if (isNothing) {
-    codes[place] = NOTHING;
+  const left = x > 0 ? (codes[place - 1] as number) : NO_SURFACE;
+  const above = y > 0 ? (codes[place - size] as number) : NO_SURFACE;
+  const corner = x > 0 && y > 0 ? (codes[place - size - 1] as number) : NO_SURFACE;
+  let isEmpty = codes[place] === NO_SURFACE;
+  if (isNew) isEmpty = planes.empty(median(left === NO_SURFACE, above === NO_SURFACE, corner === NO_SURFACE));
+  if (isEmpty) {
+    codes[place] = NO_SURFACE;
     row.count[0] = 0;
     columns.count[x] = 0;
     return;
   }
-  const right = x + 1 < size && y > 0 ? (codes[place - size + 1] as number) : NOTHING;
-  const neighbour = predictCode(left, above, corner, right, walk.last);
+  const right = x + 1 < size && y > 0 ? (codes[place - size + 1] as number) : NO_SURFACE;
+  const neighbour = predictCode(left, above, corner, right, walk.lastCode);
   const [n, m] = [row.count[0] as number, columns.count[x] as number];
-  const byRow = n > 0 ? scale.code(next(row, 0), distance, neighbour) : -1;
-  const byColumn = m > 0 ? scale.code(next(columns, x), distance, neighbour) : -1;
+  const byRow = n > 0 ? scale.code(predictValue(row, 0), distance, neighbour) : -1;
+  const byColumn = m > 0 ? scale.code(predictValue(columns, x), distance, neighbour) : -1;
   if (isNew) {
     let guess = neighbour;
-    let trust: (typeof TRUST)[keyof typeof TRUST] =
-      left !== NOTHING && above !== NOTHING && Math.abs(left - above) <= CALM ? TRUST.calm : TRUST.low;
-    if (n >= MIN && m >= MIN) {
+    let trust: Trust = left !== NO_SURFACE && above !== NO_SURFACE && Math.abs(left - above) <= CALM ? TRUST.calm : TRUST.low;
+    if (n >= MIN_TEXELS && m >= MIN_TEXELS) {
       if (Math.abs(byRow - byColumn) <= FIT) {
-        guess = scale.code((next(row, 0) * n + next(columns, x) * m) / (n + m), distance, byRow);
-        trust = n + m > 2 * LONG ? TRUST.high : TRUST.some;
+        guess = scale.code((predictValue(row, 0) * n + predictValue(columns, x) * m) / (n + m), distance, byRow);
+        trust = n + m > 2 * LONG_LINE ? TRUST.high : TRUST.medium;
       } else {
         guess = Math.abs(byRow - neighbour) <= Math.abs(byColumn - neighbour) ? byRow : byColumn;
-        trust = TRUST.some;
+        trust = TRUST.medium;
       }
-    } else if (n >= MIN && Math.abs(byRow - neighbour) <= FIT) {
+    } else if (n >= MIN_TEXELS && Math.abs(byRow - neighbour) <= FIT) {
       guess = byRow;
-      trust = n > LONG ? TRUST.high : TRUST.some;
-    } else if (n < MIN && m >= MIN && Math.abs(byColumn - neighbour) <= FIT) {
+      trust = n > LONG_LINE ? TRUST.high : TRUST.medium;
+    } else if (n < MIN_TEXELS && m >= MIN_TEXELS && Math.abs(byColumn - neighbour) <= FIT) {
       guess = byColumn;
-      trust = m > LONG ? TRUST.high : TRUST.some;
+      trust = m > LONG_LINE ? TRUST.high : TRUST.medium;
     }
-    const reflectInto = planes.residual(trust);
-    const code = (guess + ((reflectInto >> 1) ^ -(reflectInto & 1))) & 0xffff;
-    if (code === NOTHING) throw damaged('a surface without range');
+    const folded = planes.residual(trust);
+    const code = (guess + ((folded >> 1) ^ -(folded & 1))) & 0xffff;
+    if (code === NO_SURFACE) throw damaged('a surface without range');
     codes[place] = code;
   }
   const code = codes[place] as number;
   const nearness = scale.nearness(code, distance);
   extend(row, 0, nearness, n > 0 && Math.abs(byRow - code) <= (n < 2 ? FIRST_FIT : FIT));
   extend(columns, x, nearness, m > 0 && Math.abs(byColumn - code) <= (m < 2 ? FIRST_FIT : FIT));
-  walk.last = code;
+  walk.lastCode = code;
 }
 
-function next(lines: Lines, at: number): number {
-  return (lines.value[at] as number) + (lines.slope[at] as number);
+function predictValue(lines: Lines, index: number): number {
+  return (lines.value[index] as number) + (lines.slope[index] as number);
 }
 
 /** Adds the next texel to a line, or starts a new line; the format prescribes the order of operations. */
-function extend(lines: Lines, at: number, value: number, fits: boolean): void {
+function extend(lines: Lines, index: number, value: number, fits: boolean): void {
   if (!fits) {
-    lines.value[at] = value;
-    lines.slope[at] = 0;
-    lines.count[at] = 1;
+    lines.value[index] = value;
+    lines.slope[index] = 0;
+    lines.count[index] = 1;
     return;
   }
-  const line = next(lines, at);
+  const line = predictValue(lines, index);
   const error = value - line;
-  const n = Math.min((lines.count[at] as number) + 1, MEMORY);
+  const n = Math.min((lines.count[index] as number) + 1, MAX_MEMORY);
   const scale = 1 / (n * (n + 1));
-  lines.count[at] = n;
-  lines.value[at] = line + (4 * n - 2) * scale * error;
-  lines.slope[at] = (lines.slope[at] as number) + 6 * scale * error;
+  lines.count[index] = n;
+  lines.value[index] = line + (4 * n - 2) * scale * error;
+  lines.slope[index] = (lines.slope[index] as number) + 6 * scale * error;
 }
 
 function predictChange({ before, changed }: Face, x: number, y: number, size: number): boolean {
@@ -196,16 +197,16 @@ function predictChange({ before, changed }: Face, x: number, y: number, size: nu
   const above = y > 0 && changed[place - size] === 1;
   if (x === 0 || y === 0) return x === 0 ? above : left;
   if (before === null) return median(left, above, changed[place - size - 1] === 1);
-  const own = before[place] as number;
-  const toLeft = Math.abs((before[place - 1] as number) - own);
-  const toAbove = Math.abs((before[place - size] as number) - own);
+  const ownCode = before[place] as number;
+  const toLeft = Math.abs((before[place - 1] as number) - ownCode);
+  const toAbove = Math.abs((before[place - size] as number) - ownCode);
   return toLeft <= toAbove ? left : above;
 }
 
 /** Code predicted from the neighbours; `last` if none shows a surface. */
 function predictCode(left: number, above: number, corner: number, right: number, last: number): number {
-  if (left === NOTHING || above === NOTHING || corner === NOTHING) {
-    return [left, above, corner, right].find((code) => code !== NOTHING) ?? last;
+  if (left === NO_SURFACE || above === NO_SURFACE || corner === NO_SURFACE) {
+    return [left, above, corner, right].find((code) => code !== NO_SURFACE) ?? last;
   }
   const plane = left + above - corner;
   return Math.max(Math.min(left, above), Math.min(Math.max(left, above), plane));

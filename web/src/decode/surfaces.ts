@@ -6,7 +6,7 @@ import type { Material, Piece } from './messages';
 export const FOLDER = 'files/';
 
 /** A piece without its placement. */
-export type Arrays = Omit<Piece, 'name' | 'placements' | 'same'>;
+export type Arrays = Omit<Piece, 'name' | 'placements' | 'sharedKey'>;
 
 export async function primitiveOf(glb: Glb, { attributes = {}, indices, material }: Primitive): Promise<Arrays> {
   const optional = (name: string, width: number): Promise<Numbers> | null =>
@@ -22,48 +22,39 @@ export async function primitiveOf(glb: Glb, { attributes = {}, indices, material
   if (!(corners instanceof Uint16Array || corners instanceof Uint32Array) || corners.length % 3 !== 0) {
     throw new Error('expected triangles of 16 or 32 bits');
   }
-  if (greatest(corners) >= vertices) throw new Error(`expected indices below ${vertices}`);
+  if (corners.some((vertex) => vertex >= vertices)) throw new Error(`expected indices below ${vertices}`);
   const counts = [[normals, 3], [uvs, 2], [colors, 4]] as const;
   if (counts.some(([rows, width]) => rows && rows.length !== width * vertices)) {
     throw new Error(`expected attributes of ${vertices} vertices`);
   }
   if (colors && !(colors instanceof Uint16Array)) throw new Error('expected colours of 16 bits');
   return {
-    positions: finite(positions, 'positions'),
+    positions: checkFinite(positions, 'positions'),
     normals: normals && unitVectors(normals),
-    uvs: uvs && finite(uvs, 'texture coordinates'),
+    uvs: uvs && checkFinite(uvs, 'texture coordinates'),
     colors,
     indices: corners,
     material: materialOf(glb, entryAt(glb.document.materials, material, 'material')),
   };
 }
 
-/** Key that is equal for primitives with the same bytes of the same files; `name` is that of the GLB. */
-export function sameOf(glb: Glb, { attributes = {}, indices }: Primitive, name: string): string {
-  const places = Object.entries({ ...attributes, indices }).map(([attribute, accessor]) => {
+/** Key that is equal for primitives with the same bytes of the same files; `name` is the name of the GLB. */
+export function arraysKey(glb: Glb, { attributes = {}, indices }: Primitive, name: string): string {
+  const locations = Object.entries({ ...attributes, indices }).map(([attribute, accessor]) => {
     const place = accessor === undefined ? '' : glb.placeOf(accessor);
     return `${attribute}=${place.startsWith(':') ? name : ''}${place}`;
   });
-  return places.sort().join(' ');
+  return locations.sort().join(' ');
 }
 
-/** Maximum of non-negative numbers; −1 if there are none. */
-function greatest(rows: Uint16Array | Uint32Array): number {
-  let most = -1;
-  for (const row of rows) if (row > most) most = row;
-  return most;
-}
-
-function finite(rows: Numbers, what: string): Float32Array {
-  let isFinite = rows instanceof Float32Array;
-  for (let n = 0; isFinite && n < rows.length; n++) isFinite = Number.isFinite(rows[n]);
-  if (!isFinite) throw new Error(`expected ${what} that are finite numbers of 32 bits`);
-  return rows as Float32Array;
+function checkFinite(rows: Numbers, what: string): Float32Array {
+  if (rows instanceof Float32Array && rows.every(Number.isFinite)) return rows;
+  throw new Error(`expected ${what} that are finite numbers of 32 bits`);
 }
 
 /** Converts normals from bytes or float32 to unit vectors. */
 function unitVectors(rows: Numbers): Float32Array {
-  if (!(rows instanceof Int8Array)) finite(rows, 'normals');
+  if (!(rows instanceof Int8Array)) checkFinite(rows, 'normals');
   const unit = new Float32Array(rows.length);
   for (let n = 0; n < rows.length; n += 3) {
     const [x, y, z] = [rows[n] as number, rows[n + 1] as number, rows[n + 2] as number];
@@ -82,11 +73,10 @@ function materialOf(glb: Glb, entry: MaterialEntry): Material {
   if (more.length > 0 || !color.every(Number.isFinite) || !Number.isFinite(alphaCutoff)) {
     throw new Error('expected materials of finite numbers');
   }
-  const texture = surface.baseColorTexture;
   const emission = emissionOf(entry);
   return {
     color,
-    image: texture ? imageOf(glb, texture.index) : null,
+    image: surface.baseColorTexture ? imageOf(glb, surface.baseColorTexture.index) : null,
     cutoff: alphaMode === 'MASK' ? alphaCutoff : null,
     emission,
     glow: emission && entry.emissiveTexture ? imageOf(glb, entry.emissiveTexture.index) : null,

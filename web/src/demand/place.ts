@@ -1,9 +1,9 @@
 /** Region of a place that a server makes on demand, read from the streamed lines that announce its parts. */
 import { choice, type Fields, integer, object, text } from '../bundle/checks';
-import { type ArrivingRegion, completeRegion, firstRings } from '../bundle/contents';
+import { arrivedRegion, type ArrivingRegion, firstRings } from '../bundle/contents';
 import { BundleError } from '../bundle/error';
 import type { FileEntry, Manifest, MapEntry, RingEntry } from '../bundle/manifest';
-import { outlinedRing, readFiles, readManifest, ring as readRing, tilesOf } from '../bundle/parse';
+import { outlinedRing, readFiles, readManifest, readRing, tilesOf } from '../bundle/parse';
 
 /** Progress of the server with a place. */
 export type ServerProgress =
@@ -16,20 +16,15 @@ export type ServerProgress =
 
 export interface Listener {
   /** Files that can be fetched from now on. */
-  readonly listed: (files: Readonly<Record<string, FileEntry>>) => void;
-  readonly making: (making: ServerProgress) => void;
+  readonly onFiles: (files: Readonly<Record<string, FileEntry>>) => void;
+  readonly onProgress: (progress: ServerProgress) => void;
 }
 
 type Lines = AsyncIterator<unknown>;
 
 const EVENTS = ['waiting', 'begin', 'ring', 'end', 'whole', 'failed'] as const;
 const [COARSE, FULL] = [0, 1] as const;
-const NOTHING = { objects: 0, triangles: 0, geometry: null, parts: [], map: null } as const;
-
-interface Line {
-  readonly event: (typeof EVENTS)[number];
-  readonly fields: Fields;
-}
+const EMPTY_RING = { objects: 0, triangles: 0, geometry: null, parts: [], map: null } as const;
 
 /**
  * Reads the lines of a place; resolves once its centre and rings are known, then continues reading. `last` is the last
@@ -39,16 +34,16 @@ export async function readPlace(lines: Lines, last: string | null, listener: Lis
   const { event, fields } = await nextLine(lines, listener);
   if (event === 'whole') {
     const manifest = firstRings(last, readManifest(fields['manifest']));
-    listener.listed(manifest.files);
-    listener.making({ stage: 'full' });
-    return completeRegion(manifest, 0);
+    listener.onFiles(manifest.files);
+    listener.onProgress({ stage: 'full' });
+    return arrivedRegion(manifest, 0);
   }
   if (event !== 'begin') throw unexpected(event);
   const outline = firstRings(last, readManifest(fields['manifest'], outlinedRing));
   const place = createPlace(outline, listener);
-  listener.making({ stage: 'coarse' });
+  listener.onProgress({ stage: 'coarse' });
   readParts(lines, place, listener).catch(place.fail);
-  return place.coming;
+  return place.region;
 }
 
 async function readParts(lines: Lines, place: Place, listener: Listener): Promise<void> {
@@ -58,13 +53,13 @@ async function readParts(lines: Lines, place: Place, listener: Listener): Promis
     else if (event === 'ring') place.add(fields);
     else if (event === 'end') {
       place.end();
-      listener.making({ stage: 'full' });
+      listener.onProgress({ stage: 'full' });
       return;
     } else throw unexpected(event);
   }
 }
 
-async function nextLine(lines: Lines, listener: Listener): Promise<Line> {
+async function nextLine(lines: Lines, listener: Listener) {
   for (;;) {
     const { done, value } = await lines.next();
     if (done) throw new BundleError('the connection ended before the place was complete', 'network');
@@ -72,78 +67,73 @@ async function nextLine(lines: Lines, listener: Listener): Promise<Line> {
     const event = choice('parts.event', fields['event'], EVENTS);
     if (event === 'failed') throw new BundleError(text('parts.reason', fields['reason']), 'place');
     if (event !== 'waiting') return { event, fields };
-    listener.making({ stage: 'waiting', before: integer('parts.before', fields['before'], 0) });
+    listener.onProgress({ stage: 'waiting', before: integer('parts.before', fields['before'], 0) });
   }
 }
 
-interface Place {
-  readonly coming: ArrivingRegion;
-  /** Full-size maps begin. */
-  beginFull(outline: Manifest): void;
-  /** A ring of either stage is ready. */
-  add(fields: Fields): void;
-  end(): void;
-  fail(reason: unknown): void;
-}
+type Place = ReturnType<typeof createPlace>;
 
-function createPlace(outline: Manifest, listener: Listener): Place {
+function createPlace(outline: Manifest, listener: Listener) {
   const [entry] = outline.regions;
   if (!entry) throw new Error('a manifest has regions');
   const files: Record<string, FileEntry> = {};
   const count = entry.rings.length;
   // The last ring is repeated, with full-size maps.
-  const rings: RingEntry[] = [...entry.rings, { ...NOTHING, radius: entry.rings.at(-1)?.radius ?? 0 }];
+  const rings: RingEntry[] = [...entry.rings, { ...EMPTY_RING, radius: entry.rings.at(-1)?.radius ?? 0 }];
   const region = { ...entry, rings, isCoarse: true };
-  const coming: Manifest = { ...outline, files, regions: [region] };
-  const awaited: readonly Deferred<RingEntry>[] = rings.map(() => createDeferred<RingEntry>());
+  const manifest: Manifest = { ...outline, files, regions: [region] };
+  const deferred = rings.map(() => createDeferred<RingEntry>());
+  const arrived: RingEntry[] = [];
   const maps: MapEntry[] = [];
   let full: Manifest | null = null;
 
-  function list(more: Readonly<Record<string, FileEntry>>): void {
-    Object.assign(files, more);
-    listener.listed(more);
+  function addFiles(entries: Readonly<Record<string, FileEntry>>): void {
+    Object.assign(files, entries);
+    listener.onFiles(entries);
   }
 
   function put(number: number, ring: RingEntry): void {
-    rings[number] = ring;
-    awaited[number]?.done(ring);
+    rings[number] = arrived[number] = ring;
+    deferred[number]?.resolve(ring);
   }
 
-  list(outline.files);
+  addFiles(outline.files);
   return {
-    coming: {
-      manifest: coming,
+    region: {
+      manifest,
       entry: region,
-      ring(number) {
-        const ring = awaited[number];
+      ring(number: number): RingEntry | Promise<RingEntry> {
+        const ring = arrived[number] ?? deferred[number]?.promise;
         if (!ring) throw new Error(`the place has no ring ${number}`);
-        return ring.now ?? ring.promise;
+        return ring;
       },
     },
-    beginFull(manifest) {
-      full = manifest;
-      list(manifest.files);
+    /** Full-size maps begin. */
+    beginFull(fullOutline: Manifest): void {
+      full = fullOutline;
+      addFiles(fullOutline.files);
     },
-    add(fields) {
+    /** A ring of either stage is ready. */
+    add(fields: Fields): void {
       const stage = integer('parts.stage', fields['stage'], COARSE, FULL);
       const number = integer('parts.ring', fields['ring'], 0);
       const layout = stage === COARSE ? outline.map : full?.map;
       if (!layout || (stage === FULL && number !== maps.length && number < count)) throw unexpected('ring');
-      // Rings beyond the last requested one.
+      // Rings beyond the last requested one are ignored.
       if (number >= count) return;
       const ring = readRing(`ring ${number}`, fields['entry'], number, tilesOf(layout));
-      list(readFiles(object('parts.files', fields['files'])));
+      addFiles(readFiles(object('parts.files', fields['files'])));
       if (stage === COARSE) put(number, ring);
       else if (ring.map) maps.push(ring.map);
     },
-    end() {
-      const [scaled] = full?.regions ?? [];
-      if (!full || !scaled || maps.length !== count) throw unexpected('end');
-      const sharper = { layout: full.map, range: scaled.range, maps };
-      put(count, { ...NOTHING, radius: rings[count]?.radius ?? 0, sharper });
+    end(): void {
+      const [fullRegion] = full?.regions ?? [];
+      if (!full || !fullRegion || maps.length !== count) throw unexpected('end');
+      const sharper = { layout: full.map, range: fullRegion.range, maps };
+      put(count, { ...EMPTY_RING, radius: rings[count]?.radius ?? 0, sharper });
     },
-    fail(reason) {
-      for (const ring of awaited) ring.failed(reason);
+    fail(reason: unknown): void {
+      for (const { reject } of deferred) reject(reason);
     },
   };
 }
@@ -152,31 +142,12 @@ function unexpected(event: string): BundleError {
   return new BundleError(`parts: expected another event, got ${event}`);
 }
 
-export interface Deferred<T> {
-  readonly promise: Promise<T>;
-  /** The value, once it has arrived. */
-  readonly now: T | null;
-  done(value: T): void;
-  failed(reason: unknown): void;
-}
-
-function createDeferred<T>(): Deferred<T> {
-  let now: T | null = null;
-  let [done, failed] = [(_: T): void => undefined, (_: unknown): void => undefined];
-  const promise = new Promise<T>((resolve, reject) => {
-    [done, failed] = [resolve, reject];
+/** A promise with the functions that settle it; a rejection without listeners is no unhandled error. */
+function createDeferred<T>() {
+  let [resolve, reject] = [(_: T): void => undefined, (_: unknown): void => undefined];
+  const promise = new Promise<T>((...settle) => {
+    [resolve, reject] = settle;
   });
-  // A rejection without listeners is no unhandled error.
   promise.catch(() => undefined);
-  return {
-    promise,
-    get now() {
-      return now;
-    },
-    done(value) {
-      now = value;
-      done(value);
-    },
-    failed: (reason) => failed(reason),
-  };
+  return { promise, resolve, reject };
 }

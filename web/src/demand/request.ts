@@ -1,9 +1,8 @@
 /** Requests something that a server makes on demand, and reads the JSON lines of its answer. */
 import { chunksOf } from '../base/bytes';
-import { messageOf } from '../base/errors';
 import { BundleError, type Kind } from '../bundle/error';
 import { parseJson } from '../bundle/parse';
-import { PAUSES } from '../bundle/source';
+import { withRetries } from '../bundle/source';
 import type { Network } from '../bundle/transfer';
 
 /** Default and greatest pause before a busy server is asked again, seconds. */
@@ -13,31 +12,24 @@ const BUSY = [429, 503];
 /** Greatest length of a displayed reason. */
 const MAX_REASON_LENGTH = 300;
 
-/** Response of a server; throws a BundleError of `kind` if it refuses. `busy` receives the seconds of each pause. */
+/** Response of a server; throws a BundleError of `kind` if it refuses. `onBusy` receives the seconds of each pause. */
 export async function request(
   url: URL,
   kind: Kind,
-  busy: (seconds: number) => void,
+  onBusy: (seconds: number) => void,
   signal: AbortSignal,
   network: Network,
 ): Promise<Response> {
-  for (let trial = 0; ; ) {
-    signal.throwIfAborted();
-    const response = await network.fetch(url, signal, false).catch((error: unknown) => error);
-    if (response instanceof Response && response.ok) return response;
-    let pause: number | undefined;
-    if (!(response instanceof Response)) {
-      pause = PAUSES[trial++];
-      const reason = messageOf(response);
-      if (pause === undefined) throw new BundleError(`the server cannot be reached: ${reason}`, 'network');
-    } else if (BUSY.includes(response.status)) {
-      pause = pauseOf(response);
-      busy(pause);
-    } else {
-      throw new BundleError(await reasonOf(response), kind);
+  return withRetries('the server cannot be reached', signal, network, async () => {
+    for (;;) {
+      const response = await network.fetch(url, signal, false);
+      if (response.ok) return response;
+      if (!BUSY.includes(response.status)) throw new BundleError(await reasonOf(response), kind);
+      const pause = pauseOf(response);
+      onBusy(pause);
+      await network.wait(pause, signal);
     }
-    await network.wait(pause, signal);
-  }
+  });
 }
 
 function pauseOf({ headers }: Response): number {
@@ -51,16 +43,16 @@ async function reasonOf(response: Response): Promise<string> {
   return text.replace(/^\d{3} [^:]*: /, '') || `the server answers ${response.status} ${response.statusText}`.trim();
 }
 
-/** Yields each line's document as soon as it is complete; rejects lines longer than `most` characters. */
-export async function* linesOf(name: string, response: Response, most: number): AsyncGenerator<unknown> {
+/** Yields each line's document as soon as it is complete; rejects lines longer than `maxLength` characters. */
+export async function* linesOf(name: string, response: Response, maxLength: number): AsyncGenerator<unknown> {
   const decoder = new TextDecoder();
-  let rest = '';
+  let partialLine = '';
   for await (const chunk of chunksOf(response.body)) {
-    const pieces = (rest + decoder.decode(chunk, { stream: true })).split('\n');
-    rest = pieces.pop() ?? '';
-    for (const piece of pieces) yield parseJson(name, piece);
-    if (rest.length > most) throw new BundleError(`${name}: expected lines of at most ${most} characters`);
+    const lines = (partialLine + decoder.decode(chunk, { stream: true })).split('\n');
+    partialLine = lines.pop() ?? '';
+    for (const line of lines) yield parseJson(name, line);
+    if (partialLine.length > maxLength) throw new BundleError(`${name}: expected lines of at most ${maxLength} characters`);
   }
-  rest += decoder.decode();
-  if (rest !== '') yield parseJson(name, rest);
+  partialLine += decoder.decode();
+  if (partialLine !== '') yield parseJson(name, partialLine);
 }

@@ -1,7 +1,6 @@
 /** Documents that a scene's page loads first: a manifest, and a scene document, which may still be loading. */
 import { fileName, integer, number, object, optional, text } from '../bundle/checks';
 import { BundleError } from '../bundle/error';
-import type { Point } from '../bundle/manifest';
 import { parseJson, point } from '../bundle/parse';
 import type { Network } from '../bundle/transfer';
 import { request } from './request';
@@ -9,44 +8,30 @@ import { request } from './request';
 const [FORMAT, SCENE, VERSION] = ['nearfar.on_demand', 'nearfar.scene', 1] as const;
 
 /** Manifest of a site whose regions are made on demand. */
-export interface Site {
-  readonly title: string;
-  /** Spacing of the grid of places, metres. */
-  readonly grid: number;
-  /** Name of the scene document. */
-  readonly scene: string;
-}
-
-export interface SceneFacts {
-  readonly triangles: number;
-  /** Start pose, if the page's address names none. */
-  readonly start: { readonly position: Point; readonly yaw: number };
-  readonly faceSize: number;
-  readonly nearShare: number;
-  readonly fade: number;
-  /** Whether nothing moves. */
-  readonly isStatic: boolean;
-}
+export type Site = ReturnType<typeof readSite>;
+export type SceneFacts = Awaited<ReturnType<typeof readScene>>;
 
 /** Whether a document is the manifest of such a site; otherwise it is that of a bundle. */
 export function isSite(document: unknown): boolean {
   return typeof document === 'object' && document !== null && (document as { format?: unknown }).format === FORMAT;
 }
 
-export function readSite(document: unknown): Site {
+export function readSite(document: unknown) {
   const all = object('manifest', document);
   checkVersion(all['version']);
   return {
     title: text('title', all['title']),
+    /** Spacing of the grid of places, metres. */
     grid: number('grid', all['grid'], 1e-3, 1e6),
+    /** Name of the scene document. */
     scene: fileName('scene', all['scene']),
   };
 }
 
 /** Fetches the scene document, which arrives when the server has loaded the scene. */
-export async function readScene(base: URL, { scene }: Site, signal: AbortSignal, network: Network): Promise<SceneFacts> {
-  const answer = await request(new URL(scene, base), 'scene', () => undefined, signal, network);
-  const all = object('scene', parseJson('scene', await answer.text()));
+export async function readScene(base: URL, { scene }: Site, signal: AbortSignal, network: Network) {
+  const response = await request(new URL(scene, base), 'scene', () => undefined, signal, network);
+  const all = object('scene', parseJson('scene', await response.text()));
   if (all['format'] !== SCENE) throw new BundleError(`${scene}: expected the format ${SCENE}, got another one`);
   checkVersion(all['version']);
   const failed = optional('failed', all['failed'], text);
@@ -54,10 +39,12 @@ export async function readScene(base: URL, { scene }: Site, signal: AbortSignal,
   const [start, growth] = [object('start', all['start']), object('growth', all['growth'])];
   return {
     triangles: integer('triangles', all['triangles'], 0),
+    /** Start pose, if the page's address names none. */
     start: { position: point('start.position', start['position']), yaw: number('start.yaw', start['yaw'], -7, 7) },
     faceSize: integer('face_size', all['face_size'], 1, 4096),
     nearShare: number('near_share', all['near_share'], 0, 1 - 1e-9),
     fade: number('growth.fade', growth['fade'], 0),
+    /** Whether nothing moves. */
     isStatic: all['is_static'] === true,
   };
 }

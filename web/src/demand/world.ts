@@ -10,7 +10,6 @@ import { linesOf, request } from './request';
 import type { SceneFacts, Site } from './scene';
 
 export interface DemandSettings {
-  /** Address of the site. */
   readonly base: URL;
   readonly site: Site;
   readonly scene: SceneFacts;
@@ -48,10 +47,10 @@ export function createDemandWorld({ base, site, scene, lastRing, received, netwo
       const busy = (seconds: number): void => report({ stage: 'busy', seconds });
       const answer = await request(new URL(name, base), 'place', busy, signal, network);
       const place = await readPlace(linesOf('parts', answer, MAX_MANIFEST), lastRing, {
-        listed(files) {
+        onFiles(files) {
           for (const [file, entry] of Object.entries(files)) entries.set(file, entry);
         },
-        making: report,
+        onProgress: report,
       });
       grid.record(region, place.entry);
       return place;
@@ -70,7 +69,6 @@ const DROP_SHARE = 0.6;
 const KEEP_SHARE = 0.6;
 
 export interface Grid extends Places {
-  /** Records the place of a region. */
   record(region: number, spot: Spot): void;
 }
 

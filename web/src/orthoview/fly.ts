@@ -1,7 +1,7 @@
 /** Flight along the view, sideways, up and down, at a speed proportional to the height; the pose at the start. */
 import { browserPads, combine, createKeys, type Drive, hasOtherPurpose, readPads } from '../control/drive';
 import { createPointers, type Thumb } from '../control/pointers';
-import { addScaled, ahead, clamp, type Pose, rightOf, STEEPEST, type Vector } from '../control/pose';
+import { addScaled, ahead, clamp, MAX_PITCH, type Pose, rightOf, type Vector } from '../control/pose';
 import type { Layout } from './store/layout';
 
 /** Speed in metres per second, per metre of height above the ground. */
@@ -10,7 +10,7 @@ const SPEED_PER_HEIGHT = 0.6;
 const MIN_HEIGHT = 3;
 /** Speed factor while Shift is pressed. */
 const RUN_FACTOR = 4;
-/** The mouse wheel multiplies the speed by a power of two; maximum exponent. */
+/** Greatest exponent of the power of two by which the mouse wheel multiplies the speed. */
 const MAX_EXPONENT = 5;
 /** Change of the exponent per pixel of the wheel. */
 const EXPONENT_PER_PIXEL = 0.004;
@@ -35,21 +35,12 @@ export function advanceFlight(
   seconds: number,
 ): Pose {
   const yaw = pose.yaw + TURN_SPEED * drive.turn * seconds;
-  const pitch = clamp(pose.pitch + TURN_SPEED * drive.look * seconds, -STEEPEST, STEEPEST);
+  const pitch = clamp(pose.pitch + TURN_SPEED * drive.look * seconds, -MAX_PITCH, MAX_PITCH);
   const height = Math.max(pose.position[1] - ground, MIN_HEIGHT);
   const step = SPEED_PER_HEIGHT * height * 2 ** speedExponent * (drive.isRunning ? RUN_FACTOR : 1) * seconds;
   let position: Vector = addScaled(pose.position, ahead({ yaw, pitch }), step * drive.ahead);
   position = addScaled(position, rightOf(yaw), step * drive.right);
   return { position: addScaled(position, [0, 1, 0], step * rise), yaw, pitch };
-}
-
-export interface Fly {
-  readonly pose: Pose;
-  /** Base-2 logarithm of the speed factor. */
-  readonly speedExponent: number;
-  /** Advances the pose by some seconds, and returns it. */
-  update(seconds: number): Pose;
-  setPose(pose: Pose): void;
 }
 
 /** Controls a pose by input on an element, which should be focusable. */
@@ -58,23 +49,19 @@ export function createFly(
   start: Pose,
   ground: () => number,
   onThumb: (thumb: Thumb | null) => void,
-): Fly {
+) {
   let pose = start;
   let speedExponent = 0;
   const heldKeys = new Set<string>();
   const keys = createKeys(window);
-  const turn = (left: number, up: number): void => {
-    pose = { ...pose, yaw: pose.yaw + left, pitch: clamp(pose.pitch + up, -STEEPEST, STEEPEST) };
-  };
   const ignore = (): void => undefined;
   const pointers = createPointers(element, {
+    ...{ rotate: ignore, pan: ignore, zoom: ignore, go: ignore },
     mode: () => 'walk',
-    look: turn,
-    rotate: ignore,
-    pan: ignore,
-    zoom: ignore,
+    look(left, up) {
+      pose = { ...pose, yaw: pose.yaw + left, pitch: clamp(pose.pitch + up, -MAX_PITCH, MAX_PITCH) };
+    },
     thumb: onThumb,
-    go: ignore,
   });
 
   window.addEventListener('keydown', (event) => {
@@ -85,24 +72,23 @@ export function createFly(
   });
   window.addEventListener('keyup', ({ code }) => heldKeys.delete(code));
   window.addEventListener('blur', () => heldKeys.clear());
-  element.addEventListener(
-    'wheel',
-    (event) => {
-      event.preventDefault();
-      const pixels = event.deltaY * (event.deltaMode === 1 ? 16 : 1);
-      speedExponent = clamp(speedExponent - EXPONENT_PER_PIXEL * pixels, -MAX_EXPONENT, MAX_EXPONENT);
-    },
-    { passive: false },
-  );
+  const changeSpeed = (event: WheelEvent): void => {
+    event.preventDefault();
+    const pixels = event.deltaY * (event.deltaMode === 1 ? 16 : 1);
+    speedExponent = clamp(speedExponent - EXPONENT_PER_PIXEL * pixels, -MAX_EXPONENT, MAX_EXPONENT);
+  };
+  element.addEventListener('wheel', changeSpeed, { passive: false });
 
   return {
-    get pose() {
+    get pose(): Pose {
       return pose;
     },
-    get speedExponent() {
+    /** Base-2 logarithm of the speed factor. */
+    get speedExponent(): number {
       return speedExponent;
     },
-    update(seconds) {
+    /** Advances the pose by some seconds, and returns it. */
+    update(seconds: number): Pose {
       const elapsed = seconds > 0 ? Math.min(seconds, MAX_UPDATE_SECONDS) : 0;
       const drive = combine(keys.drive, pointers.drive, readPads(browserPads()));
       const rise = Math.sign([...heldKeys].reduce((sum, code) => sum + (VERTICAL_KEYS[code] ?? 0), 0));
@@ -110,7 +96,7 @@ export function createFly(
       if (!isStill) pose = advanceFlight(pose, drive, rise, speedExponent, ground(), elapsed);
       return pose;
     },
-    setPose(next) {
+    setPose(next: Pose): void {
       pose = next;
     },
   };
@@ -123,9 +109,9 @@ const START_SLOPE = 0.45;
 
 /** Pose south of and above the world, looking at its centre. */
 export function startPose({ origin, cell, counts }: Layout): Pose {
-  const middle = origin.map((low, axis) => low + (cell * (counts[axis] as number)) / 2) as [number, number, number];
+  const center = origin.map((low, axis) => low + (cell * (counts[axis] as number)) / 2) as [number, number, number];
   const distance = START_DISTANCE * cell * Math.max(counts[0], counts[2]);
   const [height, southward] = [distance * Math.sin(START_SLOPE), distance * Math.cos(START_SLOPE)];
-  const position = [middle[0], origin[1] + height, middle[2] + southward] as const;
+  const position = [center[0], origin[1] + height, center[2] + southward] as const;
   return { position, yaw: 0, pitch: -START_SLOPE };
 }

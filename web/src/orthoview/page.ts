@@ -8,20 +8,21 @@ import { createThumbMark } from '../ui/overlays';
 import { cameraOf } from './cut/camera';
 import { createFly, startPose } from './fly';
 import { createPanel } from './panel';
-import type { Graphics } from './show/start';
-import type { Facts } from './show/facts';
+import type { Facts, Graphics } from './show/stock';
 import { Viewer } from './show/viewer';
-import { type Failure, isPassing } from './store/error';
+import { canRetry, type Failure } from './store/error';
 import type { Layout } from './store/layout';
 
 /** Vertical field of view, radians. */
-const ANGLE = Math.PI / 3;
+const FIELD_OF_VIEW = Math.PI / 3;
 /** Greatest ratio of canvas pixels to CSS pixels: finer canvases take more splats than phones draw. */
-const SHARPEST = 1.5;
-/** Seconds between two updates of the panel and of the address. */
-const [PANEL_EVERY, LINK_EVERY] = [0.25, 0.5] as const;
+const MAX_PIXEL_RATIO = 1.5;
+/** Seconds between two updates of the panel. */
+const PANEL_SECONDS = 0.25;
+/** Least seconds between two updates of the address. */
+const LINK_SECONDS = 0.5;
 /** Default GPU memory for views: 512 MiB, a quarter of it on small screens. */
-const BYTES = 1 << 29;
+const DEFAULT_BYTES = 1 << 29;
 
 declare global {
   interface Window {
@@ -49,10 +50,7 @@ function main(): void {
   let problems: readonly Failure[] = [];
   const show = (now: readonly Failure[]): void => {
     problems = now;
-    showProblems(
-      problems.map(({ message }) => message),
-      retry,
-    );
+    showProblems(problems.map(({ message }) => message), retry);
   };
   const viewer = new Viewer(canvas, {
     base: folderOf(new URL(query.get('store') ?? '.', location.href)),
@@ -61,40 +59,40 @@ function main(): void {
       reader: new URL('orthoview-read.js', import.meta.url),
       webgpu: new URL('orthoview-webgpu.js', import.meta.url),
     },
-    views: number(query, 'views', 3, 1, 8),
-    error: number(query, 'error', 1, 0.1, 64),
+    views: numberOf(query, 'views', 3, 1, 8),
+    error: numberOf(query, 'error', 1, 0.1, 64),
     geometry: query.get('geometry') !== '0',
-    lift: number(query, 'lift', 0, 0, 90),
-    grid: Math.round(Math.sqrt(number(query, 'samples', 1, 1, 16))),
+    lift: numberOf(query, 'lift', 0, 0, 90),
+    grid: Math.round(Math.sqrt(numberOf(query, 'samples', 1, 1, 16))),
     graphics: graphicsOf(query.get('graphics')),
-    bytes: number(query, 'megabytes', (isSmall ? BYTES / 4 : BYTES) >> 20, 1, 1 << 14) * 2 ** 20,
+    bytes: numberOf(query, 'megabytes', (isSmall ? DEFAULT_BYTES / 4 : DEFAULT_BYTES) >> 20, 1, 1 << 14) * 2 ** 20,
     workers: Math.min(Math.max((navigator.hardwareConcurrency || 2) - 1, 1), 4),
-    received: meter.receive,
-    opened: onOpen,
-    failed(failure, isFatal) {
+    onReceived: meter.receive,
+    onOpen,
+    onFailure(failure, isFatal) {
       if (isFatal) {
         fatal(failure);
         return;
       }
-      const told: Failure = isPassing(failure) ? { ...failure, message: `${failure.message}; ${AGAIN}` } : failure;
-      const isKnown = problems.some(({ kind, message }) =>
-        isPassing(told) ? kind === told.kind : message === told.message,
-      );
-      if (!isKnown) show([...problems, told]);
+      const isTemporary = canRetry(failure);
+      const report = isTemporary ? { ...failure, message: `${failure.message}; ${RETRY_NOTE}` } : failure;
+      const isSame = ({ kind, message }: Failure): boolean =>
+        isTemporary ? kind === report.kind : message === report.message;
+      if (!problems.some(isSame)) show([...problems, report]);
     },
-    recovered: () => show(problems.filter((failure) => !isPassing(failure))),
+    onRecovered: () => show(problems.filter((failure) => !canRetry(failure))),
   });
   let [ground, home]: [number, Pose] = [0, { position: [0, 0, 0], yaw: 0, pitch: 0 }];
-  const begun = readLink(location.hash);
-  const fly = createFly(canvas, begun ?? home, () => ground, createThumbMark(root).show);
+  const linkedPose = readLink(location.hash);
+  const fly = createFly(canvas, linkedPose ?? home, () => ground, createThumbMark(root).show);
   const panel = createPanel(root, () => fly.setPose(home));
   window.addEventListener('hashchange', () => fly.setPose(readLink(location.hash) ?? fly.pose));
-  canvas.addEventListener('webglcontextlost', () => fatal({ kind: 'other', message: LOST }));
+  canvas.addEventListener('webglcontextlost', () => fatal({ kind: 'other', message: GRAPHICS_LOST }));
 
   function onOpen(layout: Layout): void {
     ground = layout.origin[1];
     home = startPose(layout);
-    if (!begun) fly.setPose(home);
+    if (!linkedPose) fly.setPose(home);
     isOpen = true;
   }
 
@@ -103,8 +101,8 @@ function main(): void {
     viewer.retry();
   }
 
-  let [last, sincePanel, sinceLink]: [number, number, number] = [performance.now(), PANEL_EVERY, 0];
-  let [linked, isOpen] = ['', false];
+  let [lastTime, sincePanel, sinceLink]: [number, number, number] = [performance.now(), PANEL_SECONDS, 0];
+  let [lastLink, isOpen] = ['', false];
   window.orthoview = {
     get facts() {
       return viewer.facts;
@@ -120,19 +118,19 @@ function main(): void {
   };
 
   function frame(now: number): void {
-    const seconds = Math.max(now - last, 0) / 1000;
-    last = now;
+    const seconds = Math.max(now - lastTime, 0) / 1000;
+    lastTime = now;
     const pose = fly.update(seconds);
-    const ratio = Math.min(window.devicePixelRatio || 1, SHARPEST);
+    const ratio = Math.min(window.devicePixelRatio || 1, MAX_PIXEL_RATIO);
     const [width, height] = [canvas.clientWidth, canvas.clientHeight].map((size) =>
       Math.max(Math.round(size * ratio), 1),
     );
     if (canvas.width !== width || canvas.height !== height)
       [canvas.width, canvas.height] = [width as number, height as number];
-    viewer.frame(cameraOf(pose, ANGLE, canvas.width, canvas.height));
+    viewer.frame(cameraOf(pose, FIELD_OF_VIEW, canvas.width, canvas.height));
     sincePanel += seconds;
     sinceLink += seconds;
-    if (sincePanel >= PANEL_EVERY) {
+    if (sincePanel >= PANEL_SECONDS) {
       sincePanel = 0;
       const { received, rate } = meter.read();
       panel.update({
@@ -141,13 +139,13 @@ function main(): void {
         received,
         rate,
         height: pose.position[1] - ground,
-        power: fly.speedExponent,
+        speedExponent: fly.speedExponent,
       });
     }
     const link = writeLink(pose);
-    if (isOpen && sinceLink >= LINK_EVERY && link !== linked) {
+    if (isOpen && sinceLink >= LINK_SECONDS && link !== lastLink) {
       // Browsers reject more than a few hundred changes of the address in half a minute.
-      [sinceLink, linked] = [0, link];
+      [sinceLink, lastLink] = [0, link];
       history.replaceState(null, '', link);
     }
     requestAnimationFrame(frame);
@@ -155,8 +153,8 @@ function main(): void {
   requestAnimationFrame(frame);
 }
 
-const AGAIN = 'the loaded views stay, and the others are requested again';
-const LOST = 'The browser has reset the graphics.';
+const RETRY_NOTE = 'the loaded views stay, and the others are requested again';
+const GRAPHICS_LOST = 'The browser has reset the graphics.';
 
 /** Titles and texts of failures after which nothing can be shown. */
 const FATAL: Readonly<Record<Failure['kind'], { readonly title: string; readonly text: string }>> = {
@@ -181,17 +179,17 @@ function graphicsOf(name: string | null): Graphics | null {
   return name === 'webgl' || name === 'webgpu' ? name : null;
 }
 
-/** Returns the address as that of a folder. */
+/** Returns the address with a slash at its end and without a fragment. */
 function folderOf(url: URL): URL {
   if (!url.pathname.endsWith('/')) url.pathname += '/';
   url.hash = '';
   return url;
 }
 
-function number(query: URLSearchParams, name: string, usual: number, least: number, greatest: number): number {
-  const given = query.get(name);
-  const value = given === null || given === '' ? usual : Number(given);
-  return Number.isFinite(value) ? Math.min(Math.max(value, least), greatest) : usual;
+function numberOf(query: URLSearchParams, name: string, fallback: number, least: number, greatest: number): number {
+  const text = query.get(name);
+  const value = text === null || text === '' ? fallback : Number(text);
+  return Number.isFinite(value) ? Math.min(Math.max(value, least), greatest) : fallback;
 }
 
 try {

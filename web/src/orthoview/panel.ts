@@ -1,7 +1,7 @@
 /** Panel of statistics, and the buttons below the picture. */
 import { button, icon, ICONS, make, write } from '../ui/dom';
 import { bytes, count, metres, milliseconds, rate } from '../ui/format';
-import type { Facts } from './show/facts';
+import type { Facts } from './show/stock';
 
 const NAMES = {
   frame: 'Frame',
@@ -22,16 +22,13 @@ export interface Figures {
   readonly rate: number | null;
   /** Height above the ground, metres. */
   readonly height: number;
-  readonly power: number;
+  /** Base-2 logarithm of the speed factor. */
+  readonly speedExponent: number;
 }
 
-export interface Panel {
-  update(figures: Figures): void;
-}
-
-export function createPanel(root: HTMLElement, home: () => void): Panel {
+export function createPanel(root: HTMLElement, home: () => void) {
   const values = new Map<string, HTMLElement>();
-  const rows = Object.entries(NAMES).map(([key, name]) => {
+  const terms = Object.entries(NAMES).map(([key, name]) => {
     const value = make('dd', {}, '–');
     values.set(key, value);
     return make('div', {}, make('dt', {}, name), value);
@@ -42,25 +39,13 @@ export function createPanel(root: HTMLElement, home: () => void): Panel {
   hide.addEventListener('click', () => show(false));
   figures.append(
     make('header', {}, make('h1', {}, 'nearfar'), hide),
-    make('div', { class: 'panel-body' }, make('dl', { class: 'figures' }, ...rows)),
+    make('div', { class: 'panel-body' }, make('dl', { class: 'figures' }, ...terms)),
   );
-  const help = make('p', { class: 'note card' });
-  const tools = make(
-    'div',
-    { class: 'tools' },
-    button('Home', 'tool', home),
-    button('Help', 'tool', () => (help.hidden = !help.hidden)),
-  );
-  help.textContent = HELP;
-  help.hidden = true;
-  root.append(
-    make(
-      'div',
-      { class: 'frame' },
-      make('div', { class: 'top' }, figures, chip),
-      make('div', { class: 'bottom' }, help, tools),
-    ),
-  );
+  const help = make('p', { class: 'note card', hidden: true }, HELP);
+  const toggle = button('Help', 'tool', () => (help.hidden = !help.hidden));
+  const tools = make('div', { class: 'tools' }, button('Home', 'tool', home), toggle);
+  const rows = [make('div', { class: 'top' }, figures, chip), make('div', { class: 'bottom' }, help, tools)];
+  root.append(make('div', { class: 'frame' }, ...rows));
 
   function show(isShown: boolean): void {
     figures.hidden = !isShown;
@@ -70,7 +55,7 @@ export function createPanel(root: HTMLElement, home: () => void): Panel {
   show(window.innerWidth > 600);
 
   return {
-    update({ facts, frame, received, rate: bits, height, power }) {
+    update({ facts, frame, received, rate: bits, height, speedExponent }: Figures): void {
       const put = (name: keyof typeof NAMES, text: string): void => write(values.get(name) as HTMLElement, text);
       put('frame', milliseconds(frame));
       put('splats', splatsOf(facts));
@@ -78,10 +63,8 @@ export function createPanel(root: HTMLElement, home: () => void): Panel {
       put('waiting', facts.waiting > 0 ? `${facts.waiting} views` : 'nothing');
       put('loaded', bits === null ? bytes(received) : `${bytes(received)}, ${rate(bits)}`);
       put('memory', bytes(facts.bytes));
-      put(
-        'height',
-        power === 0 ? metres(height) : `${metres(height)}, speed × ${(2 ** power).toFixed(power < 0 ? 2 : 1)}`,
-      );
+      const speed = speedExponent === 0 ? '' : `, speed × ${(2 ** speedExponent).toFixed(speedExponent < 0 ? 2 : 1)}`;
+      put('height', metres(height) + speed);
     },
   };
 }
@@ -92,6 +75,6 @@ function splatsOf({ splats, unhidden }: Facts): string {
 }
 
 const HELP =
-  'Dragging looks around. W A S D or the left thumb fly, E and Q go up and down, arrow keys turn, Shift is four times ' +
-  'as fast, the wheel changes the speed. The address leads back to this place.';
+  'Dragging looks around. W A S D or the left thumb fly, E and Q go up and down, arrow keys turn, Shift is four ' +
+  'times as fast, the wheel changes the speed. The address leads back to this place.';
 

@@ -1,36 +1,28 @@
 /** WebRTC connection to one other page with one data channel, and the signals that set it up. */
-import { FrameError, Reader, textOf, Writer } from '../rooms/bytes';
+import { choiceOf, decode, encode, FrameError, payload, prefixed, record, U32, utf8, type ValueOf } from '../rooms/bytes';
 import { type Clock, createBucket } from '../rooms/clock';
-import type { Line } from './peer';
+import type { Channel } from './peer';
 
 /** Timeout in seconds for gathering the browser's own addresses. */
-const ADDRESSES = 1;
+const GATHER_TIMEOUT = 1;
 /** Settings of the data channel that both pages share. It is reliable and ordered. */
-const CHANNEL = { negotiated: true, id: 0, ordered: true } as const;
+const CHANNEL_SETTINGS = { negotiated: true, id: 0, ordered: true } as const;
 
 export interface CallEvents {
   /** Called when the channel can be used. */
-  readonly opened: (line: Line) => void;
+  readonly opened: (channel: Channel) => void;
   /** Called when the connection has ended or could not be established. */
   readonly ended: () => void;
   /** Called when the other page violates the protocol. */
   readonly refuse: (sentence: string) => void;
 }
 
-export interface Call {
-  /** Returns this page's offer. */
-  offer(): Promise<string>;
-  /** Returns the answer to an offer. */
-  answer(offer: string): Promise<string>;
-  /** Applies the other page's answer. */
-  take(answer: string): Promise<void>;
-  close(): void;
-}
+export type Call = ReturnType<typeof createCall>;
 
-export function createCall({ opened, ended, refuse }: CallEvents, later: Clock['later']): Call {
+export function createCall({ opened, ended, refuse }: CallEvents, later: Clock['later']) {
   // There is no STUN server: pages connect in a local network, or if they have public addresses.
   const connection = new RTCPeerConnection({ iceServers: [] });
-  const channel = connection.createDataChannel('files', CHANNEL);
+  const channel = connection.createDataChannel('files', CHANNEL_SETTINGS);
   channel.onopen = () => opened(channel);
   channel.onclose = ended;
   connection.ondatachannel = () => refuse('it opens another channel');
@@ -43,7 +35,7 @@ export function createCall({ opened, ended, refuse }: CallEvents, later: Clock['
     await connection.setLocalDescription();
     if (connection.iceGatheringState !== 'complete') {
       await new Promise<void>((done) => {
-        const stop = later(ADDRESSES, done);
+        const stop = later(GATHER_TIMEOUT, done);
         connection.onicegatheringstatechange = () => {
           if (connection.iceGatheringState !== 'complete') return;
           stop();
@@ -56,12 +48,13 @@ export function createCall({ opened, ended, refuse }: CallEvents, later: Clock['
 
   return {
     offer: localDescription,
-    async answer(offer) {
+    async answer(offer: string): Promise<string> {
       await connection.setRemoteDescription({ type: 'offer', sdp: offer });
       return localDescription();
     },
-    take: (answer) => connection.setRemoteDescription({ type: 'answer', sdp: answer }),
-    close() {
+    /** Applies the other page's answer. */
+    take: (answer: string): Promise<void> => connection.setRemoteDescription({ type: 'answer', sdp: answer }),
+    close(): void {
       channel.onclose = connection.onconnectionstatechange = null;
       connection.close();
     },
@@ -73,39 +66,28 @@ const VERSION = 1;
 /** Greatest number of bytes of a description, and of its addresses that are used. */
 const [MAX_BYTES, MAX_ADDRESSES] = [8192, 8] as const;
 /** Lines with addresses; lines with a device's own UDP addresses: without a STUN server there are no others. */
-const ADDRESS = /^\s*a=candidate:/i;
-const OWN = /^a=candidate:\S+ \d+ udp \d+ \S+ \d+ typ host(?:\s|$)/i;
-const KINDS = ['offer', 'answer', 'no'] as const;
-
-/** Signal; `attempt` identifies an offer and its answer, `sdp` describes a connection and is empty for `no`. */
-export interface Signal {
-  readonly kind: (typeof KINDS)[number];
-  readonly attempt: number;
-  readonly sdp: string;
-}
+const ADDRESS_LINE = /^\s*a=candidate:/i;
+const OWN_ADDRESS_LINE = /^a=candidate:\S+ \d+ udp \d+ \S+ \d+ typ host(?:\s|$)/i;
+const SIGNAL = record({
+  kind: choiceOf(['offer', 'answer', 'no'], 'a signal has an unknown kind'),
+  /** Identifies an offer and its answer. */
+  attempt: U32,
+  /** Description of a connection; empty for `no`. */
+  sdp: utf8(payload(MAX_BYTES, 'a description is too long'), 'a description is not UTF-8'),
+});
+const PAYLOAD = prefixed(VERSION, 'a signal has another version', SIGNAL);
+export type Signal = ValueOf<typeof SIGNAL>;
 
 /** Parses a payload; throws `FrameError` if it is malformed or describes more than one data channel. */
 export function readSignal(payload: Uint8Array): Signal {
-  const reader = new Reader(payload);
-  if (reader.u8() !== VERSION) throw new FrameError('a signal has another version');
-  const kind = KINDS[reader.u8()];
-  if (!kind) throw new FrameError('a signal has an unknown kind');
-  const attempt = reader.u32();
-  const sdp = textOf(reader.takeRest(MAX_BYTES), 'a description is not UTF-8');
+  const { kind, attempt, sdp } = decode(PAYLOAD, payload);
   if (kind === 'no' ? sdp !== '' : !isDescription(sdp)) throw new FrameError('a signal describes no channel for data');
   return { kind, attempt, sdp: withFewAddresses(sdp) };
 }
 
 /** Writes a payload; throws `FrameError` for a description that others would reject. */
-export function writeSignal({ kind, attempt, sdp }: Signal): Uint8Array<ArrayBuffer> {
-  const text = new TextEncoder().encode(sdp);
-  if (text.length > MAX_BYTES) throw new FrameError('a description is too long');
-  const out = new Writer();
-  out.u8(VERSION);
-  out.u8(KINDS.indexOf(kind));
-  out.u32(attempt);
-  out.put(text);
-  return out.toBytes();
+export function writeSignal(signal: Signal): Uint8Array<ArrayBuffer> {
+  return encode(PAYLOAD, signal);
 }
 
 function isDescription(sdp: string): boolean {
@@ -118,54 +100,48 @@ function isDescription(sdp: string): boolean {
 function withFewAddresses(sdp: string): string {
   let count = 0;
   const lines = sdp.split('\n').filter((line) => {
-    if (!ADDRESS.test(line)) return true;
-    return OWN.test(line) && ++count <= MAX_ADDRESSES;
+    if (!ADDRESS_LINE.test(line)) return true;
+    return OWN_ADDRESS_LINE.test(line) && ++count <= MAX_ADDRESSES;
   });
   return lines.join('\n');
 }
 
 /** Bytes per second and burst, below the limits of docs/rooms.md; least bytes that a signal counts for. */
-const [RATE, BURST, MIN] = [24_576, 12_288, 64] as const;
-/** Greatest number of queued signals. */
-const MAX_WAITING = 64;
+const [BYTES_PER_SECOND, BURST_BYTES, MIN_SIGNAL_BYTES] = [24_576, 12_288, 64] as const;
+const MAX_QUEUED_SIGNALS = 64;
 
 /** Queue of signals that respects the rate limit of a room. */
-export interface Outbox {
-  send(user: number, payload: Uint8Array): void;
-  /** Discards queued signals. */
-  clear(): void;
-}
-
-export function createOutbox(send: (user: number, payload: Uint8Array) => void, clock: Clock): Outbox {
-  const bucket = createBucket(RATE, BURST, clock.now);
-  let waiting: (readonly [user: number, payload: Uint8Array])[] = [];
-  let isWaiting = false;
+export function createOutbox(send: (user: number, payload: Uint8Array) => void, clock: Clock) {
+  const bucket = createBucket(BYTES_PER_SECOND, BURST_BYTES, clock.now);
+  let queue: (readonly [user: number, payload: Uint8Array])[] = [];
+  let isScheduled = false;
 
   function flush(): void {
-    for (let next = waiting[0]; next; next = waiting[0]) {
+    for (let [next] = queue; next; [next] = queue) {
       const [user, payload] = next;
-      const size = Math.min(Math.max(payload.length, MIN), BURST);
+      const size = Math.min(Math.max(payload.length, MIN_SIGNAL_BYTES), BURST_BYTES);
       if (!bucket.take(size)) {
-        isWaiting = true;
+        isScheduled = true;
         clock.later(bucket.secondsTo(size) + 0.01, () => {
-          isWaiting = false;
+          isScheduled = false;
           flush();
         });
         return;
       }
-      waiting = waiting.slice(1);
+      queue = queue.slice(1);
       send(user, payload);
     }
   }
 
   return {
-    send(user, payload) {
-      if (waiting.length >= MAX_WAITING) return;
-      waiting.push([user, payload]);
-      if (!isWaiting) flush();
+    send(user: number, payload: Uint8Array): void {
+      if (queue.length >= MAX_QUEUED_SIGNALS) return;
+      queue.push([user, payload]);
+      if (!isScheduled) flush();
     },
-    clear() {
-      waiting = [];
+    /** Discards queued signals. */
+    clear(): void {
+      queue = [];
     },
   };
 }

@@ -5,28 +5,23 @@ import { onStorage } from '../rooms/ticket';
 /** Key of the choice in the storage; files are exchanged if there is no entry. */
 const STORAGE_KEY = 'nearfar peers';
 
-export interface Choice {
-  readonly isOn: boolean;
-  set(isOn: boolean): void;
-}
+type Choice = ReturnType<typeof createChoice>;
 
-export function createChoice(storage: () => Storage = () => localStorage): Choice {
+export function createChoice(storage: () => Storage = () => localStorage) {
   // Without a storage the choice holds for this page only.
   let isOn = onStorage(storage, (store) => store.getItem(STORAGE_KEY)) !== 'off';
   return {
-    get isOn() {
+    get isOn(): boolean {
       return isOn;
     },
-    set(isWanted) {
+    set(isWanted: boolean): void {
       isOn = isWanted;
       onStorage(storage, (store) => (isWanted ? store.removeItem(STORAGE_KEY) : store.setItem(STORAGE_KEY, 'off')));
     },
   };
 }
 
-/** Query parameter by which a user declines. */
 const QUERY_PARAMETER = 'peers';
-/** Reason if the user has switched the exchange off. */
 export const SWITCHED_OFF = 'the user has switched it off';
 
 /** Returns why this page's address, user or browser prevents the exchange; null if nothing does. */

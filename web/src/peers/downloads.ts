@@ -7,74 +7,60 @@ import { type Message, PART } from './messages';
 /** Seconds per tick. */
 export const TICK = 0.25;
 /** Greatest number of concurrent requests to one page. */
-const MAX_OPEN = 32;
+const MAX_DOWNLOADS = 32;
 
 /** Content of a file, or why it is missing: the page lacks it, has stopped sending, or has sent wrong data. */
 export type Answer = ArrayBuffer | 'none' | 'silent' | 'wrong';
 
-export interface Wanted extends FileEntry {
+export interface RequestedFile extends FileEntry {
   /** Timeout in seconds without a received byte. */
-  readonly patience: number;
+  readonly quietTimeout: number;
   /** Timeout in seconds for the whole request, in addition to the time for its bytes. */
-  readonly longest: number;
+  readonly requestTimeout: number;
   /** Least transfer rate in bytes per second, which extends the timeout. */
-  readonly slowest: number;
-}
-
-export interface Downloads {
-  /** Number of open requests, including abandoned ones that have not ended. */
-  readonly open: number;
-  /** Whether the page can take a request: it has room, and no abandoned request is open. */
-  readonly isFree: boolean;
-  /** Requests a file; `received` is called with its bytes, and with a negative number if they do not count. */
-  ask(file: Wanted, signal: AbortSignal, received: Received): Promise<Answer>;
-  /** Handles a message; returns a sentence if the page violates the protocol. */
-  hear(message: Extract<Message, { readonly request: number }>): string | null;
-  tick(): void;
-  /** Ends all requests, because the page is gone. */
-  end(): void;
+  readonly minRate: number;
 }
 
 interface Download {
-  readonly file: Wanted;
+  readonly file: RequestedFile;
   readonly received: Received;
   readonly done: (answer: Answer) => void;
   data: Uint8Array<ArrayBuffer> | null;
   size: number;
-  /** Number of bytes that the other page reports to have while it waits for the file itself. */
+  /** Number of bytes that the other page reports to have while the file is still arriving there. */
   reported: number;
   /** Ticks since the last byte; ticks since the request. */
-  quiet: number;
-  age: number;
+  quietTicks: number;
+  ageTicks: number;
   /** Whether the request was abandoned; data that was already sent may still arrive. */
-  isOver: boolean;
+  hasEnded: boolean;
 }
 
 /** Creates the downloads from a page; `refuse` is called with a sentence if a file has the wrong content. */
-export function createDownloads(send: (message: Message) => void, refuse: (sentence: string) => void): Downloads {
+export function createDownloads(send: (message: Message) => void, refuse: (sentence: string) => void) {
   const downloads = new Map<number, Download>();
-  let last = 0;
+  let lastRequest = 0;
 
-  function give(download: Download, answer: Answer): void {
-    if (download.isOver) return;
-    download.isOver = true;
+  function finish(download: Download, answer: Answer): void {
+    if (download.hasEnded) return;
+    download.hasEnded = true;
     if (!(answer instanceof ArrayBuffer)) download.received(-download.size);
     download.data = null;
     download.done(answer);
   }
 
-  function giveUp(request: number, download: Download, answer: Answer): void {
-    if (download.isOver) return;
-    give(download, answer);
+  function cancel(request: number, download: Download, answer: Answer): void {
+    if (download.hasEnded) return;
+    finish(download, answer);
     send({ kind: 'cancel', request });
   }
 
-  function part(request: number, download: Download, bytes: Uint8Array): string | null {
+  function receivePart(request: number, download: Download, bytes: Uint8Array): string | null {
     const { file } = download;
     const expected = Math.min(PART, file.bytes - download.size);
     if (bytes.length === 0 || bytes.length !== expected) return 'a part has a wrong length';
-    for (const each of downloads.values()) each.quiet = 0;
-    if (!download.isOver) {
+    for (const each of downloads.values()) each.quietTicks = 0;
+    if (!download.hasEnded) {
       download.data ??= new Uint8Array(file.bytes);
       download.data.set(bytes, download.size);
       download.received(bytes.length);
@@ -87,66 +73,71 @@ export function createDownloads(send: (message: Message) => void, refuse: (sente
   }
 
   async function check(download: Download, data: ArrayBuffer): Promise<void> {
-    const isRight = (await sha256(data)) === download.file.sha256;
-    give(download, isRight ? data : 'wrong');
-    if (!isRight) refuse('a file has the wrong content');
+    const isCorrect = (await sha256(data)) === download.file.sha256;
+    finish(download, isCorrect ? data : 'wrong');
+    if (!isCorrect) refuse('a file has the wrong content');
   }
 
   return {
-    get open() {
+    /** Number of open requests, including abandoned ones whose data may still arrive. */
+    get open(): number {
       return downloads.size;
     },
-    get isFree() {
-      return downloads.size < MAX_OPEN && ![...downloads.values()].some(({ isOver }) => isOver);
+    /** Whether the page can take a request: it has room, and no abandoned request is open. */
+    get isFree(): boolean {
+      return downloads.size < MAX_DOWNLOADS && ![...downloads.values()].some(({ hasEnded }) => hasEnded);
     },
-    ask(file, signal, received) {
+    /** Requests a file; `received` is called with its bytes, and with a negative number if they do not count. */
+    ask(file: RequestedFile, signal: AbortSignal, received: Received): Promise<Answer> {
       signal.throwIfAborted();
-      const request = ++last;
+      const request = ++lastRequest;
       return new Promise((done, failed) => {
-        const stopped = (): void => {
+        const onAbort = (): void => {
           failed(signal.reason as Error);
-          giveUp(request, download, 'none');
+          cancel(request, download, 'none');
         };
-        const ended = (answer: Answer): void => {
-          signal.removeEventListener('abort', stopped);
+        const onAnswer = (answer: Answer): void => {
+          signal.removeEventListener('abort', onAbort);
           done(answer);
         };
-        const counts = { size: 0, reported: -1, quiet: 0, age: 0 };
-        const download: Download = { file, received, done: ended, data: null, isOver: false, ...counts };
+        const counts = { size: 0, reported: -1, quietTicks: 0, ageTicks: 0 };
+        const download: Download = { file, received, done: onAnswer, data: null, hasEnded: false, ...counts };
         downloads.set(request, download);
-        signal.addEventListener('abort', stopped, { once: true });
+        signal.addEventListener('abort', onAbort, { once: true });
         send({ kind: 'want', request, key: file.sha256 });
       });
     },
-    hear(message) {
+    /** Handles a message; returns a sentence if the page violates the protocol. */
+    hear(message: Extract<Message, { readonly request: number }>): string | null {
       const { request } = message;
       const download = downloads.get(request);
       if (!download) return 'a message answers no open request';
-      if (message.kind === 'part') return part(request, download, message.data);
+      if (message.kind === 'part') return receivePart(request, download, message.data);
       if (message.kind === 'wait') {
         if (message.bytes > download.file.bytes) return 'more bytes are reported than the file has';
-        if (message.bytes > download.reported) download.quiet = 0;
+        if (message.bytes > download.reported) download.quietTicks = 0;
         download.reported = Math.max(download.reported, message.bytes);
         return null;
       }
       downloads.delete(request);
-      give(download, 'none');
+      finish(download, 'none');
       return null;
     },
-    tick() {
+    tick(): void {
       for (const [request, download] of downloads) {
-        if (download.isOver) continue;
-        download.quiet += 1;
-        download.age += 1;
-        const { patience, longest, slowest, bytes } = download.file;
-        const isLate = TICK * download.age > longest + bytes / slowest;
-        if (isLate || TICK * download.quiet > patience) giveUp(request, download, 'silent');
+        if (download.hasEnded) continue;
+        download.quietTicks += 1;
+        download.ageTicks += 1;
+        const { quietTimeout, requestTimeout, minRate, bytes } = download.file;
+        const isLate = TICK * download.ageTicks > requestTimeout + bytes / minRate;
+        if (isLate || TICK * download.quietTicks > quietTimeout) cancel(request, download, 'silent');
       }
     },
-    end() {
+    /** Ends all requests, because the page is gone. */
+    end(): void {
       const all = [...downloads.values()];
       downloads.clear();
-      for (const download of all) give(download, 'silent');
+      for (const download of all) finish(download, 'silent');
     },
   };
 }

@@ -4,47 +4,31 @@ import { type Clock, createBucket } from '../rooms/clock';
 import type { FromServer } from '../rooms/frames';
 import { type Call, type CallEvents, readSignal, type Signal } from './call';
 import { TICK } from './downloads';
-import type { Line } from './peer';
+import type { Channel } from './peer';
 
 /** Neighbours on each side in the circle of numbers; greatest number of connections. */
-const [REACH, MAX_CALLS] = [6, 16] as const;
+const [NEIGHBOURS_PER_SIDE, MAX_CALLS] = [6, 16] as const;
 /** Greatest number of answered offers per user. */
 const MAX_OFFERS = 8;
 /** Rate per second and burst of new connections, to any users. */
-const [RATE, BURST] = [1, 16] as const;
+const [CALLS_PER_SECOND, CALLS_AT_ONCE] = [1, 16] as const;
 /** Timeout for a connection, seconds. */
-const CONNECT = 10;
+const CONNECT_TIMEOUT = 10;
 /** Ticks for which files wait at first: for entering the room, and then for all connections. */
-const FIRST = Math.round(1.5 / TICK);
+const WAIT_TICKS = Math.round(1.5 / TICK);
 
 export interface MeshSettings {
   readonly clock: Clock;
   readonly create: (events: CallEvents) => Call;
   /** Sends a signal to a user. */
   readonly signal: (user: number, signal: Signal) => void;
-  readonly opened: (user: number, line: Line) => void;
+  readonly opened: (user: number, channel: Channel) => void;
   readonly ended: (user: number) => void;
 }
 
-export interface Mesh {
-  /** User's own number; null outside the room. */
-  readonly own: number | null;
-  /** Users who have violated the protocol, with the violation: no more connections to them. */
-  readonly dropped: ReadonlyMap<number, string>;
-  hear(frame: FromServer): void;
-  /** Forgets all users, because the user has left the room. */
-  clear(): void;
-  /** Begins to connect; or ends all connections and tells all others that this page does not connect. */
-  begin(isOn: boolean): void;
-  /** Records that a user has sent its list of files, which ends waiting for it. */
-  greeted(user: number): void;
-  /** Disconnects a user who has violated the protocol. */
-  drop(user: number, sentence: string): void;
-  /** Resolves when all users present at first have sent their lists of files or do not connect, or after a timeout. */
-  readonly ready: Promise<void>;
-}
+export type Mesh = ReturnType<typeof createMesh>;
 
-interface Place {
+interface Slot {
   readonly attempt: number;
   readonly call: Call;
   stop: () => void;
@@ -52,163 +36,155 @@ interface Place {
   hasGreeted: boolean;
 }
 
-export function createMesh({ clock, create, signal, opened, ended }: MeshSettings): Mesh {
+export function createMesh({ clock, create, signal, opened, ended }: MeshSettings) {
   const users = new Set<number>();
-  const places = new Map<number, Place>();
+  const slots = new Map<number, Slot>();
   const dropped = new Map<number, string>();
-  const calls = createBucket(RATE, BURST, clock.now);
+  const calls = createBucket(CALLS_PER_SECOND, CALLS_AT_ONCE, clock.now);
   /** Users with failed connections. */
   const failed = new Set<number>();
   /** Number of offers from each user. */
   const offers = new Map<number, number>();
   /** Offers that arrived before it was known whether this page connects. */
-  const early = new Map<number, Signal>();
-  let own: number | null = null;
+  const earlyOffers = new Map<number, Signal>();
+  let ownNumber: number | null = null;
   let isOn: boolean | null = null;
   /** Number of present users that the server has not announced yet. */
   let unannounced: number | null = null;
-  let settle = (): void => undefined;
-  const ready = new Promise<void>((done) => (settle = done));
-  let [hasEntered, ticks, isLate] = [false, FIRST, false];
+  let resolveReady = (): void => undefined;
+  const ready = new Promise<void>((done) => (resolveReady = done));
+  let [hasEntered, ticks, isOfferScheduled] = [false, WAIT_TICKS, false];
 
   function wait(): void {
     ticks -= 1;
-    if (ticks <= 0) settle();
+    if (ticks <= 0) resolveReady();
     else clock.later(TICK, wait);
   }
   clock.later(TICK, wait);
 
   /** Ends waiting if no neighbour is left for which files wait. */
   function checkReady(): void {
-    if (isOn === false) settle();
-    if (isOn === null || own === null || unannounced === null || unannounced > 0) return;
-    const isOver = (user: number): boolean => failed.has(user) || dropped.has(user);
-    if (neighbours().every((user) => isOver(user) || places.get(user)?.hasGreeted)) settle();
+    if (isOn === false) resolveReady();
+    if (isOn === null || unannounced !== 0) return;
+    const isExcluded = (user: number): boolean => failed.has(user) || dropped.has(user);
+    if (neighbours().every((user) => isExcluded(user) || slots.get(user)?.hasGreeted)) resolveReady();
   }
 
   /** Returns the nearest users by number; the relation is symmetric. */
   function neighbours(): number[] {
     const others = [...users].sort((a, b) => a - b);
-    if (others.length <= 2 * REACH) return others;
-    const after = others.findIndex((user) => user > (own ?? 0));
-    const begin = after < 0 ? others.length : after;
-    const circle = [...others.slice(begin), ...others.slice(0, begin)];
-    return [...circle.slice(0, REACH), ...circle.slice(-REACH)];
+    if (others.length <= 2 * NEIGHBOURS_PER_SIDE) return others;
+    const circle = [...others.filter((user) => user > (ownNumber ?? 0)), ...others.filter((user) => user <= (ownNumber ?? 0))];
+    return [...circle.slice(0, NEIGHBOURS_PER_SIDE), ...circle.slice(-NEIGHBOURS_PER_SIDE)];
   }
 
   function fail(user: number): void {
-    const place = places.get(user);
-    if (place) remove(user, place);
+    const slot = slots.get(user);
+    if (slot) remove(user, slot);
     failed.add(user);
     checkReady();
   }
 
-  function remove(user: number, { call, stop, isOpen }: Place): void {
-    places.delete(user);
+  function remove(user: number, { call, stop, isOpen }: Slot): void {
+    slots.delete(user);
     stop();
     call.close();
     if (isOpen) ended(user);
   }
 
   /** Begins a connection; null if the browser creates none. */
-  function open(user: number, attempt: number): Place | null {
+  function open(user: number, attempt: number): Slot | null {
+    const ifCurrent = (action: () => void): void => {
+      if (slots.get(user)?.call === call) action();
+    };
+    let call: Call;
     try {
-      return createPlace(user, attempt);
+      call = create({
+        opened: (channel) => ifCurrent(() => {
+          slot.stop();
+          slot.isOpen = true;
+          opened(user, channel);
+        }),
+        ended: () => ifCurrent(() => fail(user)),
+        refuse: (sentence) => ifCurrent(() => drop(user, sentence)),
+      });
     } catch {
       // Browsers allow a few hundred connections per page.
       fail(user);
       return null;
     }
-  }
-
-  function createPlace(user: number, attempt: number): Place {
-    const isCurrent = (): boolean => places.get(user) === place;
-    const call = create({
-      opened(line) {
-        if (!isCurrent()) return;
-        place.stop();
-        place.isOpen = true;
-        opened(user, line);
-      },
-      ended() {
-        if (isCurrent()) fail(user);
-      },
-      refuse(sentence) {
-        if (isCurrent()) drop(user, sentence);
-      },
-    });
-    const stop = clock.later(CONNECT, () => fail(user));
-    const place: Place = { attempt, call, stop, isOpen: false, hasGreeted: false };
-    places.set(user, place);
-    return place;
+    const stop = clock.later(CONNECT_TIMEOUT, () => fail(user));
+    const slot: Slot = { attempt, call, stop, isOpen: false, hasGreeted: false };
+    slots.set(user, slot);
+    return slot;
   }
 
   /** Sends a description when it is available; failure ends the connection. */
-  function describe(user: number, place: Place, kind: 'offer' | 'answer', description: Promise<string>): void {
-    const isCurrent = (): boolean => places.get(user) === place;
+  function describe(user: number, slot: Slot, kind: 'offer' | 'answer', description: Promise<string>): void {
+    const isCurrent = (): boolean => slots.get(user) === slot;
     description
-      .then((sdp) => isCurrent() && signal(user, { kind, attempt: place.attempt, sdp }))
+      .then((sdp) => isCurrent() && signal(user, { kind, attempt: slot.attempt, sdp }))
       .catch(() => isCurrent() && fail(user));
   }
 
   /** Sends offers to neighbours with greater numbers. */
   function offer(): void {
-    // Before all users are known, other users may be neighbours than later, and would not answer.
-    if (!isOn || own === null || unannounced === null || unannounced > 0) return;
+    // Until all users are known, `neighbours` may return users who turn out to be none and would not answer.
+    if (!isOn || ownNumber === null || unannounced !== 0) return;
     for (const user of neighbours()) {
-      const isOther = user > own && !places.has(user) && !failed.has(user) && !dropped.has(user);
-      if (!isOther || places.size >= MAX_CALLS) continue;
+      const canOffer = user > ownNumber && !slots.has(user) && !failed.has(user) && !dropped.has(user);
+      if (!canOffer || slots.size >= MAX_CALLS) continue;
       if (!calls.take(1)) {
         offerLater();
         return;
       }
-      const place = open(user, crypto.getRandomValues(new Uint32Array(1))[0] ?? 0);
-      if (place) describe(user, place, 'offer', place.call.offer());
+      const slot = open(user, crypto.getRandomValues(new Uint32Array(1))[0] ?? 0);
+      if (slot) describe(user, slot, 'offer', slot.call.offer());
     }
   }
 
   function offerLater(): void {
-    if (isLate) return;
-    isLate = true;
+    if (isOfferScheduled) return;
+    isOfferScheduled = true;
     clock.later(calls.secondsTo(1), () => {
-      isLate = false;
+      isOfferScheduled = false;
       offer();
     });
   }
 
   /** Whether an offer is answered: only neighbours get this page's addresses and one of its connections. */
   function isAnswered(user: number): boolean {
-    const hasPlace = places.has(user) || places.size < MAX_CALLS;
-    return isOn === true && user < (own ?? 0) && hasPlace && neighbours().includes(user);
+    const hasSlot = slots.has(user) || slots.size < MAX_CALLS;
+    return isOn === true && user < (ownNumber ?? 0) && hasSlot && neighbours().includes(user);
   }
 
   function takeSignal(user: number, message: Signal): void {
-    const place = places.get(user);
+    const slot = slots.get(user);
     if (message.kind === 'no') {
-      if (!place?.isOpen) fail(user);
+      if (!slot?.isOpen) fail(user);
     } else if (message.kind === 'answer') {
-      if (!place || place.isOpen || place.attempt !== message.attempt || user < (own ?? 0)) return;
-      place.call.take(message.sdp).catch(() => places.get(user) === place && drop(user, 'its answer is invalid'));
+      if (!slot || slot.isOpen || slot.attempt !== message.attempt || user < (ownNumber ?? 0)) return;
+      slot.call.take(message.sdp).catch(() => slots.get(user) === slot && drop(user, 'its answer is invalid'));
     } else if (isOn === null) {
-      early.set(user, message);
+      earlyOffers.set(user, message);
     } else if (isAnswered(user) && calls.take(1)) {
-      answer(user, message, place);
+      answer(user, message, slot);
     } else {
       refuse(user);
     }
   }
 
-  function answer(user: number, message: Signal, before: Place | undefined): void {
+  function answer(user: number, message: Signal, oldSlot: Slot | undefined): void {
     const count = (offers.get(user) ?? 0) + 1;
     offers.set(user, count);
     if (count > MAX_OFFERS) {
       drop(user, 'it offers too often');
       return;
     }
-    if (before) remove(user, before);
+    if (oldSlot) remove(user, oldSlot);
     failed.delete(user);
-    const place = open(user, message.attempt);
-    if (place) describe(user, place, 'answer', place.call.answer(message.sdp));
+    const slot = open(user, message.attempt);
+    if (slot) describe(user, slot, 'answer', slot.call.answer(message.sdp));
   }
 
   function refuse(user: number): void {
@@ -230,48 +206,54 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
     users.delete(user);
     failed.delete(user);
     offers.delete(user);
-    early.delete(user);
-    const place = places.get(user);
-    if (place) remove(user, place);
+    earlyOffers.delete(user);
+    const slot = slots.get(user);
+    if (slot) remove(user, slot);
   }
 
   function forget(): void {
     for (const user of [...users]) leave(user);
-    own = unannounced = null;
+    ownNumber = unannounced = null;
   }
 
+  /** Disconnects a user who has violated the protocol. */
   function drop(user: number, sentence: string): void {
     dropped.set(user, dropped.get(user) ?? sentence);
     fail(user);
   }
 
   return {
+    /** Resolves when all users present at first have sent their lists of files or do not connect, or after a timeout. */
     ready,
+    /** Users who have violated the protocol, with the violation: no more connections to them. */
     dropped,
-    get own() {
-      return own;
+    /** User's own number; null outside the room. */
+    get ownNumber(): number | null {
+      return ownNumber;
     },
     drop,
-    greeted(user) {
-      const place = places.get(user);
-      if (place) place.hasGreeted = true;
+    /** Records that a user has sent its list of files, which ends waiting for it. */
+    greeted(user: number): void {
+      const slot = slots.get(user);
+      if (slot) slot.hasGreeted = true;
       checkReady();
     },
-    clear() {
+    /** Forgets all users, because the user has left the room. */
+    clear(): void {
       forget();
-      settle();
+      resolveReady();
     },
-    hear(frame) {
+    hear(frame: FromServer): void {
       if (frame.kind === 'welcome') {
         forget();
-        own = frame.user;
-        if (!hasEntered) [hasEntered, ticks] = [true, FIRST];
+        ownNumber = frame.user;
+        if (!hasEntered) [hasEntered, ticks] = [true, WAIT_TICKS];
         unannounced = frame.others;
       } else if (frame.kind === 'joined') {
         // A returning user has a new page.
         leave(frame.user);
         users.add(frame.user);
-        if (unannounced !== null && unannounced > 0) unannounced -= 1;
+        if (unannounced) unannounced -= 1;
         if (isOn === false) refuse(frame.user);
       } else if (frame.kind === 'left') {
         leave(frame.user);
@@ -283,15 +265,16 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
       offer();
       checkReady();
     },
-    begin(on) {
-      isOn = on;
-      if (!on) {
-        for (const [user, place] of [...places]) remove(user, place);
+    /** Begins to connect; or ends all connections and tells all others that this page does not connect. */
+    begin(isEnabled: boolean): void {
+      isOn = isEnabled;
+      if (!isEnabled) {
+        for (const [user, slot] of [...slots]) remove(user, slot);
         for (const user of users) refuse(user);
       }
       offer();
-      if (on) for (const [user, message] of early) takeSignal(user, message);
-      early.clear();
+      if (isEnabled) for (const [user, message] of earlyOffers) takeSignal(user, message);
+      earlyOffers.clear();
       checkReady();
     },
   };

@@ -2,30 +2,30 @@
 import type { Received } from '../bundle/source';
 import { FrameError } from '../rooms/bytes';
 import { type Bucket, type Clock, createBucket } from '../rooms/clock';
-import { type Answer, createDownloads, type Wanted } from './downloads';
+import { type Answer, createDownloads, type RequestedFile } from './downloads';
 import { type Holding, MAX_FILES_PER_MESSAGE, type Message, readMessage, writeMessage } from './messages';
 import { createUploads, type Shelf } from './uploads';
 
 /** Rate per second and burst of messages except parts; number of listed files that count as one message. */
 const [RATE, BURST, KEYS_PER_MESSAGE] = [512, 2048, 50] as const;
-/** Number of times with unanswered requests before a page gets no more; simultaneous ones count once. */
+/** Number of timeouts after which a page gets no more requests; simultaneous timeouts count once. */
 const MAX_TIMEOUTS = 3;
 /** Rate per second and burst of this page's requests: below the limits of those who answer. */
 const [REQUEST_RATE, REQUEST_BURST] = [80, 300] as const;
 /** Greatest number of files remembered per page; more are ignored. */
 const MAX_KNOWN_FILES = 8192;
 /** Threshold of buffered bytes below which the browser asks for more. */
-const LOW = 1 << 17;
+const MIN_BUFFERED_BYTES = 1 << 17;
 
 /** Subset of the data channel's interface that is used. */
-export type Line = Pick<
+export type Channel = Pick<
   RTCDataChannel,
   'binaryType' | 'bufferedAmount' | 'bufferedAmountLowThreshold' | 'onbufferedamountlow' | 'onmessage' | 'send'
 >;
 
 export interface PeerSettings {
   readonly number: number;
-  readonly line: Line;
+  readonly channel: Channel;
   readonly shelf: Shelf;
   /** Budget of bytes that this page sends to all others. */
   readonly budget: Bucket;
@@ -38,60 +38,36 @@ export interface PeerSettings {
   readonly refuse: (sentence: string) => void;
 }
 
-export interface Peer {
-  /** Number of the user. */
-  readonly number: number;
-  readonly open: number;
-  readonly isFree: boolean;
-  /** State of a file on the page, as far as it is known. */
-  holds(key: string): Holding;
-  /** Whether the page waits for a file from this one. */
-  awaits(key: string): boolean;
-  /** Sends the state of files; the list may be empty. */
-  tell(holding: Holding, keys: readonly string[]): void;
-  ask(file: Wanted, signal: AbortSignal, received: Received): Promise<Answer>;
-  /** Handles that a file has arrived at this page, or will not. */
-  settle(key: string): void;
-  /** Advances time by a tick; `isSecond` is true once per second. */
-  tick(isSecond: boolean): void;
-  end(): void;
-}
+export type Peer = ReturnType<typeof createPeer>;
 
-export function createPeer({ number, line, shelf, budget, now, sent, greeted, refuse }: PeerSettings): Peer {
-  const known = new Map<string, Holding>();
+export function createPeer({ number, channel, shelf, budget, now, sent, greeted, refuse }: PeerSettings) {
+  const holdings = new Map<string, Holding>();
   const messages = createBucket(RATE, BURST, now);
   const requests = createBucket(REQUEST_RATE, REQUEST_BURST, now);
   let [isOver, hasGreeted, ticks] = [false, false, 0];
   /** Ticks in which requests remained unanswered. */
-  const silences = new Set<number>();
+  const timeouts = new Set<number>();
 
   function send(message: Message): void {
     if (isOver) return;
     try {
-      line.send(writeMessage(message));
+      channel.send(writeMessage(message));
     } catch {
       // The browser has closed the channel; an event follows.
     }
   }
 
-  const outlet = {
-    get bufferedAmount() {
-      return line.bufferedAmount;
-    },
-    send,
-    sent,
-  };
   const downloads = createDownloads(send, refuse);
-  const uploads = createUploads(outlet, shelf, budget, now);
+  const uploads = createUploads(channel, send, sent, shelf, budget, now);
 
   function learn(holding: Holding, keys: readonly string[]): void {
     for (const key of keys) {
-      if (holding === 'gone') known.delete(key);
-      else if (known.has(key) || known.size < MAX_KNOWN_FILES) known.set(key, holding);
+      if (holding === 'gone') holdings.delete(key);
+      else if (holdings.has(key) || holdings.size < MAX_KNOWN_FILES) holdings.set(key, holding);
     }
   }
 
-  function follow(message: Message): string | null {
+  function handle(message: Message): string | null {
     const cost = message.kind === 'part' ? 0 : message.kind === 'tell' ? 1 + message.keys.length / KEYS_PER_MESSAGE : 1;
     if (!messages.take(cost)) return 'it sends too many messages';
     switch (message.kind) {
@@ -112,14 +88,14 @@ export function createPeer({ number, line, shelf, budget, now, sent, greeted, re
     }
   }
 
-  line.binaryType = 'arraybuffer';
-  line.bufferedAmountLowThreshold = LOW;
-  line.onbufferedamountlow = uploads.pump;
-  line.onmessage = ({ data }: MessageEvent<unknown>) => {
+  channel.binaryType = 'arraybuffer';
+  channel.bufferedAmountLowThreshold = MIN_BUFFERED_BYTES;
+  channel.onbufferedamountlow = uploads.pump;
+  channel.onmessage = ({ data }: MessageEvent<unknown>) => {
     if (isOver) return;
     try {
       if (!(data instanceof ArrayBuffer)) throw new FrameError('a message is text instead of bytes');
-      const sentence = follow(readMessage(new Uint8Array(data)));
+      const sentence = handle(readMessage(new Uint8Array(data)));
       if (sentence !== null) refuse(sentence);
     } catch (error) {
       if (!(error instanceof FrameError)) throw error;
@@ -129,35 +105,40 @@ export function createPeer({ number, line, shelf, budget, now, sent, greeted, re
 
   return {
     number,
-    get open() {
+    get open(): number {
       return downloads.open;
     },
-    get isFree() {
-      return !isOver && silences.size < MAX_TIMEOUTS && downloads.isFree && requests.secondsTo(1) === 0;
+    get isFree(): boolean {
+      return !isOver && timeouts.size < MAX_TIMEOUTS && downloads.isFree && requests.secondsTo(1) === 0;
     },
-    holds: (key) => known.get(key) ?? 'gone',
-    tell(holding, keys) {
-      let at = 0;
+    /** State of a file on the page, as far as it is known. */
+    holds: (key: string): Holding => holdings.get(key) ?? 'gone',
+    /** Sends the state of files; the list may be empty. */
+    tell(holding: Holding, keys: readonly string[]): void {
+      let start = 0;
       do {
-        send({ kind: 'tell', holding, keys: keys.slice(at, at + MAX_FILES_PER_MESSAGE) });
-        at += MAX_FILES_PER_MESSAGE;
-      } while (at < keys.length);
+        send({ kind: 'tell', holding, keys: keys.slice(start, start + MAX_FILES_PER_MESSAGE) });
+        start += MAX_FILES_PER_MESSAGE;
+      } while (start < keys.length);
     },
-    async ask(file, signal, received) {
+    async ask(file: RequestedFile, signal: AbortSignal, received: Received): Promise<Answer> {
       requests.take(1);
       const answer = await downloads.ask(file, signal, received);
-      if (answer === 'silent') silences.add(ticks);
-      if (answer === 'none') known.delete(file.sha256);
+      if (answer === 'silent') timeouts.add(ticks);
+      if (answer === 'none') holdings.delete(file.sha256);
       return answer;
     },
+    /** Whether the page waits for a file from this one. */
     awaits: uploads.awaits,
+    /** Handles that a file has arrived at this page, or will not. */
     settle: uploads.settle,
-    tick(isSecond) {
+    /** Advances time by a tick; `isSecond` is true once per second. */
+    tick(isSecond: boolean): void {
       ticks += 1;
       downloads.tick();
       if (isSecond) uploads.tick();
     },
-    end() {
+    end(): void {
       isOver = true;
       downloads.end();
       uploads.end();

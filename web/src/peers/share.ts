@@ -9,28 +9,28 @@ import type { FileEntry } from '../bundle/manifest';
 import type { Received, Serve } from '../bundle/source';
 import { sha256 } from '../base/bytes';
 import type { Answer } from './downloads';
+import type { Holding } from './messages';
 import type { Peer } from './peer';
-import type { Shelf } from './uploads';
 
 /**
  * Timeouts for another page: for the first picture, and later. Pages with software rendering answer about once a
- * second: with a patience of 1 s, one run of four took more than twice one page's files from the server.
+ * second: with a quiet timeout of 1 s, more than twice one page's files came from the server in one run of four.
  */
-const FIRST = { patience: 3, longest: 5, slowest: 1e6 } as const;
-const LATER = { patience: 4, longest: 10, slowest: 65_536 } as const;
+const FIRST_PICTURE = { quietTimeout: 3, requestTimeout: 5, minRate: 1e6 } as const;
+const AFTER_FIRST_PICTURE = { quietTimeout: 4, requestTimeout: 10, minRate: 65_536 } as const;
 /** Number of users that time out during the first picture before it is loaded from the server alone. */
 const MAX_TIMED_OUT_USERS = 2;
 
 export interface ShareSettings {
   /** Contents that the page can give to others, by key; browsers may keep blobs on disk. */
   readonly store: LruCache<Blob>;
-  readonly described: (name: string) => FileEntry | undefined;
+  readonly entryOf: (name: string) => FileEntry | undefined;
   /** Names of the files that the page shows or will show. */
-  readonly wanted: () => Iterable<string>;
+  readonly shownNames: () => Iterable<string>;
   /** Whether the first picture is still missing. */
-  readonly isFirst: () => boolean;
+  readonly isFirstPictureMissing: () => boolean;
   /** User's own number; null outside the room. */
-  readonly own: () => number | null;
+  readonly ownNumber: () => number | null;
   readonly peers: () => readonly Peer[];
   /** Resolves when all users present at first have sent their lists of files, or after a timeout. */
   readonly ready: Promise<void>;
@@ -38,44 +38,29 @@ export interface ShareSettings {
   readonly fetch: (name: string, signal: AbortSignal) => Promise<ArrayBuffer>;
 }
 
-export interface Counts {
+export type Share = ReturnType<typeof createShare>;
+
+export function createShare(settings: ShareSettings) {
+  const { store, entryOf, shownNames, isFirstPictureMissing, ownNumber, peers, ready, fetch } = settings;
   /** Bytes and files received from other pages, and from the server. */
-  readonly others: { bytes: number; files: number };
-  readonly server: { bytes: number; files: number };
-}
-
-export interface Share {
-  readonly counts: Counts;
-  readonly shelf: Shelf;
-  /** Returns a file's content; `serve` requests it from the server. */
-  get(name: string, signal: AbortSignal, received: Received, serve: Serve): Promise<ArrayBuffer>;
-  /** Sends a newly connected page the lists of files that are present or being received from the server. */
-  greet(peer: Peer): void;
-}
-
-export function createShare(settings: ShareSettings): Share {
-  const { store, described, wanted, isFirst, own, peers, ready, fetch } = settings;
-  const counts: Counts = { others: { bytes: 0, files: 0 }, server: { bytes: 0, files: 0 } };
+  const counts = { others: { bytes: 0, files: 0 }, server: { bytes: 0, files: 0 } };
   /** Received bytes of each file in transfer; files requested from the server. */
-  const arriving = new Map<string, number>();
+  const arrivedBytes = new Map<string, number>();
   const requested = new Set<string>();
-  /** Users that timed out during the first picture. */
-  const late = new Set<number>();
+  const timedOutUsers = new Set<number>();
 
   /** Returns the page to request a file from; null for the server. */
   function choosePeer(key: string, tried: ReadonlySet<number>): Peer | null {
-    const number = own();
-    const isUrgent = isFirst();
-    if (number === null || (isUrgent && late.size >= MAX_TIMED_OUT_USERS)) return null;
-    const isPassed = (user: number): boolean => tried.has(user) || (isUrgent && late.has(user));
-    const free = peers().filter((peer) => peer.isFree && !peer.awaits(key) && !isPassed(peer.number));
-    const byLoad = (a: Peer, b: Peer): number => a.open - b.open || (isBefore(a.number, b.number, key) ? -1 : 1);
-    const [holder] = free.filter((peer) => peer.holds(key) === 'here').sort(byLoad);
-    if (holder) return holder;
-    const [asking] = free.filter((peer) => peer.holds(key) === 'coming').sort(byLoad);
-    if (asking) return asking;
-    const before = free.filter((peer) => isBefore(peer.number, number, key));
-    return before.sort((a, b) => (isBefore(a.number, b.number, key) ? -1 : 1))[0] ?? null;
+    const number = ownNumber();
+    const isUrgent = isFirstPictureMissing();
+    if (number === null || (isUrgent && timedOutUsers.size >= MAX_TIMED_OUT_USERS)) return null;
+    const isExcluded = (user: number): boolean => tried.has(user) || (isUrgent && timedOutUsers.has(user));
+    const free = peers().filter((peer) => peer.isFree && !peer.awaits(key) && !isExcluded(peer.number));
+    const byWeight = (a: Peer, b: Peer): number => (isBefore(a.number, b.number, key) ? -1 : 1);
+    const leastLoaded = (holding: Holding): Peer | undefined =>
+      free.filter((peer) => peer.holds(key) === holding).sort((a, b) => a.open - b.open || byWeight(a, b))[0];
+    const [firstByWeight] = free.filter((peer) => isBefore(peer.number, number, key)).sort(byWeight);
+    return leastLoaded('here') ?? leastLoaded('coming') ?? firstByWeight ?? null;
   }
 
   async function fromOthers(file: FileEntry, signal: AbortSignal, received: Received): Promise<ArrayBuffer | null> {
@@ -85,11 +70,12 @@ export function createShare(settings: ShareSettings): Share {
     const tried = new Set<number>();
     for (let peer = choosePeer(key, tried); peer; peer = choosePeer(key, tried)) {
       tried.add(peer.number);
-      const answer: Answer = await peer.ask({ ...file, ...(isFirst() ? FIRST : LATER) }, signal, received);
+      const timeouts = isFirstPictureMissing() ? FIRST_PICTURE : AFTER_FIRST_PICTURE;
+      const answer: Answer = await peer.ask({ ...file, ...timeouts }, signal, received);
       if (answer instanceof ArrayBuffer) return answer;
       // A file of the first picture waits for only one page.
-      if (answer === 'silent' && isFirst()) {
-        late.add(peer.number);
+      if (answer === 'silent' && isFirstPictureMissing()) {
+        timedOutUsers.add(peer.number);
         return null;
       }
     }
@@ -111,66 +97,55 @@ export function createShare(settings: ShareSettings): Share {
   }
 
   function keep(key: string, data: ArrayBuffer): void {
-    const gone = data.byteLength > store.maxBytes ? [] : store.add(key, new Blob([data]), data.byteLength);
+    const evicted = data.byteLength > store.maxBytes ? [] : store.add(key, new Blob([data]), data.byteLength);
     for (const peer of peers()) {
-      if (gone.length > 0) peer.tell('gone', gone);
+      if (evicted.length > 0) peer.tell('gone', evicted);
       if (store.has(key)) peer.tell('here', [key]);
     }
   }
 
-  async function load(
-    file: FileEntry,
-    signal: AbortSignal,
-    received: Received,
-    serve: (received: Received) => Promise<ArrayBuffer>,
-  ): Promise<ArrayBuffer> {
-    const counted = (count: { bytes: number }): Received => (bytes) => {
-      arriving.set(file.sha256, (arriving.get(file.sha256) ?? 0) + bytes);
-      count.bytes += bytes;
-      received(bytes);
-    };
-    const given = await fromOthers(file, signal, counted(counts.others));
-    if (given) {
-      counts.others.files += 1;
-      keep(file.sha256, given);
-      return given;
-    }
-    const data = await fromServer(file.sha256, () => serve(counted(counts.server)));
-    counts.server.files += 1;
-    return data;
-  }
-
   return {
     counts,
-    async get(name, signal, received, serve) {
-      const file = described(name);
+    /** Returns a file's content; `serve` requests it from the server. */
+    async get(name: string, signal: AbortSignal, received: Received, serve: Serve): Promise<ArrayBuffer> {
+      const file = entryOf(name);
       // The server's path reports files that are not listed.
       if (!file || file.bytes === 0) return serve(name, signal, received);
       const { sha256: key } = file;
-      const held = await store.get(key)?.arrayBuffer().catch(() => null);
-      if (held) {
-        received(held.byteLength);
-        return held;
+      const storedData = await store.get(key)?.arrayBuffer().catch(() => null);
+      if (storedData) {
+        received(storedData.byteLength);
+        return storedData;
       }
-      arriving.set(key, 0);
+      const countedBy = (source: 'others' | 'server'): Received => (bytes) => {
+        arrivedBytes.set(key, (arrivedBytes.get(key) ?? 0) + bytes);
+        counts[source].bytes += bytes;
+        received(bytes);
+      };
+      arrivedBytes.set(key, 0);
       try {
-        return await load(file, signal, received, (told) => serve(name, signal, told));
+        const peerData = await fromOthers(file, signal, countedBy('others'));
+        if (peerData) keep(key, peerData);
+        const data = peerData ?? (await fromServer(key, () => serve(name, signal, countedBy('server'))));
+        counts[peerData ? 'others' : 'server'].files += 1;
+        return data;
       } finally {
-        arriving.delete(key);
+        arrivedBytes.delete(key);
         for (const peer of peers()) peer.settle(key);
       }
     },
-    greet(peer) {
+    /** Sends a newly connected page the lists of files that are present or being received from the server. */
+    greet(peer: Peer): void {
       peer.tell('coming', [...requested]);
       peer.tell('here', store.keys);
     },
     shelf: {
-      find: (key) => store.get(key) ?? null,
-      sizeOf: (key) => Math.max(arriving.get(key) ?? 0, 0),
-      obtain(key) {
-        if (arriving.has(key)) return true;
-        for (const name of wanted()) {
-          if (described(name)?.sha256 !== key) continue;
+      find: (key: string) => store.get(key) ?? null,
+      sizeOf: (key: string) => Math.max(arrivedBytes.get(key) ?? 0, 0),
+      obtain(key: string): boolean {
+        if (arrivedBytes.has(key)) return true;
+        for (const name of shownNames()) {
+          if (entryOf(name)?.sha256 !== key) continue;
           fetch(name, new AbortController().signal).catch(() => {
             for (const peer of peers()) peer.settle(key);
           });
@@ -183,21 +158,17 @@ export function createShare(settings: ShareSettings): Share {
 }
 
 /**
- * Weight of a user for a file in rendezvous hashing, by which all users agree on the one that requests the file from the
- * server. The key is a SHA-256 in hexadecimal digits; the greatest weight wins.
+ * Whether one user precedes another one for a file, by weights of rendezvous hashing: all users agree that the one with
+ * the greatest weight requests the file from the server. The key is a SHA-256 in hexadecimal digits.
  */
-function weightOf(user: number, key: string): number {
-  return mixed(mixed(user + 1) ^ parseInt(key.slice(0, 8), 16));
-}
-
-/** Whether one user precedes another one for a file. */
 export function isBefore(a: number, b: number, key: string): boolean {
-  const difference = weightOf(a, key) - weightOf(b, key);
+  const [weightA = 0, weightB = 0] = [a, b].map((user) => mixBits(mixBits(user + 1) ^ parseInt(key.slice(0, 8), 16)));
+  const difference = weightA - weightB;
   return difference > 0 || (difference === 0 && a < b);
 }
 
 /** Finalizer of MurmurHash3: each bit of the result depends on each bit of the number. */
-function mixed(number: number): number {
+function mixBits(number: number): number {
   let hash = number >>> 0;
   hash = Math.imul(hash ^ (hash >>> 16), 0x85ebca6b);
   hash = Math.imul(hash ^ (hash >>> 13), 0xc2b2ae35);

@@ -1,63 +1,32 @@
 /** Exchange of files between pages of a room; the server relays signals and sends files that no page has. */
 import { LruCache } from '../base/cache';
-import type { FileEntry } from '../bundle/manifest';
 import type { Files } from '../bundle/source';
 import { CLOCK } from '../rooms/clock';
-import type { FromServer } from '../rooms/frames';
 import type { Ask } from '../rooms/server';
 import { createCall, createOutbox, writeSignal } from './call';
 import { createChoice, refusalOfPage, refusalOfServer, SWITCHED_OFF } from './choice';
 import { TICK } from './downloads';
 import { createMesh } from './mesh';
 import { createPeer, type Peer } from './peer';
-import { type Counts, createShare } from './share';
+import { createShare, type ShareSettings } from './share';
 import { createBudget } from './uploads';
 
 /** Maximum number of bytes of files that this page stores for others. */
 const MAX_STORED_BYTES = 64 * 2 ** 20;
-/** Number of ticks of TICK seconds per second. */
 const TICKS_PER_SECOND = Math.round(1 / TICK);
 
-export interface PeersSettings {
-  /** Query of the page's address. */
+export interface PeersSettings extends Pick<ShareSettings, 'shownNames' | 'isFirstPictureMissing'> {
   readonly query: URLSearchParams;
   /** Asks the server for its settings of rooms. */
   readonly ask: Ask;
   readonly files: Files;
-  /** Names of the files that the page shows or will show. */
-  readonly wanted: () => Iterable<string>;
-  /** Whether the first picture is still missing. */
-  readonly isFirst: () => boolean;
   /** Sends a signal to a user of the room. */
   readonly signal: (user: number, payload: Uint8Array) => void;
 }
 
-/** Switch with which the user allows the exchange; available if nothing else prevents it. */
-export interface Switch {
-  readonly isOn: boolean;
-  /** Stores the choice. Off ends the exchange at once; on has an effect when the page is loaded again. */
-  set(isOn: boolean): void;
-}
+export type Peers = ReturnType<typeof startPeers>;
 
-export interface Peers {
-  /** Why this page does not take part in the exchange; null if it does, undefined until the server has answered. */
-  readonly refusal: string | null | undefined;
-  /** Numbers of the users with open channels. */
-  readonly open: readonly number[];
-  /** Users who have violated the protocol, with the violation. */
-  readonly dropped: ReadonlyMap<number, string>;
-  /** Bytes and files received from other pages and from the server; bytes sent to other pages. */
-  readonly counts: Counts & { readonly sent: number };
-  /** The switch; null if the exchange is impossible whatever the user chooses. */
-  readonly switch: Switch | null;
-  /** Handles a frame of the server. */
-  hear(frame: FromServer): void;
-  /** Ends all connections, because the user has left the room. */
-  clear(): void;
-}
-
-/** Starts the exchange of files if all sides allow it. */
-export function startPeers({ query, ask, files, wanted, isFirst, signal }: PeersSettings): Peers {
+export function startPeers({ query, ask, files, shownNames, isFirstPictureMissing, signal }: PeersSettings) {
   const clock = CLOCK;
   const peers = new Map<number, Peer>();
   const store = new LruCache<Blob>(MAX_STORED_BYTES);
@@ -71,10 +40,10 @@ export function startPeers({ query, ask, files, wanted, isFirst, signal }: Peers
     clock,
     create: (events) => createCall(events, clock.later),
     signal: (user, message) => outbox.send(user, writeSignal(message)),
-    opened(number, line) {
+    opened(number, channel) {
       const peer = createPeer({
         number,
-        line,
+        channel,
         shelf: share.shelf,
         budget,
         now: clock.now,
@@ -92,10 +61,10 @@ export function startPeers({ query, ask, files, wanted, isFirst, signal }: Peers
   });
   const share = createShare({
     store,
-    described: (name): FileEntry | undefined => files.described(name),
-    wanted,
-    isFirst,
-    own: () => mesh.own,
+    entryOf: files.entryOf,
+    shownNames,
+    isFirstPictureMissing,
+    ownNumber: () => mesh.ownNumber,
     peers: () => [...peers.values()],
     ready: mesh.ready,
     fetch: files.fetch,
@@ -117,11 +86,13 @@ export function startPeers({ query, ask, files, wanted, isFirst, signal }: Peers
     else files.setRoute(null);
   }
 
-  const ownSwitch: Switch = {
-    get isOn() {
+  /** Switch with which the user allows the exchange. */
+  const ownSwitch = {
+    get isOn(): boolean {
       return choice.isOn;
     },
-    set(isOn) {
+    /** Stores the choice. Off ends the exchange at once; on has an effect when the page is loaded again. */
+    set(isOn: boolean): void {
       choice.set(isOn);
       if (!isOn && refusal === null) decide(SWITCHED_OFF);
     },
@@ -136,21 +107,28 @@ export function startPeers({ query, ask, files, wanted, isFirst, signal }: Peers
   }
 
   return {
+    /** Users who have violated the protocol, with the violation. */
     dropped: mesh.dropped,
-    get refusal() {
+    /** Why this page does not take part in the exchange; null if it does, undefined until the server has answered. */
+    get refusal(): string | null | undefined {
       return refusal;
     },
-    get open() {
+    /** Numbers of the users with open channels. */
+    get open(): readonly number[] {
       return [...peers.keys()];
     },
+    /** Bytes and files received from other pages and from the server; bytes sent to other pages. */
     get counts() {
       return { ...share.counts, sent: sentBytes };
     },
-    get switch() {
+    /** The switch; null if the exchange is impossible whatever the user chooses. */
+    get switch(): typeof ownSwitch | null {
       return refusal === null || refusal === SWITCHED_OFF ? ownSwitch : null;
     },
+    /** Handles a frame of the server. */
     hear: mesh.hear,
-    clear() {
+    /** Ends all connections, because the user has left the room. */
+    clear(): void {
       outbox.clear();
       mesh.clear();
     },

@@ -3,11 +3,11 @@ import { type Bucket, type Clock, createBucket } from '../rooms/clock';
 import { type Message, PART } from './messages';
 
 /** Limit of buffered bytes in the browser; bytes of a file that are read at once. */
-const [WAITING, READ] = [1 << 18, 4 * PART] as const;
+const [MAX_BUFFERED_BYTES, READ_BYTES] = [1 << 18, 4 * PART] as const;
 /** Greatest number of concurrent requests of one page. */
-const MAX_OPEN = 64;
+const MAX_UPLOADS = 64;
 /** Rate per second and burst of requests that are answered with a file. */
-const [RATE, BURST] = [100, 400] as const;
+const [FILES_PER_SECOND, FILES_AT_ONCE] = [100, 400] as const;
 /** Number of times that one page gets a file: once, and again after an interruption. */
 const MAX_SENDS_PER_PAGE = 2;
 /** Bytes per second and burst for all other pages together; the burst is the size of a page's store. */
@@ -22,70 +22,50 @@ export interface Shelf {
   sizeOf(key: string): number;
 }
 
-export interface Uploads {
-  /** Handles a request; returns a sentence if it violates the protocol. */
-  want(request: number, key: string): string | null;
-  cancel(request: number): void;
-  /** Whether the other page waits for a file that is in transfer. */
-  awaits(key: string): boolean;
-  /** Handles that a file has arrived, or will not. */
-  settle(key: string): void;
-  /** Reports the progress of files that are waited for. */
-  tick(): void;
-  /** Continues when the browser can buffer more. */
-  pump(): void;
-  end(): void;
-}
-
-/** Subset of the channel that uploads use. */
-export interface Outlet {
-  readonly bufferedAmount: number;
-  send(message: Message): void;
-  /** Called with the number of sent bytes of files. */
-  sent(bytes: number): void;
-}
-
 /** Budget of bytes that a page sends to all others. */
 export function createBudget(now: Clock['now']): Bucket {
   return createBucket(BYTES_RATE, BYTES_BURST, now);
 }
 
-export function createUploads(outlet: Outlet, shelf: Shelf, budget: Bucket, now: Clock['now']): Uploads {
-  const rate = createBucket(RATE, BURST, now);
+/** Creates the uploads to a page; `sent` is called with the number of sent bytes of files. */
+export function createUploads(
+  channel: { readonly bufferedAmount: number },
+  send: (message: Message) => void,
+  onSent: (bytes: number) => void,
+  shelf: Shelf,
+  budget: Bucket,
+  now: Clock['now'],
+) {
+  const fileRate = createBucket(FILES_PER_SECOND, FILES_AT_ONCE, now);
   /** Number of times that the page got each file; keys are those of files that were present here. */
-  const times = new Map<string, number>();
+  const sendCounts = new Map<string, number>();
   /** Requests for present files, in order; keys of requests for files in transfer. */
   const ready = new Map<number, Blob>();
   const waiting = new Map<number, string>();
-  let last = 0;
+  let lastRequest = 0;
   let isSending = false;
   let resume = (): void => undefined;
 
-  /** Returns the file if the limits of the page and the budget allow it, else null. */
-  function grant(key: string, found: Blob | null): Blob | null {
-    const count = (times.get(key) ?? 0) + 1;
-    if (!found || count > MAX_SENDS_PER_PAGE || !budget.take(found.size)) return null;
-    times.set(key, count);
-    return found;
-  }
-
-  /** Queues a file, or answers that there is none. */
-  function queue(request: number, file: Blob | null): void {
-    if (file) ready.set(request, file);
-    else outlet.send({ kind: 'none', request });
+  /** Queues a file; or answers that there is none, or that the limits of the page or the budget forbid it. */
+  function queue(request: number, key: string, file: Blob | null): void {
+    const count = (sendCounts.get(key) ?? 0) + 1;
+    if (file && count <= MAX_SENDS_PER_PAGE && budget.take(file.size)) {
+      sendCounts.set(key, count);
+      ready.set(request, file);
+    } else send({ kind: 'none', request });
     void sendAll();
   }
 
   /** Sends a file until the request ends. */
   async function sendParts(request: number, file: Blob): Promise<void> {
-    for (let begin = 0; begin < file.size; begin += READ) {
-      const data = new Uint8Array(await file.slice(begin, begin + READ).arrayBuffer());
-      while (outlet.bufferedAmount > WAITING) await new Promise<void>((done) => (resume = done));
-      for (let at = 0; at < data.length; at += PART) {
+    for (let begin = 0; begin < file.size; begin += READ_BYTES) {
+      const data = new Uint8Array(await file.slice(begin, begin + READ_BYTES).arrayBuffer());
+      while (channel.bufferedAmount > MAX_BUFFERED_BYTES) await new Promise<void>((done) => (resume = done));
+      for (let start = 0; start < data.length; start += PART) {
         if (!ready.has(request)) return;
-        const part = data.subarray(at, at + PART);
-        outlet.send({ kind: 'part', request, data: part });
-        outlet.sent(part.length);
+        const part = data.subarray(start, start + PART);
+        send({ kind: 'part', request, data: part });
+        onSent(part.length);
       }
     }
   }
@@ -95,7 +75,7 @@ export function createUploads(outlet: Outlet, shelf: Shelf, budget: Bucket, now:
       await sendParts(request, file);
     } catch {
       // The browser cannot read the blob any more.
-      if (ready.has(request)) outlet.send({ kind: 'none', request });
+      if (ready.has(request)) send({ kind: 'none', request });
     }
     ready.delete(request);
   }
@@ -103,56 +83,57 @@ export function createUploads(outlet: Outlet, shelf: Shelf, budget: Bucket, now:
   async function sendAll(): Promise<void> {
     if (isSending) return;
     isSending = true;
-    for (let next = first(ready); next; next = first(ready)) await sendFile(...next);
+    for (let [next] = ready; next; [next] = ready) await sendFile(...next);
     isSending = false;
   }
 
   return {
-    want(request, key) {
-      if (request <= last) return 'a request reuses a number';
-      last = request;
-      if (ready.size + waiting.size >= MAX_OPEN) return 'too many requests are open';
-      const isFast = !rate.take(1);
-      const found = isFast ? null : shelf.find(key);
-      if (found) {
-        queue(request, grant(key, found));
+    /** Handles a request; returns a sentence if it violates the protocol. */
+    want(request: number, key: string): string | null {
+      if (request <= lastRequest) return 'a request reuses a number';
+      lastRequest = request;
+      if (ready.size + waiting.size >= MAX_UPLOADS) return 'too many requests are open';
+      const isTooFast = !fileRate.take(1);
+      const file = isTooFast ? null : shelf.find(key);
+      if (file) {
+        queue(request, key, file);
         return null;
       }
       // Recorded before `obtain`, so that the file is not requested from the page that waits for it.
       waiting.set(request, key);
-      if (!isFast && shelf.obtain(key)) {
-        outlet.send({ kind: 'wait', request, bytes: shelf.sizeOf(key) });
+      if (!isTooFast && shelf.obtain(key)) {
+        send({ kind: 'wait', request, bytes: shelf.sizeOf(key) });
       } else {
         waiting.delete(request);
-        outlet.send({ kind: 'none', request });
+        send({ kind: 'none', request });
       }
       return null;
     },
-    cancel(request) {
+    cancel(request: number): void {
       const isOpen = ready.delete(request) || waiting.delete(request);
-      if (isOpen) outlet.send({ kind: 'none', request });
+      if (isOpen) send({ kind: 'none', request });
     },
-    awaits: (key) => [...waiting.values()].includes(key),
-    settle(key) {
-      const found = shelf.find(key);
-      for (const [request, wanted] of waiting) {
-        if (wanted !== key) continue;
+    /** Whether the other page waits for a file that is in transfer. */
+    awaits: (key: string): boolean => [...waiting.values()].includes(key),
+    /** Handles that a file has arrived, or will not. */
+    settle(key: string): void {
+      const file = shelf.find(key);
+      for (const [request, requestedKey] of waiting) {
+        if (requestedKey !== key) continue;
         waiting.delete(request);
-        queue(request, grant(key, found));
+        queue(request, key, file);
       }
     },
-    tick() {
-      for (const [request, key] of waiting) outlet.send({ kind: 'wait', request, bytes: shelf.sizeOf(key) });
+    /** Reports the progress of files that are waited for. */
+    tick(): void {
+      for (const [request, key] of waiting) send({ kind: 'wait', request, bytes: shelf.sizeOf(key) });
     },
-    pump: () => resume(),
-    end() {
+    /** Continues when the browser can buffer more. */
+    pump: (): void => resume(),
+    end(): void {
       ready.clear();
       waiting.clear();
       resume();
     },
   };
-}
-
-function first<K, V>(entries: ReadonlyMap<K, V>): [K, V] | undefined {
-  return entries.entries().next().value;
 }

@@ -1,10 +1,9 @@
 /** Room named by the page's address, and the address of its relay. */
-import { HIDDEN, NAME } from './frames';
+import { HIDDEN, MAX_NAME_BYTES } from './frames';
 
-/** Greatest number of bytes of a room's name; greatest group number. */
-const [ROOM, GROUP] = [64, 0xffff] as const;
+const [MAX_ROOM_BYTES, MAX_GROUP] = [64, 0xffff] as const;
 /** Name of users without one. */
-const NOBODY = 'Guest';
+const DEFAULT_NAME = 'Guest';
 
 export interface Address {
   readonly room: string;
@@ -18,10 +17,10 @@ export interface Address {
 export function readAddress(query: URLSearchParams): Address | string {
   const [room, group] = [query.get('room') ?? '', query.get('group') ?? '0'];
   // Browsers resolve . and .. as folders.
-  if (sizeOf(room) < 1 || sizeOf(room) > ROOM || /[/\p{Cc}]/u.test(room) || /^\.\.?$/.test(room)) {
-    return `room: expected a name of 1 to ${ROOM} bytes without a slash, . and ..`;
+  if (sizeOf(room) < 1 || sizeOf(room) > MAX_ROOM_BYTES || /[/\p{Cc}]/u.test(room) || /^\.\.?$/.test(room)) {
+    return `room: expected a name of 1 to ${MAX_ROOM_BYTES} bytes without a slash, . and ..`;
   }
-  if (!/^\d{1,5}$/.test(group) || Number(group) > GROUP) return `group: expected a number from 0 to ${GROUP}`;
+  if (!/^\d{1,5}$/.test(group) || Number(group) > MAX_GROUP) return `group: expected a number from 0 to ${MAX_GROUP}`;
   return { room, name: nameOf(query.get('name') ?? ''), group: Number(group), token: query.get('token') };
 }
 
@@ -34,25 +33,25 @@ export function relayOf(page: string, { room, token }: Address): string {
 }
 
 /** Query parameters of the user alone: a token serves one user at a time, and the others are personal choices. */
-const OWN = ['name', 'token', 'peers', 'datagrams'] as const;
+const PERSONAL_PARAMETERS = ['name', 'token', 'peers', 'datagrams'] as const;
 
 /** Link to the room for other users. */
 export function inviteOf(page: string): string {
   const address = new URL(page);
-  for (const own of OWN) address.searchParams.delete(own);
+  for (const parameter of PERSONAL_PARAMETERS) address.searchParams.delete(parameter);
   return address.href;
 }
 
 /** Truncates a name to the length that a frame can hold. */
-function nameOf(wanted: string): string {
-  const letters = [...wanted.replace(new RegExp(HIDDEN, 'gu'), '').trim()];
-  while (sizeOf(letters.join('')) > NAME) letters.pop();
-  return letters.join('') || NOBODY;
+function nameOf(text: string): string {
+  const letters = [...text.replace(new RegExp(HIDDEN, 'gu'), '').trim()];
+  while (sizeOf(letters.join('')) > MAX_NAME_BYTES) letters.pop();
+  return letters.join('') || DEFAULT_NAME;
 }
 
 /** User's name with its number, because names may be equal or look alike. */
 export function shownName(name: string, number: number): string {
-  return `${name || NOBODY} #${number}`;
+  return `${name || DEFAULT_NAME} #${number}`;
 }
 
 function sizeOf(text: string): number {

@@ -1,83 +1,190 @@
-/** Avatars of all visible users, and the user's own pointer, as guests of the picture. */
-import { type Camera, Scene, Vector4, type WebGLRenderer } from 'three';
+/** Avatars of all visible users: a head with a name above it, hands and a pointer; and the user's own pointer. */
+import {
+  type BufferGeometry,
+  type Camera,
+  CanvasTexture,
+  type Color,
+  LinearFilter,
+  LinearMipmapLinearFilter,
+  Matrix4,
+  Quaternion,
+  Scene,
+  SRGBColorSpace,
+  type Texture,
+  Vector3,
+  Vector4,
+  type WebGLRenderer,
+} from 'three';
 import type { Point } from '../bundle/manifest';
+import { subtract } from '../control/pose';
+import { NEAR_VERTEX } from '../shaders/scene';
 import type { Shared } from '../show/materials';
-import type { Guests } from '../show/painter';
 import { shownName } from './address';
-import { type Avatar, createAvatar } from './avatar';
-import { createRay, createShapes, type Drawn, paint } from './meshes';
+import { colorOf, createMesh, createRay, createShapes, type Drawn, paint, type Shapes } from './meshes';
 import type { Body } from './pose';
 import type { Seen } from './presence';
+import { NAME_VERTEX } from './shaders';
 
 /** Greatest number of unused avatars that are kept for new users. */
-const SPARE = 16;
-
-export interface Avatars extends Guests {
-  readonly meshes: readonly Drawn[];
-  /** Sets the users to draw; `pixel` is the tangent of the angle of a pixel. */
-  show(seen: readonly Seen[], own: Own | null, pixel: number): void;
-  /** Compiles the shaders that the first user needs. */
-  prepare(renderer: WebGLRenderer, camera: Camera): void;
-}
+const MAX_SPARE_AVATARS = 16;
 
 /** The user itself, whose own picture shows only the pointer. */
-export interface Own {
-  readonly number: number;
-  readonly body: Body;
-}
+type OwnUser = Pick<Seen, 'number' | 'body'>;
 
-interface Kept {
-  readonly name: string;
-  readonly avatar: Avatar;
-}
-
-export function createAvatars(shared: Shared): Avatars {
+export function createAvatars(shared: Shared) {
   const shapes = createShapes();
   const common = { ...shared, pixel: { value: 0 } };
-  const kept = new Map<number, Kept>();
+  const avatars = new Map<number, { readonly name: string; readonly avatar: Avatar }>();
   const color = new Vector4();
   const ray = createRay(shapes, common, color);
-  let pointing: Own | null = null;
+  let ownPointer: OwnUser | null = null;
   // three.js deletes a program with its last material, and would recompile it for the next user.
   const spare: Avatar[] = [createAvatar(shapes, common)];
 
   function avatarOf(number: number, name: string): Avatar {
-    const found = kept.get(number);
-    if (found?.name === name) return found.avatar;
-    const avatar = found?.avatar ?? spare.pop() ?? createAvatar(shapes, common);
-    avatar.be(number, name);
-    kept.set(number, { name, avatar });
+    const known = avatars.get(number);
+    if (known?.name === name) return known.avatar;
+    const avatar = known?.avatar ?? spare.pop() ?? createAvatar(shapes, common);
+    avatar.assign(number, name);
+    avatars.set(number, { name, avatar });
     return avatar;
   }
 
   function forget(others: ReadonlySet<number>): void {
-    for (const [number, { avatar }] of kept) {
+    for (const [number, { avatar }] of avatars) {
       if (others.has(number)) continue;
-      kept.delete(number);
-      if (spare.length < SPARE) spare.push(avatar);
+      avatars.delete(number);
+      if (spare.length < MAX_SPARE_AVATARS) spare.push(avatar);
       else avatar.dispose();
     }
   }
 
   return {
-    get meshes() {
-      const others = [...kept.values()].flatMap(({ avatar }) => avatar.meshes);
-      return pointing ? [...others, ray.mesh] : others;
+    get meshes(): readonly Drawn[] {
+      const avatarMeshes = [...avatars.values()].flatMap(({ avatar }) => avatar.meshes);
+      return ownPointer ? [...avatarMeshes, ray.mesh] : avatarMeshes;
     },
-    show(seen, own, pixel) {
+    /** Sets the users to draw; `pixel` is the tangent of the angle of a pixel. */
+    show(seen: readonly Seen[], own: OwnUser | null, pixel: number): void {
       common.pixel.value = pixel;
       forget(new Set(seen.map(({ number }) => number)));
       for (const { number, name, body } of seen) avatarOf(number, shownName(name, number)).show(body);
-      pointing = own?.body.pointer ? own : null;
-      if (pointing) paint(color, pointing.number);
+      ownPointer = own?.body.pointer ? own : null;
+      if (ownPointer) paint(color, ownPointer.number);
     },
-    prepare(renderer, camera) {
+    /** Compiles the shaders that the first user needs. */
+    prepare(renderer: WebGLRenderer, camera: Camera): void {
       const meshes = spare.flatMap((avatar) => avatar.meshes);
       renderer.compile(new Scene().add(...meshes, ray.mesh), camera);
     },
-    place(center: Point) {
-      for (const { avatar } of kept.values()) avatar.place(center);
-      if (pointing) ray.place(pointing.body, center);
+    place(center: Point): void {
+      for (const { avatar } of avatars.values()) avatar.place(center);
+      if (ownPointer) ray.place(ownPointer.body, center);
     },
   };
+}
+
+/** Metres from the eyes up to the name. */
+const NAME_HEIGHT = 0.2;
+const VISOR_COLOR = new Vector4(0.03, 0.035, 0.045, 1);
+
+type Avatar = ReturnType<typeof createAvatar>;
+
+function createAvatar(shapes: Shapes, shared: Shared) {
+  const color = new Vector4();
+  const solid = (shape: BufferGeometry, baseColor: Vector4): Drawn => {
+    const uniforms = { base_color: { value: baseColor }, placement: { value: new Matrix4() } };
+    return createMesh(shape, shared, NEAR_VERTEX, { SMOOTH: '' }, uniforms);
+  };
+  const parts = {
+    head: solid(shapes.head, color),
+    visor: solid(shapes.visor, VISOR_COLOR),
+    left: solid(shapes.hand, color),
+    right: solid(shapes.hand, color),
+  };
+  const ray = createRay(shapes, shared, color);
+  const nameBase = new Vector3();
+  const [image, ratio] = [{ value: null as Texture | null }, { value: 1 }];
+  const title = createMesh(shapes.name, shared, NAME_VERTEX, { TEXTURED: '', CUTOUT: '', UNLIT: '' }, {
+    base_color: { value: new Vector4(1, 1, 1, 1) },
+    image,
+    cutoff: { value: 0.5 },
+    begin: { value: nameBase },
+    ratio,
+  });
+  let body: Body | null = null;
+
+  return {
+    /** Meshes of the visible parts of the body. */
+    get meshes(): readonly Drawn[] {
+      return [
+        parts.head,
+        parts.visor,
+        title,
+        ...(body?.left ? [parts.left] : []),
+        ...(body?.right ? [parts.right] : []),
+        ...(body?.pointer ? [ray.mesh] : []),
+      ];
+    },
+    assign(number: number, name: string): void {
+      image.value?.dispose();
+      const label = createLabel(name, colorOf(number));
+      [image.value, ratio.value] = [label.texture, label.ratio];
+      paint(color, number);
+    },
+    /** Sets the body in world space. */
+    show(next: Body): void {
+      body = next;
+    },
+    /** Updates positions for pictures with this centre at the origin. */
+    place(center: Point): void {
+      if (!body) return;
+      const { head, left, right } = body;
+      const [x, y, z] = subtract(head.position, center);
+      for (const [part, placed] of [['head', head], ['visor', head], ['left', left], ['right', right]] as const) {
+        if (!placed) continue;
+        const matrix = parts[part].material.uniforms['placement']?.value as Matrix4;
+        const rotation = new Quaternion(...placed.rotation).normalize();
+        matrix.compose(new Vector3(...subtract(placed.position, center)), rotation, new Vector3(1, 1, 1));
+      }
+      nameBase.set(x, y + NAME_HEIGHT, z);
+      ray.place(body, center);
+    },
+    dispose(): void {
+      image.value?.dispose();
+      for (const { material } of [...Object.values(parts), ray.mesh, title]) material.dispose();
+    },
+  };
+}
+
+/** Height of a label, size of its letters and horizontal padding, pixels. */
+const [LABEL_HEIGHT, FONT_SIZE, PADDING] = [64, 40, 22] as const;
+/** Greatest number of letters, and greatest width in pixels: some letters are as wide as words. */
+const [MAX_LETTERS, MAX_WIDTH] = [24, 640] as const;
+
+/** Draws a name; returns its picture, and the width divided by the height. */
+function createLabel(name: string, color: Color): { readonly texture: CanvasTexture; readonly ratio: number } {
+  const canvas = document.createElement('canvas');
+  const context = canvas.getContext('2d');
+  const letters = [...name];
+  const text = letters.length > MAX_LETTERS ? `${letters.slice(0, MAX_LETTERS - 1).join('')}…` : name;
+  const font = `600 ${FONT_SIZE}px system-ui, sans-serif`;
+  if (context) context.font = font;
+  const width = Math.min(Math.ceil(context?.measureText(text).width ?? 0), MAX_WIDTH);
+  canvas.width = width + 2 * PADDING;
+  canvas.height = LABEL_HEIGHT;
+  if (context) {
+    context.beginPath();
+    context.roundRect(0, 0, canvas.width, LABEL_HEIGHT, LABEL_HEIGHT / 2);
+    context.fillStyle = `#${color.getHexString()}`;
+    context.fill();
+    // Setting the width has reset the context.
+    Object.assign(context, { font, textAlign: 'center', textBaseline: 'middle', fillStyle: '#0b0e12' });
+    context.fillText(text, canvas.width / 2, LABEL_HEIGHT / 2 + 2, width);
+  }
+  const texture = new CanvasTexture(canvas);
+  texture.colorSpace = SRGBColorSpace;
+  texture.minFilter = LinearMipmapLinearFilter;
+  texture.magFilter = LinearFilter;
+  return { texture, ratio: canvas.width / LABEL_HEIGHT };
 }

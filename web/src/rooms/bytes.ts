@@ -1,127 +1,229 @@
-/** Reading and writing of little-endian numbers. */
+/** Binary encodings: little-endian numbers, bytes, and records of them. One description serves reading and writing. */
+import { concatBytes } from '../base/bytes';
 
-/** Error for malformed bytes; its message is a sentence. */
+/** Error for malformed bytes; its message is shown to users. */
 export class FrameError extends Error {}
 
-/** Reader of numbers that throws an error at the end of the bytes. */
+export interface Codec<Value> {
+  /** Reads a value; throws `FrameError` for bytes that encode none. */
+  read(from: Reader): Value;
+  write(out: Writer, value: Value): void;
+}
+
+/** Type of the values that a codec encodes. */
+export type ValueOf<Encoding> = Encoding extends Codec<infer Value> ? Value : never;
+
+/** Reader of bytes that throws an error at their end. */
 export class Reader {
   private offset = 0;
-  private readonly view: DataView;
 
-  constructor(private readonly bytes: Uint8Array) {
-    this.view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
-  }
+  constructor(private readonly bytes: Uint8Array) {}
 
-  get isAtEnd(): boolean {
-    return this.offset === this.bytes.length;
-  }
-
-  u8(): number {
-    return this.view.getUint8(this.advance(1));
-  }
-
-  u16(): number {
-    return this.view.getUint16(this.advance(2), true);
-  }
-
-  i16(): number {
-    return this.view.getInt16(this.advance(2), true);
-  }
-
-  u32(): number {
-    return this.view.getUint32(this.advance(4), true);
-  }
-
-  u64(): bigint {
-    return this.view.getBigUint64(this.advance(8), true);
-  }
-
-  f32(): number {
-    return this.view.getFloat32(this.advance(4), true);
+  get remaining(): number {
+    return this.bytes.length - this.offset;
   }
 
   /** Returns the next bytes, without copying them. */
   take(count: number): Uint8Array {
-    const begin = this.advance(count);
-    return this.bytes.subarray(begin, begin + count);
+    if (count > this.remaining) throw new FrameError('a frame is too short');
+    this.offset += count;
+    return this.bytes.subarray(this.offset - count, this.offset);
   }
 
-  /** Returns all remaining bytes; throws an error if there are more than `maxLength`. */
-  takeRest(maxLength: number): Uint8Array {
-    const count = this.bytes.length - this.offset;
-    if (count > maxLength) throw new FrameError('a payload is too long');
-    return this.take(count);
-  }
-
-  /** Throws an error if bytes remain. */
-  expectEnd(sentence = 'a frame is too long'): void {
-    if (!this.isAtEnd) throw new FrameError(sentence);
-  }
-
-  private advance(count: number): number {
-    const begin = this.offset;
-    if (begin + count > this.bytes.length) throw new FrameError('a frame is too short');
-    this.offset = begin + count;
-    return begin;
+  expectEnd(errorMessage = 'a frame is too long'): void {
+    if (this.remaining > 0) throw new FrameError(errorMessage);
   }
 }
 
-/** Writer of numbers into a growing array. */
+/** Writer of bytes; it copies them when it is finished. */
 export class Writer {
-  private readonly bytes: number[] = [];
-  private readonly view = new DataView(new ArrayBuffer(8));
-
-  get length(): number {
-    return this.bytes.length;
-  }
-
-  u8(value: number): void {
-    this.bytes.push(value & 0xff);
-  }
-
-  u16(value: number): void {
-    this.view.setUint16(0, value, true);
-    this.flush(2);
-  }
-
-  i16(value: number): void {
-    this.view.setInt16(0, value, true);
-    this.flush(2);
-  }
-
-  u32(value: number): void {
-    this.view.setUint32(0, value, true);
-    this.flush(4);
-  }
-
-  u64(value: bigint): void {
-    this.view.setBigUint64(0, value, true);
-    this.flush(8);
-  }
-
-  f32(value: number): void {
-    this.view.setFloat32(0, value, true);
-    this.flush(4);
-  }
+  private readonly parts: Uint8Array[] = [];
 
   put(bytes: Uint8Array): void {
-    this.bytes.push(...bytes);
+    this.parts.push(bytes);
   }
 
   toBytes(): Uint8Array<ArrayBuffer> {
-    return Uint8Array.from(this.bytes);
-  }
-
-  private flush(count: number): void {
-    for (let index = 0; index < count; index++) this.bytes.push(this.view.getUint8(index));
+    return concatBytes(this.parts);
   }
 }
 
-/** Decodes UTF-8; throws an error with the given sentence if the bytes are not UTF-8. */
-export function textOf(bytes: Uint8Array, sentence: string): string {
-  try {
-    return new TextDecoder('utf-8', { fatal: true, ignoreBOM: true }).decode(bytes);
-  } catch {
-    throw new FrameError(sentence);
-  }
+/** Encodes a value in bytes of its own. */
+export function encode<Value>(codec: Codec<Value>, value: Value): Uint8Array<ArrayBuffer> {
+  const out = new Writer();
+  codec.write(out, value);
+  return out.toBytes();
+}
+
+/** Decodes a value from all of the bytes; throws an error with this message if bytes remain. */
+export function decode<Value>(codec: Codec<Value>, bytes: Uint8Array, errorMessage?: string): Value {
+  const reader = new Reader(bytes);
+  const value = codec.read(reader);
+  reader.expectEnd(errorMessage);
+  return value;
+}
+
+export const U8 = numeric<number>(1, 'Uint8');
+export const U16 = numeric<number>(2, 'Uint16');
+export const I16 = numeric<number>(2, 'Int16');
+export const U32 = numeric<number>(4, 'Uint32');
+export const U64 = numeric<bigint>(8, 'BigUint64');
+export const F32 = numeric<number>(4, 'Float32');
+
+/** Little-endian number, read and written by the accessors of `DataView` for a kind. */
+function numeric<Value extends number | bigint>(
+  size: number,
+  kind: 'Uint8' | 'Uint16' | 'Int16' | 'Uint32' | 'BigUint64' | 'Float32',
+): Codec<Value> {
+  type Accessors = Record<string, (offset: number, ...args: (Value | boolean)[]) => Value>;
+  const accessors = (bytes: Uint8Array): Accessors =>
+    new DataView(bytes.buffer, bytes.byteOffset, size) as unknown as Accessors;
+  return {
+    read: (from) => accessors(from.take(size))[`get${kind}`]?.(0, true) as Value,
+    write(out, value) {
+      const bytes = new Uint8Array(size);
+      accessors(bytes)[`set${kind}`]?.(0, value, true);
+      out.put(bytes);
+    },
+  };
+}
+
+/** All remaining bytes, at most `maxLength`. */
+export function payload(maxLength: number, errorMessage = 'a payload is too long'): Codec<Uint8Array> {
+  const check = (length: number): void => {
+    if (length > maxLength) throw new FrameError(errorMessage);
+  };
+  return {
+    read(from) {
+      check(from.remaining);
+      return from.take(from.remaining).slice();
+    },
+    write(out, bytes) {
+      check(bytes.length);
+      out.put(bytes);
+    },
+  };
+}
+
+/** Bytes, after one byte with their number. */
+export function shortBytes(errorMessage: string): Codec<Uint8Array> {
+  return {
+    read: (from) => from.take(U8.read(from)).slice(),
+    write(out, bytes) {
+      if (bytes.length > 0xff) throw new FrameError(errorMessage);
+      U8.write(out, bytes.length);
+      out.put(bytes);
+    },
+  };
+}
+
+/** UTF-8 in encoded bytes; an error for other bytes has this message. */
+export function utf8(bytes: Codec<Uint8Array>, errorMessage: string): Codec<string> {
+  return {
+    read(from) {
+      const text = bytes.read(from);
+      try {
+        return new TextDecoder('utf-8', { fatal: true, ignoreBOM: true }).decode(text);
+      } catch {
+        throw new FrameError(errorMessage);
+      }
+    },
+    write: (out, text) => bytes.write(out, new TextEncoder().encode(text)),
+  };
+}
+
+/** Value that is checked when it is read; `check` throws an error for wrong values. */
+export function checked<Value>(codec: Codec<Value>, check: (value: Value) => void): Codec<Value> {
+  return {
+    read(from) {
+      const value = codec.read(from);
+      check(value);
+      return value;
+    },
+    write: codec.write,
+  };
+}
+
+/** One of several values, by its index in one byte; an error for other indices has this message. */
+export function choiceOf<const Name>(names: readonly Name[], errorMessage: string): Codec<Name> {
+  return {
+    read(from) {
+      const name = names[U8.read(from)];
+      if (name === undefined) throw new FrameError(errorMessage);
+      return name;
+    },
+    write: (out, name) => U8.write(out, names.indexOf(name)),
+  };
+}
+
+type Codecs<Values> = { readonly [Name in keyof Values]: Codec<Values[Name]> };
+
+/** Object whose fields are encoded in the order of the given ones. */
+export function record<Values extends object>(fields: Codecs<Values>): Codec<Readonly<Values>> {
+  const entries = Object.entries<Codec<unknown>>(fields);
+  return {
+    read: (from) => Object.fromEntries(entries.map(([name, codec]) => [name, codec.read(from)])) as Values,
+    write(out, value) {
+      for (const [name, codec] of entries) codec.write(out, value[name as keyof Values]);
+    },
+  };
+}
+
+/** List of values of fixed length. */
+export function tuple<const Values extends readonly unknown[]>(...codecs: Codecs<Values>): Codec<Values> {
+  return {
+    read: (from) => codecs.map((codec) => codec.read(from)) as unknown as Values,
+    write: (out, values) => codecs.forEach((codec, index) => codec.write(out, values[index])),
+  };
+}
+
+/** List of values, after one byte with their number. */
+export function shortList<Value>(codec: Codec<Value>): Codec<readonly Value[]> {
+  return {
+    read: (from) => Array.from({ length: U8.read(from) }, () => codec.read(from)),
+    write(out, values) {
+      U8.write(out, values.length);
+      for (const value of values) codec.write(out, value);
+    },
+  };
+}
+
+/** Value after a fixed byte, such as a version; an error for other bytes has this message. */
+export function prefixed<Value>(byte: number, errorMessage: string, codec: Codec<Value>): Codec<Value> {
+  return {
+    read(from) {
+      if (U8.read(from) !== byte) throw new FrameError(errorMessage);
+      return codec.read(from);
+    },
+    write(out, value) {
+      U8.write(out, byte);
+      codec.write(out, value);
+    },
+  };
+}
+
+/** Codes and bodies of messages, by kind. */
+type Kinds = Readonly<Record<string, readonly [code: number, body: Codec<any>]>>;
+
+/** Message of one of several kinds: an object with the kind and the fields of its body. */
+export type MessageOf<Table extends Kinds> = {
+  [Kind in keyof Table]: { readonly kind: Kind } & ValueOf<Table[Kind][1]>;
+}[keyof Table];
+
+/** Message by its kind's code in one byte, and its body; an error for other codes has this message. */
+export function kindsOf<const Table extends Kinds>(table: Table, errorMessage: string): Codec<MessageOf<Table>> {
+  return {
+    read(from) {
+      const code = U8.read(from);
+      const entry = Object.entries<Kinds[string]>(table).find(([, [each]]) => each === code);
+      if (!entry) throw new FrameError(errorMessage);
+      const [kind, [, body]] = entry;
+      return { kind, ...body.read(from) } as MessageOf<Table>;
+    },
+    write(out, message) {
+      const [code, body] = table[message.kind] as Kinds[string];
+      U8.write(out, code);
+      body.write(out, message);
+    },
+  };
 }

@@ -1,5 +1,5 @@
 /** Card of the users in the room: names, buttons that mute pointers, the state of the connection, and arrivals. */
-import { button, copyText, icon, make, write } from '../ui/dom';
+import { button, copyText, iconButton, make, toolButton, write } from '../ui/dom';
 import { bytes, milliseconds } from '../ui/format';
 import { shownName } from './address';
 import type { State } from './connection';
@@ -7,8 +7,8 @@ import { cssOf } from './meshes';
 import type { Guest } from './presence';
 
 /** Icon outlines in a square of 24 units: an arrow, and a ray with its target. */
-const POINT = 'M5 4l6 15 2.2-6.3L19.5 10.5zM14 14l5 5';
-const POINTER = 'M4 20L13 11M17 9a2 2 0 1 0 0-4 2 2 0 0 0 0 4M12 4l1 1M21 11l1 1M20 2l-1 1';
+const ARROW_ICON = 'M5 4l6 15 2.2-6.3L19.5 10.5zM14 14l5 5';
+const RAY_ICON = 'M4 20L13 11M17 9a2 2 0 1 0 0-4 2 2 0 0 0 0 4M12 4l1 1M21 11l1 1M20 2l-1 1';
 
 export interface CardCommands {
   mute(number: number, isMuted: boolean): void;
@@ -22,7 +22,7 @@ export interface CardCommands {
 }
 
 /** The user and all others. */
-export interface Room {
+export interface RoomSummary {
   readonly name: string;
   readonly group: number;
   readonly guests: readonly Guest[];
@@ -31,29 +31,20 @@ export interface Room {
   /** Bytes of files received from other pages and from the server; null if pages exchange none. */
   readonly files: { readonly others: number; readonly server: number } | null;
   /** Whether the user wants to exchange files; null if there is no choice. */
-  readonly exchanges: boolean | null;
-}
-
-export interface RoomCard {
-  /** Button that is held to point at the middle of the picture. */
-  readonly button: HTMLElement;
-  /** Updates the card, a few times a second. */
-  update(state: State, room: Room): void;
-  /** Shows why there is no room. */
-  refuse(words: string): void;
+  readonly wantsExchange: boolean | null;
 }
 
 /** Builds the card in the element that holds the panel. */
-export function createRoomCard(root: HTMLElement, commands: CardCommands): RoomCard {
+export function createRoomCard(root: HTMLElement, commands: CardCommands) {
   const chip = make('button', { type: 'button', class: 'chip card here-chip', 'aria-controls': 'here' });
   const list = make('ul', { class: 'here-list' });
   const words = make('p', { class: 'here-words', role: 'status' });
   // Without a role: screen readers would announce each change.
-  const [figure, source] = [make('p', { class: 'here-words' }), make('p', { class: 'here-words' })];
+  const [roundTripLine, sourceLine] = [make('p', { class: 'here-words' }), make('p', { class: 'here-words' })];
   const exchange = createExchange(commands.exchange);
-  const again = button('Join again', 'button-main', commands.retry);
-  const copy = button('Copy link', 'button-main', () => void share());
-  const leave = button('Leave', 'button-main', () => {
+  const joinButton = button('Join again', 'button-main', commands.retry);
+  const copyButton = button('Copy link', 'button-main', () => void share());
+  const leaveButton = button('Leave', 'button-main', () => {
     commands.leave();
     // The button is hidden now.
     chip.focus();
@@ -64,24 +55,23 @@ export function createRoomCard(root: HTMLElement, commands: CardCommands): RoomC
     make('h2', {}, 'Here'),
     list,
     words,
-    figure,
-    source,
+    roundTripLine,
+    sourceLine,
     exchange.element,
-    make('div', { class: 'here-actions' }, copy, leave, again),
+    make('div', { class: 'here-actions' }, copyButton, leaveButton, joinButton),
   );
   const corner = make('div', { class: 'here-corner' }, chip, card);
   const title = 'Hold to point at the middle of the picture (E at the cursor)';
-  const text = make('span', { class: 'tool-label' }, 'Point');
-  const point = make('button', { type: 'button', class: 'tool', title, 'aria-keyshortcuts': 'E' }, icon(POINT), text);
+  const pointButton = toolButton(ARROW_ICON, 'Point', title, 'E');
   root.querySelector('.top')?.append(corner);
   const bar = root.querySelector('.tools');
-  bar?.append(point);
+  bar?.append(pointButton);
   bar?.classList.add('tools-many');
   chip.addEventListener('click', () => open(card.hidden !== false));
   open(false);
   const rows = new Map<number, Row>();
-  const you = row();
-  let last: State | null = null;
+  const ownRow = createRow();
+  let lastState: State | null = null;
 
   function open(isOpen: boolean): void {
     card.hidden = !isOpen;
@@ -93,66 +83,64 @@ export function createRoomCard(root: HTMLElement, commands: CardCommands): RoomC
     commands.announce((await copyText(link)) ? 'Link to the room copied' : link);
   }
 
-  function tell(state: State, { roundTrip, files, exchanges }: Room): void {
+  function showState(state: State, { roundTrip, files, wantsExchange }: RoomSummary): void {
     write(words, wordsOf(state));
     const isKnown = state.kind === 'here' && roundTrip !== null;
-    write(figure, isKnown ? `Round trip ${milliseconds(1000 * roundTrip)}` : '');
-    write(source, files ? `${bytes(files.others)} from others, ${bytes(files.server)} from the server` : '');
-    exchange.show(exchanges);
+    write(roundTripLine, isKnown ? `Round trip ${milliseconds(1000 * roundTrip)}` : '');
+    write(sourceLine, files ? `${bytes(files.others)} from others, ${bytes(files.server)} from the server` : '');
+    exchange.show(wantsExchange);
     words.dataset['wrong'] = String(state.kind === 'ended' || state.kind === 'waiting');
-    again.hidden = state.kind === 'here' || state.kind === 'joining';
-    leave.hidden = state.kind === 'ended';
+    joinButton.hidden = state.kind === 'here' || state.kind === 'joining';
+    leaveButton.hidden = state.kind === 'ended';
     // Announces spontaneous changes, which the user may not see.
-    const isNewest = state !== last && 'words' in state;
-    if (isNewest && !(last && 'words' in last && last.words === state.words)) commands.announce(state.words);
-    if (state.kind !== 'joining') last = state;
+    const lastWords = lastState && 'words' in lastState ? lastState.words : null;
+    if (state !== lastState && 'words' in state && state.words !== lastWords) commands.announce(state.words);
+    if (state.kind !== 'joining') lastState = state;
   }
 
   return {
-    button: point,
-    update(state, room) {
+    /** Button that is held to point at the middle of the picture. */
+    button: pointButton,
+    /** Updates the card, a few times a second. */
+    update(state: State, room: RoomSummary): void {
       const isHere = state.kind === 'here';
       write(chip, isHere ? `${room.guests.length + 1} here` : state.kind === 'joining' ? 'Joining' : 'Not connected');
       chip.dataset['wrong'] = String(!isHere && state.kind !== 'joining');
-      tell(state, room);
+      showState(state, room);
       const numbers = new Set(room.guests.map(({ number }) => number));
       for (const number of rows.keys()) if (!numbers.has(number)) rows.delete(number);
-      you.show(`${room.name} (you)`, isHere ? cssOf(state.user) : '', null);
-      const others = room.guests.map((guest) => {
-        const found = rows.get(guest.number) ?? row((isMuted) => commands.mute(guest.number, isMuted));
-        rows.set(guest.number, found);
-        const isElsewhere = guest.group !== room.group;
-        const name = shownName(guest.name, guest.number);
-        found.show(isElsewhere ? `${name} (other group)` : name, cssOf(guest.number), guest.isMuted);
-        return found.element;
+      ownRow.show(`${room.name} (you)`, isHere ? cssOf(state.user) : '', null);
+      const guestElements = room.guests.map((guest) => {
+        const guestRow = rows.get(guest.number) ?? createRow((isMuted) => commands.mute(guest.number, isMuted));
+        rows.set(guest.number, guestRow);
+        const suffix = guest.group === room.group ? '' : ' (other group)';
+        guestRow.show(`${shownName(guest.name, guest.number)}${suffix}`, cssOf(guest.number), guest.isMuted);
+        return guestRow.element;
       });
-      arrange(list, [you.element, ...others]);
+      arrange(list, [ownRow.element, ...guestElements]);
     },
-    refuse(reason) {
+    /** Shows why there is no room. */
+    refuse(reason: string): void {
       write(chip, 'No room');
       write(words, reason);
       chip.dataset['wrong'] = words.dataset['wrong'] = 'true';
-      for (const each of [again, leave, copy, point]) each.hidden = true;
+      for (const each of [joinButton, leaveButton, copyButton, pointButton]) each.hidden = true;
       commands.announce(reason);
       open(true);
     },
   };
 }
 
-interface Row {
-  readonly element: HTMLElement;
-  /** Updates the row; `isMuted` is null for users who cannot be muted. */
-  show(name: string, color: string, isMuted: boolean | null): void;
-}
+type Row = ReturnType<typeof createRow>;
 
-function row(mute?: (isMuted: boolean) => void): Row {
+function createRow(mute?: (isMuted: boolean) => void) {
   const dot = make('span', { class: 'here-dot', 'aria-hidden': 'true' });
   const name = make('span', { class: 'here-name' });
-  const button = make('button', { type: 'button', class: 'button-icon' }, icon(POINTER));
-  button.addEventListener('click', () => mute?.(button.getAttribute('aria-pressed') !== 'true'));
+  const button = iconButton(RAY_ICON, '', '', () => mute?.(button.getAttribute('aria-pressed') !== 'true'));
   return {
     element: make('li', {}, dot, name, ...(mute ? [button] : [])),
-    show(text, color, isMuted) {
+    /** Updates the row; `isMuted` is null for users who cannot be muted. */
+    show(text: string, color: string, isMuted: boolean | null): void {
       write(name, text);
       dot.style.setProperty('--color', color);
       const title = `${isMuted ? 'Show' : 'Mute'} the pointer of ${text}`;
@@ -164,29 +152,24 @@ function row(mute?: (isMuted: boolean) => void): Row {
   };
 }
 
-interface Exchange {
-  readonly element: HTMLElement;
-  /** Shows the state; null hides the element. */
-  show(isOn: boolean | null): void;
-}
-
 /** Creates a label about the exchange of files with its switch. */
-function createExchange(set: (isOn: boolean) => void): Exchange {
+function createExchange(set: (isOn: boolean) => void) {
   const box = make('input', { type: 'checkbox' });
   const text = make('span', {});
   const element = make('label', { class: 'here-words here-exchange', hidden: true }, box, text);
-  let isAfterwards = false;
+  let needsReload = false;
   box.addEventListener('change', () => {
-    isAfterwards = box.checked;
+    needsReload = box.checked;
     set(box.checked);
   });
   return {
     element,
-    show(isOn) {
+    /** Shows the state; null hides the element. */
+    show(isOn: boolean | null): void {
       element.hidden = isOn === null;
       if (isOn === null) return;
       box.checked = isOn;
-      const when = isOn && isAfterwards ? ', after the page is reloaded' : '';
+      const when = isOn && needsReload ? ', after the page is reloaded' : '';
       write(text, `Exchange files with other users of the room, who see the address of this device${when}`);
     },
   };
@@ -199,56 +182,48 @@ function wordsOf(state: State): string {
 }
 
 /** Reorders children without touching those that are in place. */
-function arrange(list: HTMLElement, wanted: readonly HTMLElement[]): void {
-  const kept = new Set<Element>(wanted);
-  for (const child of [...list.children]) if (!kept.has(child)) child.remove();
+function arrange(list: HTMLElement, children: readonly HTMLElement[]): void {
+  for (const child of [...list.children]) if (!children.some((other) => other === child)) child.remove();
   // Rows in place keep the focus.
-  wanted.forEach((child, at) => {
-    if (list.children[at] !== child) list.insertBefore(child, list.children[at] ?? null);
+  children.forEach((child, index) => {
+    if (list.children[index] !== child) list.insertBefore(child, list.children[index] ?? null);
   });
 }
 
-/** Seconds between the first arrival and the sentence, and between two sentences. */
-const [GATHER, PAUSE] = [1, 5] as const;
+/** Seconds between the first arrival and its announcement, and between two announcements. */
+const [GATHER_SECONDS, PAUSE_SECONDS] = [1, 5] as const;
 
-/** Announcements of arriving users for screen readers; users who arrive together share a sentence. */
-export interface Arrivals {
-  /** Records a user who has arrived, or was present when the connection began. */
-  come(number: number, name: string): void;
-  left(number: number): void;
-  /** Announces arrivals that are due; called often. */
-  tell(now: number): void;
-  /** Begins a new connection; the next `others` users were present before. */
-  begin(others: number): void;
-}
-
-export function createArrivals(announce: (sentence: string) => void): Arrivals {
+/** Announcements of arriving users for screen readers; users who arrive together share one. */
+export function createArrivals(announce: (text: string) => void) {
   const pending = new Map<number, string>();
-  let known = 0;
+  let presentCount = 0;
   let [since, last]: [number | null, number] = [null, -Infinity];
 
   return {
-    come(number, name) {
-      if (known > 0) known -= 1;
+    /** Records a user who has arrived, or was present when the connection began. */
+    add(number: number, name: string): void {
+      if (presentCount > 0) presentCount -= 1;
       else pending.set(number, name);
     },
-    left(number) {
+    remove(number: number): void {
       pending.delete(number);
     },
-    tell(now) {
+    /** Announces arrivals that are due; called often. */
+    announceDue(now: number): void {
       const [name] = pending.values();
       if (name === undefined) {
         since = null;
         return;
       }
       since ??= now;
-      if (now < Math.max(since + GATHER, last + PAUSE)) return;
+      if (now < Math.max(since + GATHER_SECONDS, last + PAUSE_SECONDS)) return;
       announce(pending.size === 1 ? `${name} has joined` : `${pending.size} more have joined`);
       pending.clear();
       [since, last] = [null, now];
     },
-    begin(others) {
-      known = others;
+    /** Begins a new connection; the next `others` users were present before. */
+    begin(others: number): void {
+      presentCount = others;
       pending.clear();
     },
   };

@@ -16,33 +16,30 @@ export const CLOCK: Clock = {
 };
 
 /** Token bucket: a rate with a burst. */
-export interface Bucket {
-  /** Takes an amount; returns false if less is available. */
-  take(amount: number): boolean;
-  /** Seconds until an amount is available, which is at most the burst. */
-  secondsTo(amount: number): number;
-}
+export type Bucket = ReturnType<typeof createBucket>;
 
-/** Creates a bucket of `rate` units per second with a burst of `most`. */
-export function createBucket(rate: number, most: number, now: Clock['now']): Bucket {
-  let [level, since] = [most, now()];
+/** Creates a bucket of `rate` units per second with a burst of `burst` units. */
+export function createBucket(rate: number, burst: number, now: Clock['now']) {
+  let [level, since] = [burst, now()];
 
   function fill(): void {
     const time = now();
-    level = Math.min(level + rate * Math.max(time - since, 0), most);
+    level = Math.min(level + rate * Math.max(time - since, 0), burst);
     since = time;
   }
 
   return {
-    take(amount) {
+    /** Takes an amount; returns false if less is available. */
+    take(amount: number): boolean {
       fill();
       if (level < amount) return false;
       level -= amount;
       return true;
     },
-    secondsTo(amount) {
+    /** Seconds until an amount is available, which is at most the burst. */
+    secondsTo(amount: number): number {
       fill();
-      return Math.max(Math.min(amount, most) - level, 0) / rate;
+      return Math.max(Math.min(amount, burst) - level, 0) / rate;
     },
   };
 }

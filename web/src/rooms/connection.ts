@@ -7,11 +7,11 @@ import type { Body } from './pose';
 import { CLOSE_TIMEOUT, type End, endOf, endOfCode, type Open, openSocket, type Socket } from './server';
 
 /** First and greatest delay before a reconnection, seconds. */
-const [FIRST, LONGEST] = [1, 30] as const;
+const [MIN_DELAY, MAX_DELAY] = [1, 30] as const;
 /** Seconds in the room after which the delay is reset; timeout in seconds for the welcome. */
-const [STAYED, WELCOME] = [10, 15] as const;
+const [STABLE_SECONDS, WELCOME_TIMEOUT] = [10, 15] as const;
 /** Number of buffered bytes above which poses are dropped. */
-const WAITING = 1 << 14;
+const MAX_BUFFERED_BYTES = 1 << 14;
 
 export type State =
   | { readonly kind: 'joining' }
@@ -34,24 +34,9 @@ export interface ConnectionSettings {
   readonly clock?: Clock;
 }
 
-export interface Connection {
-  readonly state: State;
-  readonly roundTrips: RoundTrips;
-  /** Ticket with which the user gets its number back; empty if there is none. */
-  readonly ticket: Uint8Array;
-  /** Sends the user's pose; returns false if it cannot be sent now. */
-  pose(body: Body, stops: boolean): boolean;
-  /** Sends bytes to another user within the limits of docs/rooms.md; returns false outside the room. */
-  signal(user: number, payload: Uint8Array): boolean;
-  /** Sends a message to the group or the room; returns false if it cannot be sent now. */
-  say(payload: Uint8Array, to: Audience): boolean;
-  /** Reconnects after the end, or immediately while waiting. */
-  retry(): void;
-  /** Leaves the room; immediately if the page is being closed. */
-  leave(isImmediate?: boolean): void;
-}
+export type Connection = ReturnType<typeof connect>;
 
-export function connect(settings: ConnectionSettings): Connection {
+export function connect(settings: ConnectionSettings) {
   const { address, page, onFrame, changed, open = openSocket, clock = CLOCK } = settings;
   const { now, later } = clock;
   const roundTrips = createRoundTrips();
@@ -60,13 +45,13 @@ export function connect(settings: ConnectionSettings): Connection {
   /** Previous socket until the server has closed it. */
   let closing: Socket | null = null;
   let ticket = settings.ticket ?? new Uint8Array();
-  let pause: number = FIRST;
-  let [entered, sequence] = [0, 0];
-  let stop = (): void => undefined;
+  let delay: number = MIN_DELAY;
+  let [enteredAt, sequence] = [0, 0];
+  let cancelTimer = (): void => undefined;
   /** Other users who receive this user's poses. */
   const peers = new Set<number>();
   /** Greatest sequence number of each present user. */
-  const newest = new Map<number, number>();
+  const newestSequences = new Map<number, number>();
 
   function set(next: State): void {
     state = next;
@@ -74,49 +59,49 @@ export function connect(settings: ConnectionSettings): Connection {
   }
 
   function join(): void {
-    stop();
+    cancelTimer();
     set({ kind: 'joining' });
     // Otherwise the hello could overtake the bye and find the user's own token in use.
-    if (closing) stop = later(CLOSE_TIMEOUT, enter);
+    if (closing) cancelTimer = later(CLOSE_TIMEOUT, enter);
     else enter();
   }
 
   function enter(): void {
-    stop();
+    cancelTimer();
     closing = null;
-    const own = open(relayOf(page, address), {
+    const opening = open(relayOf(page, address), {
       opened() {
-        if (socket === own) send({ kind: 'hello', group: address.group, name: address.name, ticket });
+        if (socket === opening) send({ kind: 'hello', group: address.group, name: address.name, ticket });
       },
       received(data) {
-        if (socket === own) take(data);
+        if (socket === opening) receive(data);
       },
       closed(code) {
-        if (socket === own) {
+        if (socket === opening) {
           socket = null;
           end(endOfCode(code, state.kind === 'here'));
-        } else if (closing === own) {
+        } else if (closing === opening) {
           closing = null;
           if (state.kind === 'joining') enter();
         }
       },
     });
-    socket = own;
-    stop = later(WELCOME, () => end({ message: 'The room does not answer.', isFinal: false }));
+    socket = opening;
+    cancelTimer = later(WELCOME_TIMEOUT, () => end({ message: 'The room does not answer.', isFinal: false }));
   }
 
-  function take(data: unknown): void {
+  function receive(data: unknown): void {
     try {
       if (!(data instanceof ArrayBuffer)) throw new FrameError('a message is text instead of bytes');
       const time = now();
-      for (const frame of readMessage(new Uint8Array(data))) if (socket) follow(frame, time);
+      for (const frame of readMessage(new Uint8Array(data))) if (socket) handle(frame, time);
     } catch (error) {
       if (!(error instanceof FrameError)) throw error;
       end({ message: `This page does not understand the server: ${error.message}.`, isFinal: false });
     }
   }
 
-  function follow(frame: FromServer, time: number): void {
+  function handle(frame: FromServer, time: number): void {
     if (frame.kind === 'refused') {
       end(endOf(frame.reason));
       return;
@@ -125,19 +110,19 @@ export function connect(settings: ConnectionSettings): Connection {
     if ((frame.kind === 'pose' || frame.kind === 'settled') && state.kind !== 'here') return;
     if ((frame.kind === 'welcome') === (state.kind === 'here')) throw new FrameError('expected one welcome, first');
     if (frame.kind === 'welcome') {
-      stop();
+      cancelTimer();
       ticket = frame.ticket;
-      entered = time;
+      enteredAt = time;
       peers.clear();
-      newest.clear();
+      newestSequences.clear();
       roundTrips.forget();
       set({ kind: 'here', user: frame.user });
     } else if (frame.kind === 'joined') {
-      newest.set(frame.user, -1);
+      newestSequences.set(frame.user, -1);
       if (frame.group === address.group) peers.add(frame.user);
     } else if (frame.kind === 'left') {
       peers.delete(frame.user);
-      newest.delete(frame.user);
+      newestSequences.delete(frame.user);
       // Nothing is settled for a lone user; open round trips would be settled only by a later user.
       if (peers.size === 0) roundTrips.forget();
     } else if (frame.kind === 'settled') {
@@ -150,9 +135,9 @@ export function connect(settings: ConnectionSettings): Connection {
 
   /** Whether a pose is newer than all others of a present user: datagrams overtake each other and the stream. */
   function isNewest(user: number, sequence: number): boolean {
-    const known = newest.get(user);
-    if (known === undefined || sequence <= known) return false;
-    newest.set(user, sequence);
+    const newestSequence = newestSequences.get(user);
+    if (newestSequence === undefined || sequence <= newestSequence) return false;
+    newestSequences.set(user, sequence);
     return true;
   }
 
@@ -161,38 +146,46 @@ export function connect(settings: ConnectionSettings): Connection {
     socket?.send(writeFrame(frame), mayBeLost);
   }
 
+  /** Sends a frame in the room; returns false outside. */
+  function sendInRoom(frame: FromUser): boolean {
+    if (state.kind !== 'here' || !socket) return false;
+    send(frame);
+    return true;
+  }
+
   function drop(isImmediate = false): void {
-    stop();
+    cancelTimer();
     if (!socket) return;
     [closing, socket] = [socket, null];
     closing.close(isImmediate);
   }
 
   function end({ message, isFinal }: End): void {
-    const wasLong = state.kind === 'here' && now() - entered >= STAYED;
+    const wasStable = state.kind === 'here' && now() - enteredAt >= STABLE_SECONDS;
     drop();
     if (isFinal) {
       set({ kind: 'ended', words: message });
       return;
     }
-    if (wasLong) pause = FIRST;
-    const before = pause;
-    pause = Math.min(2 * pause, LONGEST);
-    stop = later(before, join);
-    set({ kind: 'waiting', words: message, seconds: before });
+    const seconds = wasStable ? MIN_DELAY : delay;
+    delay = Math.min(2 * seconds, MAX_DELAY);
+    cancelTimer = later(seconds, join);
+    set({ kind: 'waiting', words: message, seconds });
   }
 
   join();
   return {
     roundTrips,
-    get state() {
+    get state(): State {
       return state;
     },
-    get ticket() {
+    /** Ticket with which the user gets its number back; empty if there is none. */
+    get ticket(): Uint8Array {
       return ticket;
     },
-    pose(body, stops) {
-      if (state.kind !== 'here' || !socket || socket.bufferedAmount > WAITING) return false;
+    /** Sends the user's pose; returns false if it cannot be sent now. */
+    pose(body: Body, stops: boolean): boolean {
+      if (state.kind !== 'here' || !socket || socket.bufferedAmount > MAX_BUFFERED_BYTES) return false;
       const time = now();
       sequence += 1;
       // Only others can settle it.
@@ -201,20 +194,16 @@ export function connect(settings: ConnectionSettings): Connection {
       send({ kind: 'pose', pose: { ...body, sequence, clock, isAcknowledged, stops } }, !stops);
       return true;
     },
-    signal(user, payload) {
-      if (state.kind !== 'here' || !socket) return false;
-      send({ kind: 'signal', user, payload });
-      return true;
-    },
-    say(payload, to) {
-      if (state.kind !== 'here' || !socket) return false;
-      send({ kind: 'say', to, payload });
-      return true;
-    },
-    retry() {
+    /** Sends bytes to another user within the limits of docs/rooms.md; returns false outside the room. */
+    signal: (user: number, payload: Uint8Array): boolean => sendInRoom({ kind: 'signal', user, payload }),
+    /** Sends a message to the group or the room; returns false if it cannot be sent now. */
+    say: (payload: Uint8Array, to: Audience): boolean => sendInRoom({ kind: 'say', to, payload }),
+    /** Reconnects after the end, or immediately while waiting. */
+    retry(): void {
       if (state.kind === 'waiting' || state.kind === 'ended') join();
     },
-    leave(isImmediate) {
+    /** Leaves the room; immediately if the page is being closed. */
+    leave(isImmediate?: boolean): void {
       if (state.kind === 'here') send({ kind: 'bye' });
       drop(isImmediate);
       set({ kind: 'ended', words: 'You have left the room.' });
@@ -223,51 +212,44 @@ export function connect(settings: ConnectionSettings): Connection {
 }
 
 /** Seconds between two poses to be acknowledged; greatest number of open ones. */
-const [EVERY, MAX_OPEN] = [0.25, 64] as const;
+const [ACKNOWLEDGE_INTERVAL, MAX_OPEN] = [0.25, 64] as const;
 /** Number of round trips for the median. */
-const KEPT = 32;
+const MEDIAN_COUNT = 32;
 
 /** Round trips by the paper's Eq. 3: from the sending of a pose until all others of the group have acknowledged it. */
-export interface RoundTrips {
-  /** Median of the last round trips, seconds; null before the first. */
-  readonly median: number | null;
-  /**
-   * Records a pose that is about to be sent; returns whether it is to be acknowledged. The last pose before a pause is
-   * if another one is open, because that one may be lost and would be settled only after the pause.
-   */
-  send(sequence: number, now: number, isLast: boolean): boolean;
-  /** Records that all others have acknowledged this pose or a later one. */
-  settle(sequence: number, now: number): void;
-  /** Discards open round trips, because the connection is a new one. */
-  forget(): void;
-}
-
-function createRoundTrips(): RoundTrips {
+function createRoundTrips() {
   const open = new Map<number, number>();
   let last = -Infinity;
-  let kept: number[] = [];
+  let durations: number[] = [];
 
   return {
-    get median() {
-      const sorted = [...kept].sort((a, b) => a - b);
+    /** Median of the last round trips, seconds; null before the first. */
+    get median(): number | null {
+      const sorted = [...durations].sort((a, b) => a - b);
       return sorted[sorted.length >> 1] ?? null;
     },
-    send(sequence, now, isLast) {
-      if (now - last < EVERY && !(isLast && open.size > 0)) return false;
+    /**
+     * Records a pose that is about to be sent; returns whether it is to be acknowledged. The last pose before a pause is
+     * if another one is open, because that one may be lost and would be settled only after the pause.
+     */
+    send(sequence: number, now: number, isLast: boolean): boolean {
+      if (now - last < ACKNOWLEDGE_INTERVAL && !(isLast && open.size > 0)) return false;
       last = now;
       const [oldest] = open.keys();
       if (open.size >= MAX_OPEN && oldest !== undefined) open.delete(oldest);
       open.set(sequence, now);
       return true;
     },
-    settle(sequence, now) {
+    /** Records that all others have acknowledged this pose or a later one. */
+    settle(sequence: number, now: number): void {
       for (const [sent, time] of open) {
         if (sent > sequence) continue;
         open.delete(sent);
-        kept = [...kept, now - time].slice(-KEPT);
+        durations = [...durations, now - time].slice(-MEDIAN_COUNT);
       }
     },
-    forget() {
+    /** Discards open round trips, because the connection is a new one. */
+    forget(): void {
       open.clear();
       last = -Infinity;
     },

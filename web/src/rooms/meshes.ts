@@ -14,9 +14,9 @@ import {
   type Vector4,
 } from 'three';
 import type { Point } from '../bundle/manifest';
-import { subtract, type Vector } from '../control/pose';
+import { subtract } from '../control/pose';
 import { NEAR_FRAGMENT } from '../shaders/scene';
-import { BLENDING, NOWHERE, type Shared } from '../show/materials';
+import { BLENDING, NO_CUT, type Shared } from '../show/materials';
 import { type Body, rotate } from './pose';
 import { POINTER_VERTEX } from './shaders';
 
@@ -28,24 +28,19 @@ export function createMesh(
   shared: Shared,
   vertexShader: string,
   defines: Record<string, string>,
-  own: Record<string, IUniform>,
+  uniforms: Record<string, IUniform>,
 ): Drawn {
   const material = new RawShaderMaterial({
     ...BLENDING,
     vertexShader,
     fragmentShader: NEAR_FRAGMENT,
     defines,
-    uniforms: { ...shared, ...own, cut: { value: NOWHERE } },
+    uniforms: { ...shared, ...uniforms, cut: { value: NO_CUT } },
   });
   const mesh = new Mesh(shape, material);
   mesh.frustumCulled = false;
   mesh.matrixAutoUpdate = false;
   return mesh;
-}
-
-/** Sets a point among a mesh's uniforms. */
-export function setPoint({ material }: Drawn, name: string, value: Vector): void {
-  (material.uniforms[name]?.value as Vector3).set(...value);
 }
 
 /** Sets a colour for uniforms to that of a user. */
@@ -55,11 +50,11 @@ export function paint(color: Vector4, number: number): void {
 }
 
 /** Step of hue from one number to the next, in turns: the golden ratio. */
-const TURN = 0.618034;
+const HUE_STEP = 0.618034;
 const [SATURATION, LIGHTNESS] = [0.75, 0.6] as const;
 
 export function colorOf(number: number): Color {
-  return new Color().setHSL((number * TURN) % 1, SATURATION, LIGHTNESS);
+  return new Color().setHSL((number * HUE_STEP) % 1, SATURATION, LIGHTNESS);
 }
 
 /** Colour of a user for style sheets. */
@@ -68,97 +63,60 @@ export function cssOf(number: number): string {
 }
 
 /** Number of pieces of a pointer's ribbon: at a length of 100 m each is shorter than a metre. */
-const PIECES = 160;
+const RIBBON_PIECES = 160;
 /** Number of vertices around its spot. */
-const CORNERS = 20;
+const SPOT_CORNERS = 20;
 /** Radii of a head along its axes, metres. */
-const [WIDE, HIGH, LONG] = [0.085, 0.13, 0.105] as const;
+const [HEAD_X, HEAD_Y, HEAD_Z] = [0.085, 0.13, 0.105] as const;
 /** Metres from the eyes back to the centre of the head. */
-const BACK = 0.06;
+const EYE_TO_CENTER = 0.06;
 
-export interface Shapes {
-  readonly head: BufferGeometry;
-  /** Visor in front of the eyes, which shows their direction. */
-  readonly visor: BufferGeometry;
-  readonly hand: BufferGeometry;
-  readonly pointer: BufferGeometry;
-  readonly name: BufferGeometry;
-}
+export type Shapes = ReturnType<typeof createShapes>;
 
-export function createShapes(): Shapes {
+export function createShapes() {
   return {
-    head: new SphereGeometry(1, 24, 16).scale(WIDE, HIGH, LONG).translate(0, 0, BACK),
-    visor: new BoxGeometry(2 * WIDE, 0.07, 0.07).translate(0, 0, BACK - LONG + 0.02),
+    head: new SphereGeometry(1, 24, 16).scale(HEAD_X, HEAD_Y, HEAD_Z).translate(0, 0, EYE_TO_CENTER),
+    /** Visor in front of the eyes, which shows their direction. */
+    visor: new BoxGeometry(2 * HEAD_X, 0.07, 0.07).translate(0, 0, EYE_TO_CENTER - HEAD_Z + 0.02),
     hand: new CapsuleGeometry(0.025, 0.1, 4, 12).rotateX(Math.PI / 2).translate(0, 0, 0.05),
-    pointer: pointer(),
+    pointer: createPointerShape(),
     name: new PlaneGeometry(1, 1).translate(0, 0.5, 0),
   };
 }
 
-function pointer(): BufferGeometry {
-  const { places, corners } = ribbon(PIECES, -1);
-  const middle = places.length / 3;
-  places.push(2, 0, 0);
-  for (let corner = 0; corner < CORNERS; corner++) {
-    const angle = (2 * Math.PI * corner) / CORNERS;
-    places.push(2, Math.cos(angle), Math.sin(angle));
-    corners.push(middle, middle + 1 + corner, middle + 1 + ((corner + 1) % CORNERS));
+/** A ribbon along the pointer, and a disc at its end, whose vertices have x = 2. */
+function createPointerShape(): BufferGeometry {
+  const ribbon = createRibbon(RIBBON_PIECES, -1);
+  const positions = [...ribbon.getAttribute('position').array];
+  const indices = [...(ribbon.index?.array ?? [])];
+  const middle = positions.length / 3;
+  positions.push(2, 0, 0);
+  for (let corner = 0; corner < SPOT_CORNERS; corner++) {
+    const angle = (2 * Math.PI * corner) / SPOT_CORNERS;
+    positions.push(2, Math.cos(angle), Math.sin(angle));
+    indices.push(middle, middle + 1 + corner, middle + 1 + ((corner + 1) % SPOT_CORNERS));
   }
-  return geometryOf({ places, corners });
-}
-
-/** Vertices, three numbers each, and the corners of triangles. */
-export interface Triangles {
-  readonly places: number[];
-  readonly corners: number[];
+  const attribute = new BufferAttribute(new Float32Array(positions), 3);
+  return new BufferGeometry().setAttribute('position', attribute).setIndex(indices);
 }
 
 /** Ribbon in pieces: x is the share of its length; y is `low` on one side and 1 on the other. */
-export function ribbon(pieces: number, low: number): Triangles {
-  const [places, corners]: [number[], number[]] = [[], []];
-  for (let piece = 0; piece <= pieces; piece++) {
-    places.push(piece / pieces, low, 0, piece / pieces, 1, 0);
-    const first = 2 * piece;
-    if (piece < pieces) corners.push(first, first + 1, first + 2, first + 2, first + 1, first + 3);
-  }
-  return { places, corners };
+export function createRibbon(pieces: number, low: number): BufferGeometry {
+  return new PlaneGeometry(1, 1 - low, pieces, 1).scale(1, -1, 1).translate(0.5, (1 + low) / 2, 0);
 }
 
-export function geometryOf({ places, corners }: Triangles): BufferGeometry {
-  const geometry = new BufferGeometry();
-  geometry.setAttribute('position', new BufferAttribute(new Float32Array(places), 3));
-  geometry.setIndex(corners);
-  return geometry;
-}
-
-export interface Ray {
-  readonly mesh: Drawn;
-  /** Places the pointer of a body, if it has one, for pictures with this centre at the origin. */
-  place(body: Body, center: Point): void;
-}
-
-export function createRay(shapes: Shapes, shared: Shared, color: Vector4): Ray {
-  const mesh = createMesh(shapes.pointer, shared, POINTER_VERTEX, { UNLIT: '' }, {
-    base_color: { value: color },
-    begin: { value: new Vector3() },
-    end: { value: new Vector3() },
-  });
+export function createRay(shapes: Shapes, shared: Shared, color: Vector4) {
+  const [begin, end] = [new Vector3(), new Vector3()];
+  const uniforms = { base_color: { value: color }, begin: { value: begin }, end: { value: end } };
+  const mesh = createMesh(shapes.pointer, shared, POINTER_VERTEX, { UNLIT: '' }, uniforms);
   return {
     mesh,
-    place(body, center) {
-      const ends = endsOf(body);
-      if (!ends) return;
-      setPoint(mesh, 'begin', subtract(ends.begin, center));
-      setPoint(mesh, 'end', subtract(ends.end, center));
+    /** Places the pointer of a body, if it has one, for pictures with this centre at the origin. */
+    place({ head, left, right, pointer }: Body, center: Point): void {
+      const origin = pointer && { head, left, right }[pointer.begin];
+      if (!origin) return;
+      begin.set(...subtract(origin.position, center));
+      end.set(...rotate(origin.rotation, [0, 0, -pointer.length])).add(begin);
     },
   };
-}
-
-/** Both ends of a pointer in world space; null without a pointer. */
-function endsOf({ head, left, right, pointer }: Body): { readonly begin: Vector; readonly end: Vector } | null {
-  const from = pointer && { head, left, right }[pointer.begin];
-  if (!from) return null;
-  const [x, y, z] = from.position;
-  const [dx, dy, dz] = rotate(from.rotation, [0, 0, -pointer.length]);
-  return { begin: from.position, end: [x + dx, y + dy, z + dz] };
 }

@@ -8,13 +8,13 @@ import type { Viewer } from '../show/viewer';
 import type { HandRay } from '../xr/hands';
 import type { FromServer } from './frames';
 import type { Hold, ScreenPoint } from './hold';
-import { type Body, FARTHEST, type Placed, rotationAlong, rotationOf } from './pose';
-import { type Morph, pointShownAt } from './unmorph';
+import { type Body, MAX_COORDINATE, type Placed, rotationAlong, rotationOf } from './pose';
+import { invertMorph, type Morph } from './unmorph';
 
 /** Seconds between two updates of the pointer's target: each waits for the GPU. */
-const EVERY = 1 / 36;
+const QUERY_INTERVAL = 1 / 36;
 
-/** Creates the function; `hands` are null outside the headset, `nearShare` is r1 as a share of r2. */
+/** Creates a function that returns the body; `hands` are null outside the headset, `nearShare` is r1 / r2. */
 export function createPointing(
   viewer: Viewer,
   nearShare: number,
@@ -22,7 +22,7 @@ export function createPointing(
   hands: () => readonly HandRay[] | null,
   activity: () => Activity | null,
 ): (pose: Pose, now: number) => Body {
-  const [targets, lengths] = [createThrottled<Vector>(EVERY), createThrottled<number>(EVERY)];
+  const [targets, lengths] = [createThrottled<Vector>(QUERY_INTERVAL), createThrottled<number>(QUERY_INTERVAL)];
 
   function targetOf(pose: Pose, now: number): Vector | null {
     const { point } = hold;
@@ -32,12 +32,12 @@ export function createPointing(
   }
 
   return (pose, now) => {
-    const found = hands();
+    const rays = hands();
     hold.isAlways = activity()?.isPointing ?? false;
-    if (!hold.isAlways && !found?.some(({ isPointing }) => isPointing)) lengths.forget();
-    if (!found) return atScreen(pose, targetOf(pose, now));
-    return inHeadset(pose, found, hold.isAlways, ({ origin, direction }) =>
-      lengths.at(now, () => viewer.along(origin, direction) ?? NOTHING_HIT),
+    if (!hold.isAlways && !rays?.some(({ isPointing }) => isPointing)) lengths.forget();
+    if (!rays) return bodyAtScreen(pose, targetOf(pose, now));
+    return bodyInHeadset(pose, rays, hold.isAlways, ({ origin, direction }) =>
+      lengths.at(now, () => viewer.along(origin, direction) ?? DEFAULT_RANGE),
     );
   };
 }
@@ -46,7 +46,6 @@ export function createPointing(
 export interface Activity extends Guests {
   /** Whether users point even without holding a button. */
   readonly isPointing: boolean;
-  /** Handles a frame of the server. */
   hear(frame: FromServer, now: number): void;
   /** Updates the task before each frame with the user's pose and the body that others see. */
   frame(pose: Pose, body: Body, now: number): void;
@@ -55,57 +54,48 @@ export interface Activity extends Guests {
 }
 
 /** Metres right, down and ahead from the eyes of a user at a screen to the pointing hand. */
-const [RIGHT, DOWN, AHEAD] = [0.22, 0.28, 0.4] as const;
+const [HAND_RIGHT, HAND_DOWN, HAND_AHEAD] = [0.22, 0.28, 0.4] as const;
 
 /** Body of a user at a screen: a head, and a right hand with a pointer to the target while pointing. */
-function atScreen(pose: Pose, target: Vector | null): Body {
+function bodyAtScreen(pose: Pose, target: Vector | null): Body {
   const head: Placed = { position: pose.position, rotation: rotationOf(pose.yaw, pose.pitch) };
   if (!target) return { head, left: null, right: null, pointer: null };
-  const side = addScaled(pose.position, rightOf(pose.yaw), RIGHT);
-  const position = addScaled(addScaled(side, ahead({ yaw: pose.yaw, pitch: 0 }), AHEAD), [0, -1, 0], DOWN);
-  const way = subtract(target, position);
-  const right: Placed = { position, rotation: rotationAlong(way) };
-  return { head, left: null, right, pointer: { begin: 'right', length: Math.min(Math.hypot(...way), FARTHEST) } };
+  const side = addScaled(pose.position, rightOf(pose.yaw), HAND_RIGHT);
+  const position = addScaled(addScaled(side, ahead({ yaw: pose.yaw, pitch: 0 }), HAND_AHEAD), [0, -1, 0], HAND_DOWN);
+  const offset = subtract(target, position);
+  const right: Placed = { position, rotation: rotationAlong(offset) };
+  return { head, left: null, right, pointer: { begin: 'right', length: Math.min(Math.hypot(...offset), MAX_COORDINATE) } };
 }
 
 /**
  * Body of a user in a headset: a head, the tracked hands, and a pointer from the first pointing hand; if the user
  * always points, from the right hand or any other.
  */
-function inHeadset(
-  pose: Pose,
-  hands: readonly HandRay[],
-  isAlways: boolean,
-  lengthOf: (hand: HandRay) => number,
-): Body {
-  const placed = (side: HandRay['side']): Placed | null => {
-    const hand = hands.find((each) => each.side === side);
-    return hand ? { position: hand.origin, rotation: rotationAlong(hand.direction) } : null;
-  };
-  const other = isAlways ? (hands.find(({ side }) => side === 'right') ?? hands[0]) : undefined;
-  const pointing = hands.find((each) => each.isPointing) ?? other;
+function bodyInHeadset(pose: Pose, hands: readonly HandRay[], isAlways: boolean, lengthOf: (hand: HandRay) => number): Body {
+  const handOf = (side: HandRay['side']): HandRay | undefined => hands.find((hand) => hand.side === side);
+  const placed = (hand: HandRay | undefined): Placed | null =>
+    hand ? { position: hand.origin, rotation: rotationAlong(hand.direction) } : null;
+  const defaultHand = isAlways ? (handOf('right') ?? hands[0]) : undefined;
+  const pointing = hands.find(({ isPointing }) => isPointing) ?? defaultHand;
   return {
     head: { position: pose.position, rotation: rotationOf(pose.yaw, pose.pitch) },
-    left: placed('left'),
-    right: placed('right'),
-    pointer: pointing ? { begin: pointing.side, length: Math.min(lengthOf(pointing), FARTHEST) } : null,
+    left: placed(handOf('left')),
+    right: placed(handOf('right')),
+    pointer: pointing ? { begin: pointing.side, length: Math.min(lengthOf(pointing), MAX_COORDINATE) } : null,
   };
 }
 
 /** Metres to points without a range, from the centre, and length of a pointer that hits nothing. */
-const NOTHING_HIT = 100;
+const DEFAULT_RANGE = 100;
 /** Multiple of the morph's radius within which the map shows nothing. */
-const BEYOND = 2;
+const MAP_RADII = 2;
 
 /** Current morph of the picture, and the centre that it is relative to. */
-export function morphOf(
-  { facts }: Viewer,
-  nearShare: number,
-  pose: Pose,
-): { readonly center: Vector; readonly morph: Morph } {
+export function morphOf({ facts }: Viewer, nearShare: number, pose: Pose) {
   const { radius, strength } = facts.shown?.grown ?? { radius: 0, strength: 0 };
   const center: Vector = facts.entry?.center ?? pose.position;
-  return { center, morph: { user: subtract(pose.position, center), inner: nearShare * radius, radius, strength } };
+  const morph: Morph = { user: subtract(pose.position, center), inner: nearShare * radius, radius, strength };
+  return { center, morph };
 }
 
 /**
@@ -114,29 +104,22 @@ export function morphOf(
  */
 function targetAt(viewer: Viewer, nearShare: number, pose: Pose, [x, y]: ScreenPoint): Vector {
   const { center, morph } = morphOf(viewer, nearShare, pose);
-  const seen = viewer.pointAt(x, y);
-  if (seen && !viewer.isMorphedAt(x)) return seen;
-  if (seen) {
-    const found = pointShownAt(subtract(seen, pose.position), morph);
-    return found ? addScaled(center, found, 1) : seen;
+  const nearPoint = viewer.pointAt(x, y);
+  if (nearPoint) {
+    const origin = viewer.isMorphedAt(x) ? invertMorph(subtract(nearPoint, pose.position), morph) : null;
+    return origin ? addScaled(center, origin, 1) : nearPoint;
   }
   const { camera, renderer, shared } = viewer;
   const direction = directionTo(pose, [x, y], camera);
-  const range = rangeIn(renderer, shared, direction) ?? Math.max(NOTHING_HIT, BEYOND * morph.radius);
+  const range = rangeIn(renderer, shared, direction) ?? Math.max(DEFAULT_RANGE, MAP_RADII * morph.radius);
   return addScaled(center, direction, range);
 }
 
 /** Code of pixels without a range. */
-const NOTHING = 65535;
-
-export interface Texel {
-  readonly face: number;
-  readonly x: number;
-  readonly y: number;
-}
+const NO_RANGE = 65535;
 
 /** Returns the texel of a cube map that GL samples for a direction. */
-export function texelOf([x, y, z]: Vector, size: number): Texel {
+export function texelOf([x, y, z]: Vector, size: number) {
   const [ax, ay, az] = [Math.abs(x), Math.abs(y), Math.abs(z)];
   const longest = Math.max(ax, ay, az);
   const [face, across, down] =
@@ -161,31 +144,21 @@ function rangeIn(renderer: WebGLRenderer, { codes, coding }: Shared, direction: 
   gl.readPixels(x, y, 1, 1, gl.RGBA_INTEGER, gl.UNSIGNED_INT, code);
   renderer.state.bindFramebuffer(gl.FRAMEBUFFER, null);
   gl.deleteFramebuffer(frame);
-  const [found = NOTHING] = code;
-  return found === NOTHING ? null : least * Math.exp(found * step);
+  const [rangeCode = NO_RANGE] = code;
+  return rangeCode === NO_RANGE ? null : least * Math.exp(rangeCode * step);
 }
 
-/** Cache of a value that is computed less often than frames are drawn. */
-export interface Throttled<Found> {
-  /** Returns the cached value; calls `look` if it is too old or was discarded. */
-  at(now: number, look: () => Found): Found;
-  /** Discards the cached value. */
-  forget(): void;
-}
-
-/** Creates the cache; `every` is the interval between two updates, seconds. */
-export function createThrottled<Found>(every: number): Throttled<Found> {
-  let [found, next]: [{ readonly value: Found } | null, number] = [null, 0];
+/** Creates a cache of a value that is computed less often than frames are drawn, at most once in `every` seconds. */
+export function createThrottled<Value>(every: number) {
+  let cached: { readonly value: Value; readonly end: number } | null = null;
   return {
-    at(now, look) {
-      if (!found || now >= next) {
-        found = { value: look() };
-        next = now + every;
-      }
-      return found.value;
+    /** Returns the cached value; calls `compute` if it is too old or was discarded. */
+    at(now: number, compute: () => Value): Value {
+      if (!cached || now >= cached.end) cached = { value: compute(), end: now + every };
+      return cached.value;
     },
-    forget() {
-      found = null;
+    forget(): void {
+      cached = null;
     },
   };
 }

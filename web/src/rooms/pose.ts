@@ -1,6 +1,7 @@
 /** Binary poses of a user's head, hands and pointer (the second table of docs/rooms.md), and their interpolation. */
-import type { Vector } from '../control/pose';
-import { FrameError, type Reader, type Writer } from './bytes';
+import { Euler, Quaternion, type QuaternionTuple, Vector3, type Vector3Tuple } from 'three';
+import { addScaled, subtract, type Vector } from '../control/pose';
+import { checked, type Codec, F32, FrameError, I16, record, tuple, U32, U64, U8 } from './bytes';
 
 /** Unit quaternion (x, y, z, w). */
 export type Rotation = readonly [number, number, number, number];
@@ -12,12 +13,12 @@ export interface Placed {
 }
 
 /** Origins of a pointer's ray, in the order of their codes. */
-const BEGINS = ['head', 'left', 'right'] as const;
-export type Begin = (typeof BEGINS)[number];
+const POINTER_ORIGINS = ['head', 'left', 'right'] as const;
+export type PointerOrigin = (typeof POINTER_ORIGINS)[number];
 
 /** Pointer along −z of its origin. */
 export interface Pointer {
-  readonly begin: Begin;
+  readonly begin: PointerOrigin;
   /** Length in metres. */
   readonly length: number;
 }
@@ -42,82 +43,73 @@ export interface Pose extends Body {
 }
 
 /** Greatest coordinate and greatest length of a pointer, metres. */
-export const FARTHEST = 1e6;
+export const MAX_COORDINATE = 1e6;
 /** Fixed-point value of 1 in a rotation. */
-const ONE = 32767;
+const ROTATION_SCALE = 32767;
 /** Least and greatest squared norm of a rotation, as float32. */
-const [SHORTEST, LONGEST] = [Math.fround(0.81), Math.fround(1.21)] as const;
+const [MIN_NORM, MAX_NORM] = [Math.fround(0.81), Math.fround(1.21)] as const;
 const FLAGS = { acknowledged: 1, stops: 2, left: 4, right: 8 } as const;
 /** Bit offset of the pointer's two flags; mask of all defined flags. */
-const [POINTER, KNOWN] = [4, 0b11_1111] as const;
-
-/** Reads a pose that fills the whole body. */
-export function readPose(body: Reader): Pose {
-  const [sequence, clock, flags] = [body.u32(), body.u64(), body.u8()];
-  if ((flags & ~KNOWN) !== 0) throw new FrameError('a pose has unknown flags');
-  const head = readPlaced(body);
-  const left = flags & FLAGS.left ? readPlaced(body) : null;
-  const right = flags & FLAGS.right ? readPlaced(body) : null;
-  const begin = BEGINS[(flags >> POINTER) - 1];
-  const hands = { head, left, right };
-  if (begin && !hands[begin]) throw new FrameError('a pointer begins at a missing hand');
-  const pointer = begin ? { begin, length: readLength(body) } : null;
-  body.expectEnd('a pose is too long');
-  const [isAcknowledged, stops] = [(flags & FLAGS.acknowledged) !== 0, (flags & FLAGS.stops) !== 0];
-  return { sequence, clock, isAcknowledged, stops, ...hands, pointer };
-}
-
-export function writePose(out: Writer, pose: Pose): void {
-  const { left, right, pointer } = pose;
-  const set = [
-    pose.isAcknowledged ? FLAGS.acknowledged : 0,
-    pose.stops ? FLAGS.stops : 0,
-    left ? FLAGS.left : 0,
-    right ? FLAGS.right : 0,
-    pointer ? (1 + BEGINS.indexOf(pointer.begin)) << POINTER : 0,
-  ];
-  out.u32(pose.sequence);
-  out.u64(pose.clock);
-  out.u8(set.reduce((flags, flag) => flags | flag));
-  for (const placed of [pose.head, left, right]) if (placed) writePlaced(out, placed);
-  if (pointer) out.f32(pointer.length);
-}
+const [POINTER_SHIFT, KNOWN_FLAGS] = [4, 0b11_1111] as const;
 
 /** Whether a frame can encode a position. */
 export function isWithin(position: Vector): boolean {
-  return position.every((value) => Math.abs(value) <= FARTHEST);
+  return position.every((value) => Math.abs(value) <= MAX_COORDINATE);
 }
 
-function readPlaced(body: Reader): Placed {
-  const position = [body.f32(), body.f32(), body.f32()] as const;
-  const parts = [body.i16(), body.i16(), body.i16(), body.i16()] as const;
-  // NaN fails the test, too.
+const ROTATION_PART: Codec<number> = {
+  read: (from) => Math.fround(I16.read(from) / ROTATION_SCALE),
+  write: (out, part) => I16.write(out, Math.round(ROTATION_SCALE * part)),
+};
+const PLACED_FIELDS = record<Placed>({
+  position: tuple(F32, F32, F32),
+  rotation: tuple(ROTATION_PART, ROTATION_PART, ROTATION_PART, ROTATION_PART),
+});
+// NaN fails these tests, too.
+const PLACED = checked(PLACED_FIELDS, ({ position, rotation }) => {
   if (!isWithin(position)) throw new FrameError('a position is out of range');
-  const rotation = parts.map((part) => Math.fround(part / ONE)) as unknown as Rotation;
   // Sum in float32, like the server's.
-  const square = rotation.reduce((sum, part) => Math.fround(sum + Math.fround(part * part)), 0);
-  if (!(square >= SHORTEST && square <= LONGEST)) throw new FrameError('a rotation is not a unit quaternion');
-  return { position, rotation };
-}
+  const norm = rotation.reduce((sum, part) => Math.fround(sum + Math.fround(part * part)), 0);
+  if (!(norm >= MIN_NORM && norm <= MAX_NORM)) throw new FrameError('a rotation is not a unit quaternion');
+});
+const LENGTH = checked(F32, (length) => {
+  if (!(length >= 0 && length <= MAX_COORDINATE)) throw new FrameError("a pointer's length is out of range");
+});
 
-function writePlaced(out: Writer, { position, rotation }: Placed): void {
-  for (const value of position) out.f32(value);
-  for (const part of rotation) out.i16(Math.round(ONE * part));
-}
-
-function readLength(body: Reader): number {
-  const length = body.f32();
-  if (!(length >= 0 && length <= FARTHEST)) throw new FrameError("a pointer's length is out of range");
-  return length;
-}
-
-/** Cosine of half an angle above which rotations are interpolated linearly. */
-const NEARLY = 0.9995;
+export const POSE: Codec<Pose> = {
+  read(from) {
+    const [sequence, clock, flags] = [U32.read(from), U64.read(from), U8.read(from)];
+    if ((flags & ~KNOWN_FLAGS) !== 0) throw new FrameError('a pose has unknown flags');
+    const head = PLACED.read(from);
+    const left = flags & FLAGS.left ? PLACED.read(from) : null;
+    const right = flags & FLAGS.right ? PLACED.read(from) : null;
+    const begin = POINTER_ORIGINS[(flags >> POINTER_SHIFT) - 1];
+    const hands = { head, left, right };
+    if (begin && !hands[begin]) throw new FrameError('a pointer begins at a missing hand');
+    const pointer = begin ? { begin, length: LENGTH.read(from) } : null;
+    const [isAcknowledged, stops] = [(flags & FLAGS.acknowledged) !== 0, (flags & FLAGS.stops) !== 0];
+    return { sequence, clock, isAcknowledged, stops, ...hands, pointer };
+  },
+  write(out, pose) {
+    const { left, right, pointer } = pose;
+    const flags = [
+      pose.isAcknowledged ? FLAGS.acknowledged : 0,
+      pose.stops ? FLAGS.stops : 0,
+      left ? FLAGS.left : 0,
+      right ? FLAGS.right : 0,
+      pointer ? (1 + POINTER_ORIGINS.indexOf(pointer.begin)) << POINTER_SHIFT : 0,
+    ];
+    U32.write(out, pose.sequence);
+    U64.write(out, pose.clock);
+    U8.write(out, flags.reduce((all, flag) => all | flag));
+    for (const placed of [pose.head, left, right]) if (placed) PLACED.write(out, placed);
+    if (pointer) LENGTH.write(out, pointer.length);
+  },
+};
 
 /** Rotation of a view with a yaw and a pitch. */
 export function rotationOf(yaw: number, pitch: number): Rotation {
-  const [sy, cy, sp, cp] = [Math.sin(yaw / 2), Math.cos(yaw / 2), Math.sin(pitch / 2), Math.cos(pitch / 2)];
-  return [cy * sp, sy * cp, -sy * sp, cy * cp];
+  return new Quaternion().setFromEuler(new Euler(pitch, yaw, 0, 'YXZ')).toArray() as QuaternionTuple;
 }
 
 /** Upright rotation whose −z points along a direction of any length. */
@@ -125,47 +117,34 @@ export function rotationAlong([x, y, z]: Vector): Rotation {
   return rotationOf(Math.atan2(-x, -z), Math.atan2(y, Math.hypot(x, z)));
 }
 
-/** Applies a rotation to a vector. */
-export function rotate([x, y, z, w]: Rotation, [a, b, c]: Vector): Vector {
-  const [tx, ty, tz] = [2 * (y * c - z * b), 2 * (z * a - x * c), 2 * (x * b - y * a)];
-  return [a + w * tx + y * tz - z * ty, b + w * ty + z * tx - x * tz, c + w * tz + x * ty - y * tx];
+export function rotate(rotation: Rotation, vector: Vector): Vector {
+  return new Vector3(...vector).applyQuaternion(new Quaternion(...rotation)).toArray() as Vector3Tuple;
 }
 
-/** Interpolates spherically along the shorter arc; shares beyond 1 extrapolate. */
-export function slerp(from: Rotation, to: Rotation, share: number): Rotation {
-  const dot = from.reduce((sum, part, axis) => sum + part * (to[axis] ?? 0), 0);
-  const sign = dot < 0 ? -1 : 1;
-  let [a, b] = [1 - share, share];
-  if (Math.abs(dot) < NEARLY) {
-    const angle = Math.acos(Math.abs(dot));
-    [a, b] = [Math.sin((1 - share) * angle) / Math.sin(angle), Math.sin(share * angle) / Math.sin(angle)];
-  }
-  const mixed = from.map((part, axis) => a * part + sign * b * (to[axis] ?? 0));
-  const size = Math.hypot(...mixed) || 1;
-  return mixed.map((part) => part / size) as unknown as Rotation;
+/** Interpolates spherically along the shorter arc; fractions beyond 1 extrapolate. */
+export function slerp(from: Rotation, to: Rotation, fraction: number): Rotation {
+  return new Quaternion(...from).slerp(new Quaternion(...to), fraction).normalize().toArray() as QuaternionTuple;
 }
 
-/** Interpolates between two bodies; shares beyond 1 extrapolate, except hands and pointers. */
-export function between(from: Body, to: Body, share: number): Body {
-  const later = share < 0.5 ? from : to;
+/** Interpolates between two bodies; fractions beyond 1 extrapolate, except hands and pointers. */
+export function interpolateBodies(from: Body, to: Body, fraction: number): Body {
+  const nearer = fraction < 0.5 ? from : to;
   const hand = (side: 'left' | 'right'): Placed | null => {
     const [a, b] = [from[side], to[side]];
-    return a && b ? placedBetween(a, b, Math.min(share, 1)) : later[side];
+    return a && b ? interpolatePlaced(a, b, Math.min(fraction, 1)) : nearer[side];
   };
+  const [a, b] = [from.pointer, to.pointer];
+  const isSameOrigin = a !== null && b !== null && a.begin === b.begin;
+  const length = (a?.length ?? 0) + Math.min(fraction, 1) * ((b?.length ?? 0) - (a?.length ?? 0));
   return {
-    head: placedBetween(from.head, to.head, share),
+    head: interpolatePlaced(from.head, to.head, fraction),
     left: hand('left'),
     right: hand('right'),
-    pointer: pointerBetween(from.pointer, to.pointer, Math.min(share, 1)),
+    pointer: isSameOrigin ? { begin: b.begin, length } : nearer.pointer,
   };
 }
 
-function placedBetween(from: Placed, to: Placed, share: number): Placed {
-  const position = from.position.map((value, axis) => value + share * ((to.position[axis] ?? 0) - value));
-  return { position: position as unknown as Vector, rotation: slerp(from.rotation, to.rotation, share) };
-}
-
-function pointerBetween(from: Pointer | null, to: Pointer | null, share: number): Pointer | null {
-  if (from?.begin !== to?.begin || !from || !to) return share < 0.5 ? from : to;
-  return { begin: to.begin, length: from.length + share * (to.length - from.length) };
+function interpolatePlaced(from: Placed, to: Placed, fraction: number): Placed {
+  const position = addScaled(from.position, subtract(to.position, from.position), fraction);
+  return { position, rotation: slerp(from.rotation, to.rotation, fraction) };
 }

@@ -16,58 +16,51 @@ export interface Seen extends Guest {
   readonly body: Body;
 }
 
-export interface Presence {
-  /** All other users of the room, sorted by number; a new list after each change. */
-  readonly guests: readonly Guest[];
-  /** Handles a frame of the server. */
-  hear(frame: FromServer, now: number): void;
-  /** Forgets all users, because the connection is closed. */
-  clear(): void;
-  mute(number: number, isMuted: boolean): void;
-  /** Returns the guests with known poses, with their bodies at a time. */
-  at(now: number): Seen[];
-}
+export type Presence = ReturnType<typeof createPresence>;
 
-export function createPresence(): Presence {
+export function createPresence() {
   const tracks = new Map<number, Track>();
   // A returning user keeps its number and stays muted.
   const muted = new Set<number>();
   let guests: readonly Guest[] = [];
 
-  function without(number: number): readonly Guest[] {
+  function removeGuest(number: number): void {
     tracks.delete(number);
-    return guests.filter((guest) => guest.number !== number);
+    guests = guests.filter((guest) => guest.number !== number);
   }
 
+  /** Forgets all users, because the connection is closed. */
   function clear(): void {
     tracks.clear();
     guests = [];
   }
 
   return {
-    get guests() {
+    /** All other users of the room, sorted by number; a new list after each change. */
+    get guests(): readonly Guest[] {
       return guests;
     },
     clear,
-    hear(frame, now) {
+    hear(frame: FromServer, now: number): void {
       if (frame.kind === 'welcome') clear();
-      else if (frame.kind === 'left') guests = without(frame.user);
+      else if (frame.kind === 'left') removeGuest(frame.user);
       else if (frame.kind === 'joined') {
         const { user: number, group, name } = frame;
-        const others = without(number);
+        removeGuest(number);
         tracks.set(number, createTrack());
         const guest = { number, group, name, isMuted: muted.has(number) };
-        guests = [...others, guest].sort((a, b) => a.number - b.number);
+        guests = [...guests, guest].sort((a, b) => a.number - b.number);
       } else if (frame.kind === 'pose') {
         tracks.get(frame.user)?.hear(frame.pose, now);
       }
     },
-    mute(number, isMuted) {
+    mute(number: number, isMuted: boolean): void {
       if (isMuted) muted.add(number);
       else muted.delete(number);
       guests = guests.map((guest) => (guest.number === number ? { ...guest, isMuted } : guest));
     },
-    at(now) {
+    /** Returns the guests with known poses, with their bodies at a time. */
+    at(now: number): Seen[] {
       return guests.flatMap((guest) => {
         const body = tracks.get(guest.number)?.at(now);
         if (!body) return [];

@@ -58,7 +58,6 @@ function isRecord(value: unknown): value is Readonly<Record<string, unknown>> {
 export const CLOSE_TIMEOUT = 5;
 
 export interface Socket {
-  /** Number of buffered bytes. */
   readonly bufferedAmount: number;
   /** Sends a frame; `mayBeLost` if a later frame replaces it. */
   send(data: Uint8Array<ArrayBuffer>, mayBeLost: boolean): void;
@@ -92,36 +91,10 @@ export function openSocket(url: string, listener: Listener): Socket {
   };
 }
 
-/** Codes of the reasons in docs/rooms.md. */
-const REASON = {
-  version: 2,
-  frame: 3,
-  token: 4,
-  full: 5,
-  flood: 6,
-  slow: 7,
-  silent: 8,
-  replaced: 9,
-  ending: 10,
-} as const;
 /** WebSocket close code of a connection that ended without a reason. */
 export const BROKEN_CODE = 1006;
 /** Offset from a reason's code to its WebSocket close code. */
 const REASON_OFFSET = 4000;
-
-const MESSAGES: Readonly<Record<number, string>> = {
-  [REASON.version]: 'The server has another version of rooms than this page. Reload the page.',
-  [REASON.frame]: 'The server does not understand what this page sends.',
-  [REASON.token]: 'This link does not let you into the room. Ask for another one.',
-  [REASON.full]: 'The room is full.',
-  [REASON.flood]: 'This page has sent more than the server accepts.',
-  [REASON.slow]: 'The connection is too slow for this room.',
-  [REASON.silent]: 'The server has received nothing from this page.',
-  [REASON.replaced]: 'You have entered the room elsewhere.',
-  [REASON.ending]: 'The server is shutting down.',
-};
-/** Reasons after which a reconnection would not help. */
-const FINAL: ReadonlySet<number> = new Set([REASON.version, REASON.token, REASON.replaced]);
 
 /** End of a connection. */
 export interface End {
@@ -130,12 +103,25 @@ export interface End {
   readonly isFinal: boolean;
 }
 
+/** Ends by the codes of reasons in docs/rooms.md; after final ones a reconnection would not help. */
+const ENDS: Readonly<Record<number, End>> = {
+  2: { message: 'The server has another version of rooms than this page. Reload the page.', isFinal: true },
+  3: { message: 'The server does not understand what this page sends.', isFinal: false },
+  4: { message: 'This link does not let you into the room. Ask for another one.', isFinal: true },
+  5: { message: 'The room is full.', isFinal: false },
+  6: { message: 'This page has sent more than the server accepts.', isFinal: false },
+  7: { message: 'The connection is too slow for this room.', isFinal: false },
+  8: { message: 'The server has received nothing from this page.', isFinal: false },
+  9: { message: 'You have entered the room elsewhere.', isFinal: true },
+  10: { message: 'The server is shutting down.', isFinal: false },
+};
+
 /** Returns the end for a reason's code. */
 export function endOf(reason: number): End {
-  return { message: MESSAGES[reason] ?? 'The room has ended the connection.', isFinal: FINAL.has(reason) };
+  return ENDS[reason] ?? { message: 'The room has ended the connection.', isFinal: false };
 }
 
-/** Returns the end for a WebSocket close code; `wasIn` if the user was in the room. */
+/** Returns the end for a WebSocket close code; `wasInRoom` if the user was in the room. */
 export function endOfCode(code: number, wasInRoom: boolean): End {
   if (code > REASON_OFFSET) return endOf(code - REASON_OFFSET);
   const message = wasInRoom ? 'The connection to the room was lost.' : 'The room cannot be reached.';

@@ -3,8 +3,8 @@ import { SHARED, SHOWN_AT } from '../shaders/scene';
 
 /** Axes of an upright square that faces the viewer. */
 const FACING = /* glsl */ `
-mat3 facing(vec3 at) {
-  vec3 toward = -normalize(at);
+mat3 facing(vec3 from_eye) {
+  vec3 toward = -normalize(from_eye);
   vec3 right = cross(vec3(0.0, 1.0, 0.0), toward);
   right = dot(right, right) > 1e-6 ? normalize(right) : vec3(1.0, 0.0, 0.0);
   return mat3(right, cross(toward, right), toward);
@@ -31,30 +31,30 @@ uniform vec3 begin;
 uniform vec3 end;
 // Tangent of the angle that a pixel covers.
 uniform float pixel;
-// Half widths: the least, metres, in pixels, so that no gaps are seen, and of the spot as the tangent of an angle.
+// Least half widths in metres, in pixels, so that no gaps are seen, and of the spot also as the tangent of an angle.
 const vec2 RIBBON = vec2(0.003, 0.75);
 const vec3 SPOT = vec3(0.02, 2.5, 0.004);
 // Share of its distance at which the spot is drawn, in front of the surface that it lies on.
-const float BEFORE = 0.985;
+const float SPOT_DISTANCE = 0.985;
 // Step along the pointer, as a share of its length, that gives the ribbon's direction.
-const float ONWARDS = 0.004;
+const float DIRECTION_STEP = 0.004;
 
 void main() {
   bool is_spot = position.x > 1.5;
   float share = min(position.x, 1.0);
   v_point = mix(begin, end, share);
-  vec3 at = displayed(v_point);
-  float away = length(at);
+  vec3 from_eye = displayed(v_point);
+  float range = length(from_eye);
   if (is_spot) {
-    mat3 axes = facing(at);
+    mat3 axes = facing(from_eye);
     // Also relative to the centre, because the map stores ranges from there.
-    v_point *= BEFORE;
-    v_shown = BEFORE * at;
-    v_shown += (axes[0] * position.y + axes[1] * position.z) * max(SPOT.x, max(SPOT.y * pixel, SPOT.z) * away);
+    v_point *= SPOT_DISTANCE;
+    v_shown = SPOT_DISTANCE * from_eye;
+    v_shown += (axes[0] * position.y + axes[1] * position.z) * max(SPOT.x, max(SPOT.y * pixel, SPOT.z) * range);
   } else {
-    vec3 side = cross(displayed(mix(begin, end, share + ONWARDS)) - at, at);
+    vec3 side = cross(displayed(mix(begin, end, share + DIRECTION_STEP)) - from_eye, from_eye);
     side = dot(side, side) > 0.0 ? normalize(side) : vec3(0.0, 1.0, 0.0);
-    v_shown = at + side * position.y * max(RIBBON.x, RIBBON.y * pixel * away);
+    v_shown = from_eye + side * position.y * max(RIBBON.x, RIBBON.y * pixel * range);
   }
   gl_Position = projectionMatrix * vec4(mat3(viewMatrix) * v_shown, 1.0);
 }
@@ -75,9 +75,9 @@ const vec2 HEIGHT = vec2(0.08, 0.032);
 void main() {
   v_point = begin;
   v_uv = uv;
-  vec3 at = displayed(v_point);
-  mat3 axes = facing(at);
-  v_shown = at + (axes[0] * position.x * ratio + axes[1] * position.y) * max(HEIGHT.x, HEIGHT.y * length(at));
+  vec3 from_eye = displayed(v_point);
+  mat3 axes = facing(from_eye);
+  v_shown = from_eye + (axes[0] * position.x * ratio + axes[1] * position.y) * max(HEIGHT.x, HEIGHT.y * length(from_eye));
   gl_Position = projectionMatrix * vec4(mat3(viewMatrix) * v_shown, 1.0);
 }
 `;

@@ -1,15 +1,11 @@
 /**
  * Ticket of a room across a reload of the page, in the tab's session storage. It is stored only from the end of a page
- * to the begin of the next one: browsers copy the storage into a duplicated tab, which is another user.
+ * to the beginning of the next one: browsers copy the storage into a duplicated tab, which is another user.
  */
 import { bytesOf, hexOf } from '../base/bytes';
 import type { Connection } from './connection';
 
-export interface TicketStore {
-  /** Removes and returns the ticket of the previous page; empty if there is none. */
-  take(): Uint8Array;
-  put(ticket: Uint8Array): void;
-}
+type TicketStore = ReturnType<typeof createTicketStore>;
 
 /** Acts on a storage; returns null where the browser forbids it, and where it is full. */
 export function onStorage<Result>(storage: () => Storage, action: (storage: Storage) => Result): Result | null {
@@ -21,35 +17,36 @@ export function onStorage<Result>(storage: () => Storage, action: (storage: Stor
 }
 
 /** Creates the store for a room, keyed by its relay's address without a token. */
-export function createTicketStore(relay: string, storage: () => Storage = () => sessionStorage): TicketStore {
+export function createTicketStore(relay: string, storage: () => Storage = () => sessionStorage) {
   const { origin, pathname } = new URL(relay);
   const key = `nearfar ticket ${origin}${pathname}`;
 
   return {
-    take() {
-      const text = onStorage(storage, (found) => found.getItem(key)) ?? '';
-      onStorage(storage, (found) => found.removeItem(key));
+    /** Removes and returns the ticket of the previous page; empty if there is none. */
+    take(): Uint8Array {
+      const text = onStorage(storage, (store) => store.getItem(key)) ?? '';
+      onStorage(storage, (store) => store.removeItem(key));
       return /^(?:[\da-f]{2}){1,255}$/.test(text) ? bytesOf(text) : new Uint8Array();
     },
-    put(ticket) {
+    put(ticket: Uint8Array): void {
       if (ticket.length === 0) return;
-      onStorage(storage, (found) => found.setItem(key, hexOf(ticket)));
+      onStorage(storage, (store) => store.setItem(key, hexOf(ticket)));
     },
   };
 }
 
-/** On hiding, says bye and stores the ticket; on return from the browser's cache, joins again. */
+/** Stores the ticket and leaves when the page is hidden; joins again when it returns from the browser's cache. */
 export function followPage(connection: Connection, tickets: TicketStore, page: EventTarget = window): void {
-  let isAway = false;
+  let hasLeft = false;
   page.addEventListener('pagehide', () => {
     if (connection.state.kind === 'ended') return;
     tickets.put(connection.ticket);
     connection.leave(true);
-    isAway = true;
+    hasLeft = true;
   });
   page.addEventListener('pageshow', () => {
-    if (!isAway) return;
-    isAway = false;
+    if (!hasLeft) return;
+    hasLeft = false;
     // The connection still has the ticket.
     tickets.take();
     connection.retry();

@@ -3,20 +3,21 @@
  * drawn with a delay: the jitter of its poses plus the interval between two of them. If that is too little, the
  * movement is extrapolated for a moment and stops. Times are in seconds.
  */
-import { between, type Body, type Pose } from './pose';
+import { clamp, subtract } from '../control/pose';
+import { type Body, interpolateBodies, type Pose } from './pose';
 
 /** Number of stored poses: more than half a second. */
-const KEPT = 48;
+const MAX_SAMPLES = 48;
 /** Window over which both clocks are compared; one or two windows count, because clocks drift. */
-const WINDOW = 10;
+const WINDOW_SECONDS = 10;
 /** Greatest duration of an extrapolation; greatest speed in metres per second: faster movements are jumps. */
-const [ONWARDS, FASTEST] = [0.1, 20] as const;
+const [MAX_EXTRAPOLATION, MAX_SPEED] = [0.1, 20] as const;
 /** Initial interval between poses; greatest gap that counts as an interval. */
-const [INTERVAL, PAUSE] = [1 / 72, 0.1] as const;
+const [INITIAL_INTERVAL, MAX_INTERVAL] = [1 / 72, 0.1] as const;
 /** Greatest jitter that is compensated; time constant of its exponential decay. */
-const [MAX_LATE, FORGET] = [0.25, 3] as const;
+const [MAX_JITTER, JITTER_DECAY] = [0.25, 3] as const;
 /** Greatest relative change of playback speed, which is imperceptible; difference above which playback jumps. */
-const [SLEW, STEP] = [0.1, 0.5] as const;
+const [MAX_RATE_CHANGE, MAX_DRIFT] = [0.1, 0.5] as const;
 
 interface Sample {
   readonly time: number;
@@ -25,82 +26,77 @@ interface Sample {
   readonly stops: boolean;
 }
 
-export interface Track {
-  /** Records a pose; duplicates are ignored. */
-  hear(pose: Pose, now: number): void;
-  /** Returns the body at a time; null before the first pose. */
-  at(now: number): Body | null;
-  /** Delay in seconds of what is drawn, without the least latency of poses. */
-  readonly behind: number;
-}
+export type Track = ReturnType<typeof createTrack>;
 
-export function createTrack(): Track {
+export function createTrack() {
   let begin = 0n;
   let samples: Sample[] = [];
-  let [interval, late, latest] = [INTERVAL, 0, 0];
+  let [interval, jitter, comparedAt] = [INITIAL_INTERVAL, 0, 0];
   /** Least difference of both clocks, in this window and in the one before. */
-  let least = { since: 0, now: Infinity, before: Infinity };
+  let minDifference = { windowStart: 0, current: Infinity, previous: Infinity };
   /** Delay in seconds that is subtracted from local time; null until something is drawn. */
-  let subtracted: number | null = null;
-  let drawn = 0;
+  let delay: number | null = null;
+  let drawnAt = 0;
 
   function reset(clock: bigint): void {
     begin = clock;
     samples = [];
-    [interval, late, subtracted] = [INTERVAL, 0, null];
-    least = { since: -Infinity, now: Infinity, before: Infinity };
+    [interval, jitter, delay] = [INITIAL_INTERVAL, 0, null];
+    minDifference = { windowStart: -Infinity, current: Infinity, previous: Infinity };
   }
 
   /** Compares both clocks when a pose arrives. */
   function compare(difference: number, now: number): void {
-    if (now - least.since > WINDOW) least = { since: now, now: difference, before: least.now };
-    least.now = Math.min(least.now, difference);
-    late = Math.max(late * Math.exp(-(now - latest) / FORGET), difference - offset());
-    latest = now;
+    if (now - minDifference.windowStart > WINDOW_SECONDS) {
+      minDifference = { windowStart: now, current: difference, previous: minDifference.current };
+    }
+    minDifference.current = Math.min(minDifference.current, difference);
+    jitter = Math.max(jitter * Math.exp(-(now - comparedAt) / JITTER_DECAY), difference - offset());
+    comparedAt = now;
   }
 
   function offset(): number {
-    return Math.min(least.now, least.before);
+    return Math.min(minDifference.current, minDifference.previous);
   }
 
   function add(sample: Sample): void {
-    const place = lastOf(samples, ({ sequence }) => sequence < sample.sequence) + 1;
-    if (samples[place]?.sequence === sample.sequence) return;
-    const before = samples[place - 1];
+    const index = lastOf(samples, ({ sequence }) => sequence < sample.sequence) + 1;
+    if (samples[index]?.sequence === sample.sequence) return;
+    const before = samples[index - 1];
     const gap = sample.time - (before?.time ?? -Infinity);
-    if (before && !before.stops && gap > 0 && gap < PAUSE) interval += 0.1 * (gap - interval);
-    samples = [...samples.slice(0, place), sample, ...samples.slice(place)].slice(-KEPT);
+    if (before && !before.stops && gap > 0 && gap < MAX_INTERVAL) interval += 0.1 * (gap - interval);
+    samples = [...samples.slice(0, index), sample, ...samples.slice(index)].slice(-MAX_SAMPLES);
   }
 
-  /** Returns the begin of the movement to a pose. */
+  /** Returns the time at which the movement to a pose begins. */
   function beginOf(before: Sample, after: Sample): number {
     return before.stops ? Math.max(before.time, after.time - interval) : before.time;
   }
 
   function bodyAt(time: number): Body | null {
-    const number = lastOf(samples, (sample) => sample.time <= time);
-    const [before, after] = [samples[number], samples[number + 1]];
+    const index = lastOf(samples, (sample) => sample.time <= time);
+    const [before, after] = [samples[index], samples[index + 1]];
     if (!before) return samples[0]?.body ?? null;
-    if (!after) return onwards(samples[number - 1], before, time);
+    if (!after) return extrapolate(samples[index - 1], before, time);
     const start = beginOf(before, after);
-    return between(before.body, after.body, Math.max(time - start, 0) / (after.time - start));
+    return interpolateBodies(before.body, after.body, Math.max(time - start, 0) / (after.time - start));
   }
 
-  function onwards(before: Sample | undefined, last: Sample, time: number): Body {
+  function extrapolate(before: Sample | undefined, last: Sample, time: number): Body {
     if (!before || last.stops) return last.body;
-    const length = last.time - beginOf(before, last);
-    const [a, b] = [before.body.head.position, last.body.head.position];
-    const isJump = Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]) > FASTEST * length;
-    if (isJump || !(length > 0)) return last.body;
-    return between(before.body, last.body, 1 + Math.min(time - last.time, ONWARDS) / length);
+    const duration = last.time - beginOf(before, last);
+    const move = subtract(last.body.head.position, before.body.head.position);
+    if (Math.hypot(...move) > MAX_SPEED * duration || !(duration > 0)) return last.body;
+    return interpolateBodies(before.body, last.body, 1 + Math.min(time - last.time, MAX_EXTRAPOLATION) / duration);
   }
 
   return {
-    hear(pose, now) {
+    /** Records a pose; duplicates are ignored. */
+    hear(pose: Pose, now: number): void {
       const newest = samples.at(-1);
       let time = Number(pose.clock - begin) / 1e6;
-      const isOther = newest && pose.sequence > newest.sequence && time <= newest.time;
-      if (!newest || isOther) {
+      const isClockReset = newest && pose.sequence > newest.sequence && time <= newest.time;
+      if (!newest || isClockReset) {
         reset(pose.clock);
         time = 0;
       } else if (pose.sequence < newest.sequence && time >= newest.time) {
@@ -109,28 +105,27 @@ export function createTrack(): Track {
       compare(now - time, now);
       add({ time, sequence: pose.sequence, body: pose, stops: pose.stops });
     },
-    at(now) {
+    /** Returns the body at a time; null before the first pose. */
+    at(now: number): Body | null {
       if (samples.length === 0) return null;
-      const wanted = offset() + interval + Math.min(late, MAX_LATE);
-      const change = wanted - (subtracted ?? wanted);
-      const most = SLEW * Math.max(now - drawn, 0);
-      const isDrift = subtracted !== null && Math.abs(change) < STEP;
-      subtracted = isDrift ? (subtracted ?? 0) + Math.min(Math.max(change, -most), most) : wanted;
-      drawn = now;
-      return bodyAt(now - subtracted);
+      const targetDelay = offset() + interval + Math.min(jitter, MAX_JITTER);
+      const change = targetDelay - (delay ?? targetDelay);
+      const maxChange = MAX_RATE_CHANGE * Math.max(now - drawnAt, 0);
+      const isDrift = delay !== null && Math.abs(change) < MAX_DRIFT;
+      delay = isDrift ? (delay ?? 0) + clamp(change, -maxChange, maxChange) : targetDelay;
+      drawnAt = now;
+      return bodyAt(now - delay);
     },
-    get behind() {
-      return subtracted === null ? 0 : subtracted - offset();
+    /** Delay in seconds of what is drawn, without the least latency of poses. */
+    get addedDelay(): number {
+      return delay === null ? 0 : delay - offset();
     },
   };
 }
 
 /** Returns the index of the last sample that satisfies a condition, or −1. */
-function lastOf(samples: readonly Sample[], isOfKind: (sample: Sample) => boolean): number {
-  let number = samples.length - 1;
-  for (; number >= 0; number--) {
-    const sample = samples[number];
-    if (sample && isOfKind(sample)) break;
-  }
-  return number;
+function lastOf(samples: readonly Sample[], condition: (sample: Sample) => boolean): number {
+  let index = samples.length - 1;
+  while (index >= 0 && !condition(samples[index] as Sample)) index -= 1;
+  return index;
 }

@@ -70,8 +70,8 @@ in vec4 row_z;
 #else
 uniform mat4 placement;
 #endif
-// Position relative to the centre, and displayed position relative to the eye. Both kinds of the morph give the same
-// directions; at the distance of the blend, flat surfaces beyond R stay flat, however large their triangles are.
+// Position relative to the centre, and displayed position relative to the eye. Both kinds of morph use the directions
+// and the distance of the blend, with which flat surfaces beyond R stay flat, however large their triangles are.
 out vec3 v_point;
 out vec3 v_shown;
 
@@ -132,7 +132,7 @@ out vec4 shade;
 // Range codes, and their scale: least range, step, texels along a face, and 1 if the map has ranges.
 uniform usamplerCube codes;
 uniform vec4 coding;
-const uint NOTHING = 65535u;
+const uint NO_SURFACE = 65535u;
 // Relative distance by which a fragment may lie behind the map without being hidden.
 const float BIAS = 4e-3;
 
@@ -142,15 +142,13 @@ float farthest_range(vec3 d) {
   float longest = max(size.x, max(size.y, size.z));
   vec3 at = d / longest;
   float half_texel = 1.0 / coding.z;
-  vec3 right = size.x == longest ? vec3(0.0, half_texel, 0.0) : vec3(half_texel, 0.0, 0.0);
-  vec3 down = size.z == longest ? vec3(0.0, half_texel, 0.0) : vec3(0.0, 0.0, half_texel);
-  if (size.z == longest) {
-    right = vec3(half_texel, 0.0, 0.0);
-  }
+  bool is_z = size.z == longest;
+  vec3 right = size.x == longest && !is_z ? vec3(0.0, half_texel, 0.0) : vec3(half_texel, 0.0, 0.0);
+  vec3 down = is_z ? vec3(0.0, half_texel, 0.0) : vec3(0.0, 0.0, half_texel);
   uint code = max(
     max(texture(codes, at - right - down).r, texture(codes, at + right - down).r),
     max(texture(codes, at - right + down).r, texture(codes, at + right + down).r));
-  return code == NOTHING ? 1e38 : coding.x * exp(float(code) * coding.y);
+  return code == NO_SURFACE ? 1e38 : coding.x * exp(float(code) * coding.y);
 }
 
 // Radius at which static geometry ends and the map begins.
@@ -179,12 +177,11 @@ void main() {
   float glow_level = level_of(textureSize(glow, 0), dFdx(v_uv), dFdy(v_uv));
 #endif
 #ifndef UNLIT
+  vec3 vertex_normal = vec3(0.0);
 #ifdef SMOOTH
-  vec3 own = v_normal;
-#else
-  vec3 own = vec3(0.0);
+  vertex_normal = v_normal;
 #endif
-  vec3 normal = shading_normal(cross(dFdx(v_point), dFdy(v_point)), -normalize(v_shown), own);
+  vec3 normal = shading_normal(cross(dFdx(v_point), dFdy(v_point)), -normalize(v_shown), vertex_normal);
 #endif
   if (is_hidden()) {
     discard;
@@ -197,19 +194,17 @@ void main() {
   albedo *= textureLod(image, v_uv, level).rgb;
 #endif
 #ifdef CUTOUT
-#ifdef TEXTURED
-  float alpha = base_color.a * textureLod(image, v_uv, 0.0).a;
-#else
   float alpha = base_color.a;
+#ifdef TEXTURED
+  alpha *= textureLod(image, v_uv, 0.0).a;
 #endif
   if (alpha < cutoff) {
     discard;
   }
 #endif
-#ifdef UNLIT
   vec3 color = albedo;
-#else
-  vec3 color = albedo * irradiance(normal);
+#ifndef UNLIT
+  color *= irradiance(normal);
 #endif
 #ifdef EMISSIVE
   color += emission;

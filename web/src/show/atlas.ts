@@ -1,42 +1,41 @@
 /** Open regions: their loaded data, and the picture that each would show. */
 import { abortable } from '../base/errors';
 import { type ArrivingRegion, bytesOf, filesOfRegion } from '../bundle/contents';
-import type { RingEntry } from '../bundle/manifest';
+import type { Manifest, RingEntry } from '../bundle/manifest';
 import type { WorkerMemory } from '../decode/messages';
-import type { Loading } from './job';
 import type { Regions } from './journey';
-import { loadRegion } from './loader';
+import { type Loading, loadRegion } from './loader';
 import { markTimeline } from './meter';
 import { createRegion, type Region } from './region';
 import { createStage, type Manner, type MorphState, type Shown, type Stage } from './stage';
 import type { World } from './world';
 
-export interface AtlasSettings {
-  readonly world: World;
-  readonly loading: Loading;
-  readonly manner: Manner;
-  /** Called when the loading of a region has failed. */
-  readonly failed: (region: number, reason: Error) => void;
-}
-
 /** Region that is open. */
-export interface OpenRegion {
-  readonly number: number;
-  readonly region: Region;
-  readonly stage: Stage;
-  readonly stop: AbortController;
-  /** Names of its files that are known so far. */
-  readonly needed: () => ReadonlySet<string>;
-  /** Last loaded ring; −1 before ring 0. */
-  arrived: number;
-  /** Current picture, or the last one. */
-  shown: Shown | null;
-  /** Received bytes of its files, and bytes of all files known so far. */
-  received: number;
-  readonly expected: number;
-  state: 'loading' | 'complete' | 'failed';
-  /** Whether its next ring cannot be fetched yet, so that other regions may proceed. */
-  isIdle: boolean;
+export type OpenRegion = ReturnType<typeof createOpenRegion>;
+
+function createOpenRegion(number: number, region: Region, stage: Stage, stop: AbortController, manifest: Manifest) {
+  const needed = (): ReadonlySet<string> => filesOfRegion(manifest, region.entry);
+  return {
+    number,
+    region,
+    stage,
+    stop,
+    /** Names of its files that are known so far. */
+    needed,
+    /** Last loaded ring; −1 before ring 0. */
+    arrived: -1,
+    /** Current picture, or the last one. */
+    shown: null as Shown | null,
+    /** Received bytes of its files. */
+    received: 0,
+    /** Bytes of all files known so far. */
+    get expected(): number {
+      return bytesOf(manifest, needed());
+    },
+    state: 'loading' as 'loading' | 'complete' | 'failed',
+    /** Whether its next ring cannot be fetched yet, so that other regions may proceed. */
+    isIdle: false,
+  };
 }
 
 /** Region whose manifest is being loaded. */
@@ -55,94 +54,75 @@ export interface Holding {
   readonly kept: readonly WorkerMemory[];
 }
 
-export interface Atlas extends Regions {
-  find(region: number): OpenRegion | null;
-  /** Advances a region by some seconds; radii smaller than `least` would fold. */
-  advance(region: number, seconds: number, least: number): Shown | null;
-  /** Reloads what failed. */
-  retry(): void;
-  readonly holding: Holding;
-  dispose(): void;
-}
+export type Atlas = ReturnType<typeof createAtlas>;
 
-export function createAtlas({ world, loading, manner, failed }: AtlasSettings): Atlas {
+/** Creates an atlas; `onFailure` is called when the loading of a region has failed. */
+export function createAtlas(
+  world: World,
+  loading: Loading,
+  manner: Manner,
+  onFailure: (region: number, reason: Error) => void,
+) {
   const { renderer, store } = loading;
   const { nearShare } = world;
-  const opens = new Map<number, OpenRegion>();
-  const pendings = new Map<number, Pending>();
+  const openRegions = new Map<number, OpenRegion>();
+  const pendingRegions = new Map<number, Pending>();
   let order: readonly number[] = [];
   let waiting: { region: number; done: () => void }[] = [];
-  let kept: readonly WorkerMemory[] = [];
+  let workerMemory: readonly WorkerMemory[] = [];
 
   /** Resumes the first region that is not complete. */
   function resumeNext(): void {
-    const next = order.find((region) => isLoading(opens.get(region)));
-    const called = waiting.filter(({ region }) => region === next);
+    const next = order.find((region) => isLoading(openRegions.get(region)));
+    const resumed = waiting.filter(({ region }) => region === next);
     waiting = waiting.filter(({ region }) => region !== next);
-    for (const { done } of called) done();
-  }
-
-  function waitForTurn(region: number, signal: AbortSignal): Promise<void> {
-    return abortable<void>(signal, (done) => {
-      waiting.push({ region, done });
-      resumeNext();
-    });
+    for (const { done } of resumed) done();
   }
 
   /** Waits until a ring can be fetched and it is the region's turn. */
-  async function ready(open: OpenRegion, coming: ArrivingRegion, ring: number, signal: AbortSignal): Promise<RingEntry> {
-    const entry = coming.ring(ring);
+  async function waitForRing(open: OpenRegion, arriving: ArrivingRegion, ring: number): Promise<RingEntry> {
+    const entry = arriving.ring(ring);
     if (entry instanceof Promise) {
       open.isIdle = true;
       resumeNext();
       await entry;
       open.isIdle = false;
     }
-    await waitForTurn(open.number, signal);
+    await abortable<void>(open.stop.signal, (done) => {
+      waiting.push({ region: open.number, done });
+      resumeNext();
+    });
     return entry;
   }
 
-  function request(number: number): void {
-    const pending: Pending = { stop: new AbortController(), from: null, hasFailed: false };
+  /** Loads the manifest of a region, and then its rings; `from` is the state to begin with. */
+  function request(number: number, from: MorphState | null = null): void {
+    const pending: Pending = { stop: new AbortController(), from, hasFailed: false };
     const { signal } = pending.stop;
-    pendings.set(number, pending);
+    pendingRegions.set(number, pending);
     world.open(number, signal).then(
-      (coming) => {
+      (arriving) => {
         if (signal.aborted) return;
-        pendings.delete(number);
-        begin(number, coming, pending.stop);
-        if (pending.from) requireOpen(number).stage.enter(pending.from);
+        pendingRegions.delete(number);
+        const { stage } = begin(number, arriving, pending.stop);
+        if (pending.from) stage.enter(pending.from);
       },
       (reason: unknown) => {
         if (signal.aborted) return;
         pending.hasFailed = true;
-        failed(number, asError(reason));
+        onFailure(number, asError(reason));
       },
     );
   }
 
-  function begin(number: number, coming: ArrivingRegion, stop: AbortController): void {
-    const { entry, manifest } = coming;
+  function begin(number: number, arriving: ArrivingRegion, stop: AbortController): OpenRegion {
+    const { entry, manifest } = arriving;
     const radii = entry.rings.slice(1).map((ring) => ring.radius);
     const stage = createStage({ ...manifest.growth, radii, nearShare }, manner);
     const region = createRegion(renderer, entry, manifest.map.face_size, store, loading.shared);
-    const open: OpenRegion = {
-      number,
-      region,
-      stage,
-      stop,
-      arrived: -1,
-      shown: null,
-      received: 0,
-      get expected() {
-        return bytesOf(manifest, filesOfRegion(manifest, entry));
-      },
-      state: 'loading',
-      isIdle: false,
-      needed: () => filesOfRegion(manifest, entry),
-    };
-    opens.set(number, open);
-    const ended = (state: OpenRegion['state']): void => {
+    const open = createOpenRegion(number, region, stage, stop, manifest);
+    openRegions.set(number, open);
+    const finish = (state: OpenRegion['state']): void => {
       open.state = state;
       resumeNext();
     };
@@ -158,83 +138,73 @@ export function createAtlas({ world, loading, manner, failed }: AtlasSettings): 
       received: (bytes) => {
         open.received += bytes;
       },
-      turn: (ring, signal) => ready(open, coming, ring, signal),
-      mayReplace: (ring) => stage.replaceable(ring),
+      waitForRing: (ring) => waitForRing(open, arriving, ring),
+      mayReplace: (ring) => stage.whenReplaceable(ring),
       signal: stop.signal,
     }).then(
-      () => ended('complete'),
+      () => finish('complete'),
       (reason: unknown) => {
         if (stop.signal.aborted) return;
-        ended('failed');
-        failed(number, asError(reason));
+        finish('failed');
+        onFailure(number, asError(reason));
       },
     );
-  }
-
-  function end(open: OpenRegion): void {
-    opens.delete(open.number);
-    open.stop.abort();
-    open.region.dispose();
-    waiting = waiting.filter(({ region }) => region !== open.number);
-    const needed = [...opens.values()].flatMap((other) => [...other.needed()]);
-    const request = { kind: 'forget', buffers: store.keep(new Set(needed)), region: open.number } as const;
-    Promise.all([loading.geometry(request), loading.maps(request)]).then(
-      (answers) => {
-        kept = answers;
-      },
-      // The error of a stopped worker is reported to its pending requests.
-      () => undefined,
-    );
-  }
-
-  function reopen(number: number, from: MorphState | null): void {
-    request(number);
-    const pending = pendings.get(number);
-    if (pending) pending.from = from;
-  }
-
-  function requireOpen(region: number): OpenRegion {
-    const open = opens.get(region);
-    if (!open) throw new Error(`region ${region} is not open`);
     return open;
   }
 
-  return {
-    find: (region) => opens.get(region) ?? null,
+  function end(open: OpenRegion): void {
+    openRegions.delete(open.number);
+    open.stop.abort();
+    open.region.dispose();
+    waiting = waiting.filter(({ region }) => region !== open.number);
+    const neededFiles = [...openRegions.values()].flatMap((other) => [...other.needed()]);
+    const request = { kind: 'forget', buffers: store.freeExcept(new Set(neededFiles)), region: open.number } as const;
+    Promise.all([loading.geometry(request), loading.maps(request)])
+      .then((answers) => (workerMemory = answers))
+      // The error of a stopped worker is reported to its pending requests.
+      .catch(() => undefined);
+  }
+
+  const regions: Regions = {
     open(region) {
-      if (!opens.has(region) && !pendings.has(region)) request(region);
+      if (!openRegions.has(region) && !pendingRegions.has(region)) request(region);
     },
     close(region) {
-      pendings.get(region)?.stop.abort();
-      pendings.delete(region);
-      const open = opens.get(region);
+      pendingRegions.get(region)?.stop.abort();
+      pendingRegions.delete(region);
+      const open = openRegions.get(region);
       if (open) end(open);
     },
     prefer(next) {
       order = next;
       resumeNext();
     },
-    offer: (region, from) => opens.get(region)?.stage.offer(from) ?? null,
-    isComplete: (region) => opens.get(region)?.state === 'complete',
-    isCoarse: (region) => opens.get(region)?.region.entry.isCoarse ?? false,
+    offer: (region, from) => openRegions.get(region)?.stage.offer(from) ?? null,
+    isComplete: (region) => openRegions.get(region)?.state === 'complete',
+    isCoarse: (region) => openRegions.get(region)?.region.entry.isCoarse ?? false,
     enter(region, from) {
-      const pending = pendings.get(region);
-      if (pending) {
-        pending.from = from;
-        return;
+      const [pending, open] = [pendingRegions.get(region), openRegions.get(region)];
+      if (pending) pending.from = from;
+      else if (!open) throw new Error(`region ${region} is not open`);
+      else {
+        open.stage.enter(from);
+        open.shown = null;
       }
-      const open = requireOpen(region);
-      open.stage.enter(from);
-      open.shown = null;
     },
     leave(region) {
-      const open = opens.get(region);
-      open?.stage.leave();
-      if (open) open.shown = null;
+      const open = openRegions.get(region);
+      if (!open) return;
+      open.stage.leave();
+      open.shown = null;
     },
-    grown: (region): MorphState | null => opens.get(region)?.shown?.grown ?? null,
-    advance(region, seconds, least) {
-      const open = opens.get(region);
+    grown: (region) => openRegions.get(region)?.shown?.grown ?? null,
+  };
+  return {
+    ...regions,
+    find: (region: number): OpenRegion | null => openRegions.get(region) ?? null,
+    /** Advances a region by some seconds; radii smaller than `least` would fold. */
+    advance(region: number, seconds: number, least: number): Shown | null {
+      const open = openRegions.get(region);
       // Its manifest is not loaded yet.
       if (!open) return null;
       const before = lastOf(open.shown);
@@ -243,25 +213,25 @@ export function createAtlas({ world, loading, manner, failed }: AtlasSettings): 
       if (ring > before) markTimeline('shown', region, ring);
       return open.shown;
     },
-    retry() {
-      for (const open of [...opens.values()].filter(({ state }) => state === 'failed')) {
+    /** Reloads what failed. */
+    retry(): void {
+      for (const open of [...openRegions.values()].filter(({ state }) => state === 'failed')) {
         const { grown } = open.shown ?? {};
         end(open);
-        reopen(open.number, grown ?? null);
+        request(open.number, grown);
       }
-      for (const [number, { hasFailed, from }] of pendings) {
-        if (hasFailed) reopen(number, from);
-      }
+      for (const [number, { hasFailed, from }] of pendingRegions) if (hasFailed) request(number, from);
     },
-    get holding() {
-      const isWaiting = [...pendings.values()].some(({ hasFailed }) => !hasFailed);
-      const areLoading = [...opens.values()].some(({ state }) => state === 'loading');
-      return { regions: [...opens.keys(), ...pendings.keys()], isLoading: isWaiting || areLoading, kept };
+    get holding(): Holding {
+      const isWaiting = [...pendingRegions.values()].some(({ hasFailed }) => !hasFailed);
+      const areLoading = [...openRegions.values()].some(({ state }) => state === 'loading');
+      const regions = [...openRegions.keys(), ...pendingRegions.keys()];
+      return { regions, isLoading: isWaiting || areLoading, kept: workerMemory };
     },
-    dispose() {
-      for (const { stop } of pendings.values()) stop.abort();
-      pendings.clear();
-      for (const open of [...opens.values()]) end(open);
+    dispose(): void {
+      for (const { stop } of pendingRegions.values()) stop.abort();
+      pendingRegions.clear();
+      for (const open of [...openRegions.values()]) end(open);
     },
   };
 }

@@ -17,7 +17,7 @@ export interface Column {
   readonly rows: Numbers;
   readonly width: number;
   /** Whether integers are normalized by their greatest value. */
-  readonly isShare?: boolean;
+  readonly isNormalized?: boolean;
 }
 
 /** Allocates GPU memory for arrays without uploading them. */
@@ -25,15 +25,14 @@ export function createBuffers<Name extends string>(
   gl: WebGL2RenderingContext,
   columns: Readonly<Partial<Record<Name, Column | null>>>,
 ): Buffers<Name> {
-  const found = Object.entries<Column | null | undefined>(columns).flatMap(([name, column]) =>
-    column ? [{ name: name as Name, rows: column.rows, attribute: attributeOf(gl, column, name === 'index') }] : [],
+  type Attributes = Buffers<Name>['attributes'];
+  const arrays = Object.entries<Column | null | undefined>(columns).flatMap(([name, column]) =>
+    column ? [{ name, rows: column.rows, attribute: attributeOf(gl, column, name === 'index') }] : [],
   );
-  const attributes: Partial<Record<Name, GLBufferAttribute>> = {};
-  for (const { name, attribute } of found) attributes[name] = attribute;
   return {
-    attributes,
+    attributes: Object.fromEntries(arrays.map(({ name, attribute }) => [name, attribute])) as Attributes,
     *steps() {
-      for (const parts of groupParts(found.flatMap(({ rows, attribute }) => [...partsOf(rows, attribute.buffer)]))) {
+      for (const parts of groupParts(arrays.flatMap(({ rows, attribute }) => [...partsOf(rows, attribute.buffer)]))) {
         const bytes = parts.reduce((sum, { data }) => sum + data.byteLength, 0);
         yield {
           kind: 'arrays',
@@ -48,7 +47,7 @@ export function createBuffers<Name extends string>(
       }
     },
     dispose() {
-      for (const { attribute } of found) gl.deleteBuffer(attribute.buffer);
+      for (const { attribute } of arrays) gl.deleteBuffer(attribute.buffer);
     },
   };
 }
@@ -56,16 +55,16 @@ export function createBuffers<Name extends string>(
 /** WebGL's COPY_WRITE_BUFFER, which accepts all arrays and is not used by three.js. */
 const TARGET = 0x8f37;
 
-function attributeOf(
-  gl: WebGL2RenderingContext,
-  { rows, width, isShare = false }: Column,
-  isIndex: boolean,
-): GLBufferAttribute {
+function attributeOf(gl: WebGL2RenderingContext, { rows, width, isNormalized = false }: Column, isIndex: boolean) {
   const buffer = gl.createBuffer();
   if (isIndex) markIndex(gl, buffer);
   gl.bindBuffer(TARGET, buffer);
   gl.bufferData(TARGET, rows.byteLength, gl.STATIC_DRAW);
-  return new GLBufferAttribute(buffer, typeOf(gl, rows), width, bytesEach(rows), rows.length / width, isShare);
+  const isShort = rows instanceof Uint16Array;
+  const type = rows instanceof Float32Array ? gl.FLOAT : isShort ? gl.UNSIGNED_SHORT : gl.UNSIGNED_INT;
+  // The declaration of three.js lacks 32-bit integers.
+  const declared = type as typeof gl.FLOAT | typeof gl.UNSIGNED_SHORT;
+  return new GLBufferAttribute(buffer, declared, width, isShort ? 2 : 4, rows.length / width, isNormalized);
 }
 
 /** Marks a buffer as an index buffer for WebGL, without changing the vertex array that three.js has bound. */
@@ -74,15 +73,6 @@ function markIndex(gl: WebGL2RenderingContext, buffer: WebGLBuffer): void {
   gl.bindVertexArray(null);
   gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, buffer);
   gl.bindVertexArray(before);
-}
-
-function typeOf(gl: WebGL2RenderingContext, rows: Numbers): typeof gl.FLOAT | typeof gl.UNSIGNED_SHORT {
-  if (rows instanceof Float32Array) return gl.FLOAT;
-  return (rows instanceof Uint16Array ? gl.UNSIGNED_SHORT : gl.UNSIGNED_INT) as typeof gl.UNSIGNED_SHORT;
-}
-
-function bytesEach(rows: Numbers): 2 | 4 {
-  return rows instanceof Uint16Array ? 2 : 4;
 }
 
 /** Part of an array, and its byte offset in the buffer. */
@@ -117,56 +107,50 @@ function* groupParts(parts: Iterable<BufferPart>): Generator<BufferPart[]> {
 /** Arrays of a mesh without its placements. */
 export type MeshArrays = Buffers<'position' | 'normal' | 'uv' | 'color' | 'index'>;
 
-export interface Store {
-  /** Textures by file name. */
-  readonly textures: Map<string, Texture>;
-  /** Names of the files in the geometry worker: shared buffers, and the file of dynamic objects. */
-  readonly buffers: Set<string>;
-  /** Returns the arrays of a mesh, shared with other meshes of the same name; counts a user. */
-  take(name: string | null, make: () => MeshArrays): MeshArrays;
-  /** Releases a mesh's arrays; returns true if no other mesh uses them. */
-  give(name: string | null): boolean;
-  /** Frees all files but these; returns the buffers that the worker must free. */
-  keep(files: ReadonlySet<string>): string[];
-  /** Number of arrays that several meshes share. */
-  readonly shared: number;
-}
+/** Resources that regions share. */
+export type Store = ReturnType<typeof createStore>;
 
-export function createStore(): Store {
+export function createStore() {
+  /** Textures by file name. */
   const textures = new Map<string, Texture>();
+  /** Names of the files in the geometry worker: shared buffers, and the file of dynamic objects. */
   const buffers = new Set<string>();
-  const held = new Map<string, { arrays: MeshArrays; users: number }>();
+  const sharedArrays = new Map<string, { arrays: MeshArrays; users: number }>();
 
   return {
     textures,
     buffers,
-    take(name, make) {
+    /** Returns the arrays of a mesh, shared with other meshes of the same name; counts a user. */
+    acquire(name: string | null, make: () => MeshArrays): MeshArrays {
       if (name === null) return make();
-      const entry = held.get(name) ?? { arrays: make(), users: 0 };
-      held.set(name, entry);
+      const entry = sharedArrays.get(name) ?? { arrays: make(), users: 0 };
+      sharedArrays.set(name, entry);
       entry.users += 1;
       return entry.arrays;
     },
-    give(name) {
-      const entry = name === null ? undefined : held.get(name);
+    /** Releases a mesh's arrays; returns true if no other mesh uses them. */
+    release(name: string | null): boolean {
+      const entry = name === null ? undefined : sharedArrays.get(name);
       if (!entry || name === null) return true;
       entry.users -= 1;
       if (entry.users > 0) return false;
-      held.delete(name);
+      sharedArrays.delete(name);
       return true;
     },
-    keep(files) {
+    /** Frees all files but these; returns the buffers that the worker must free. */
+    freeExcept(files: ReadonlySet<string>): string[] {
       for (const [name, texture] of textures) {
         if (files.has(name)) continue;
         texture.dispose();
         textures.delete(name);
       }
-      const gone = [...buffers].filter((name) => !files.has(name));
-      for (const name of gone) buffers.delete(name);
-      return gone;
+      const unneeded = [...buffers].filter((name) => !files.has(name));
+      for (const name of unneeded) buffers.delete(name);
+      return unneeded;
     },
-    get shared() {
-      return [...held.values()].filter(({ users }) => users > 1).length;
+    /** Number of arrays that several meshes share. */
+    get shared(): number {
+      return [...sharedArrays.values()].filter(({ users }) => users > 1).length;
     },
   };
 }

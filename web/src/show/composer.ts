@@ -18,25 +18,8 @@ export interface MapLayer {
   show(cube: Cube, yaw: number): boolean;
 }
 
-export interface Composer {
-  /** Draws a leg for a user. In a headset the pose comes from the session. */
-  draw(leg: Leg, user: Pose | null): void;
-  /**
-   * Sets the position of the divider as a share of the width; left of it the picture is conventional. Null removes it.
-   */
-  setDivider(share: number | null): void;
-  /** Whether the picture is continuous at a horizontal position. */
-  isMorphedAt(x: number): boolean;
-  /** Sets the headset layer that shows the map while nothing fades; null to draw the map. */
-  setMapLayer(layer: MapLayer | null): void;
-}
-
-export function createComposer(
-  renderer: WebGLRenderer,
-  atlas: Atlas,
-  painter: Painter,
-  { camera, rig, setPose }: Viewpoint,
-): Composer {
+export function createComposer(renderer: WebGLRenderer, atlas: Atlas, painter: Painter, viewpoint: Viewpoint) {
+  const { camera, rig, setPose } = viewpoint;
   let divider: number | null = null;
   let mapLayer: MapLayer | null = null;
 
@@ -64,14 +47,14 @@ export function createComposer(
     paint(region, leaving?.share ?? 1, isMorphed);
   }
 
-  /** Draws the same for both eyes of a headset, whose pose is fixed: a place that was left cannot be drawn. */
+  /** Draws a leg in a headset, whose session sets the pose: the view from a place that was left cannot be drawn. */
   function paintEyes({ region, leaving }: Leg): void {
     if (leaving && !leaving.pose) paint(leaving.region, 1, true);
-    paint(region, leaving?.share ?? 1, true, leaving !== null || !isApart(region));
+    paint(region, leaving?.share ?? 1, true, leaving !== null || !isMapInLayer(region));
   }
 
   /** Whether a composition layer shows the map of a region in this frame. */
-  function isApart(number: number): boolean {
+  function isMapInLayer(number: number): boolean {
     const open = atlas.find(number);
     if (!open?.shown || open.shown.fading) return false;
     return mapLayer?.show(cubeOf(open.region, open.shown.ring), rig.rotation.y) ?? false;
@@ -90,45 +73,43 @@ export function createComposer(
   }
 
   return {
-    draw(leg, user) {
+    /** Draws a leg for a user. In a headset the pose comes from the session. */
+    draw(leg: Leg, user: Pose | null): void {
       if (!atlas.find(leg.region)?.shown) return;
       if (renderer.xr.isPresenting) paintEyes(leg);
       else if (divider === null) paintLeg(leg, user, true);
       else paintSides(leg, user, divider);
     },
-    setDivider(share) {
+    /** Sets the divider, left of which the picture is conventional, as a share of the width; null removes it. */
+    setDivider(share: number | null): void {
       divider = share;
     },
-    isMorphedAt: (x) => divider === null || x >= divider || renderer.xr.isPresenting,
-    setMapLayer(layer) {
+    /** Whether the picture is continuous at a horizontal position. */
+    isMorphedAt: (x: number): boolean => divider === null || x >= divider || renderer.xr.isPresenting,
+    /** Sets the headset layer that shows the map while nothing fades; null to draw the map. */
+    setMapLayer(layer: MapLayer | null): void {
       mapLayer = layer;
     },
   };
 }
 
-/** Near and far plane, metres. */
-const NEAR = 0.05;
-const FAR = 30_000;
+/** Near plane, metres. */
+export const NEAR_PLANE = 0.05;
+/** Far plane, metres. */
+export const FAR_PLANE = 30_000;
 
-export interface Viewpoint {
-  readonly camera: PerspectiveCamera;
-  /** Rig of the headset's space: its position is the user's floor. */
-  readonly rig: Group;
-  /** Sets the rig relative to a centre, so that coordinates on the GPU are small. */
-  place(center: Point): void;
-  setPose(pose: Pose): void;
-  /** Sets the floor of a headset's user. */
-  stand(floor: Floor): void;
-}
+export type Viewpoint = ReturnType<typeof createViewpoint>;
 
 /** Creates a viewpoint with a vertical field of view, degrees. */
-export function createViewpoint(angle: number): Viewpoint {
-  const camera = new PerspectiveCamera(angle, 1, NEAR, FAR);
+export function createViewpoint(angle: number) {
+  const camera = new PerspectiveCamera(angle, 1, NEAR_PLANE, FAR_PLANE);
   camera.rotation.order = 'YXZ';
+  /** Rig of the headset's space: its position is the user's floor. */
   const rig = new Group();
   rig.add(camera);
   const feet = { x: 0, y: 0, z: 0 };
 
+  /** Sets the floor of a headset's user. */
   function stand({ position: [x, y, z], yaw }: Floor): void {
     Object.assign(feet, { x, y, z });
     rig.rotation.y = yaw;
@@ -137,11 +118,12 @@ export function createViewpoint(angle: number): Viewpoint {
   return {
     camera,
     rig,
-    place(center) {
+    /** Sets the rig relative to a centre, so that coordinates on the GPU are small. */
+    place(center: Point): void {
       rig.position.set(feet.x - center[0], feet.y - center[1], feet.z - center[2]);
       rig.updateMatrixWorld(true);
     },
-    setPose({ position: [x, y, z], yaw, pitch }) {
+    setPose({ position: [x, y, z], yaw, pitch }: Pose): void {
       stand({ position: [x, y, z], yaw: 0 });
       camera.position.set(0, 0, 0);
       camera.rotation.set(pitch, yaw, 0);

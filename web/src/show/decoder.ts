@@ -1,35 +1,9 @@
 /** Promise-based interface to a decoder worker. */
 import { BundleError } from '../bundle/error';
-import type {
-  Answer,
-  DropRequest,
-  FirstMapRequest,
-  ForgetRequest,
-  Geometry,
-  GeometryRequest,
-  WorkerMemory,
-  MapUpdate,
-  NextMapRequest,
-  Part,
-  PartRequest,
-  Request,
-} from '../decode/messages';
-
-export interface Decoder {
-  (request: GeometryRequest): Promise<Geometry>;
-  (request: PartRequest): Promise<Part>;
-  (request: DropRequest): Promise<null>;
-  (request: FirstMapRequest | NextMapRequest): Promise<MapUpdate>;
-  (request: ForgetRequest): Promise<WorkerMemory>;
-}
-
-export interface DecoderWorker {
-  readonly decode: Decoder;
-  dispose(): void;
-}
+import type { Answer, Decoder, Request } from '../decode/messages';
 
 /** Starts a worker that answers requests in order. `spend` is called with the main thread's milliseconds per answer. */
-export function startDecoder(script: URL, spend: (milliseconds: number) => void): DecoderWorker {
+export function startDecoder(script: URL, spend: (milliseconds: number) => void) {
   const worker = new Worker(script, { type: 'module' });
   const pendingRequests = new Map<number, { resolve: (value: never) => void; reject: (reason: Error) => void }>();
   let lastId = 0;
@@ -54,15 +28,12 @@ export function startDecoder(script: URL, spend: (milliseconds: number) => void)
   const decode = (request: Request): Promise<never> =>
     new Promise((resolve, reject) => {
       // The worker cannot answer any more.
-      if (stopError) {
-        reject(stopError);
-        return;
-      }
+      if (stopError) return reject(stopError);
       const id = ++lastId;
       pendingRequests.set(id, { resolve, reject });
       worker.postMessage({ ...request, id }, buffersOf(request));
     });
-  return { decode: decode as Decoder, dispose: () => worker.terminate() };
+  return { decode: decode as Decoder, dispose: (): void => worker.terminate() };
 }
 
 /** Returns the buffers to transfer with a request: the contents of its files. */
@@ -74,9 +45,7 @@ function buffersOf(request: Request): ArrayBuffer[] {
       return request.color.map((file) => file.data);
     case 'next-map':
       return [...(request.color ? [request.color] : []), ...request.range].map((file) => file.data);
-    case 'part':
-    case 'drop':
-    case 'forget':
+    default:
       return [];
   }
 }

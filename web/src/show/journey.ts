@@ -3,21 +3,25 @@
  * replaces another one by a cross-fade, and only where neither picture folds; until then the user is confined to the
  * area where the current picture does not fold.
  */
-import { type Bounds, clampToLimit, distance, FREE, type Limit } from '../control/limit';
+import { type Bounds, clampToLimit, distance, FREE_SHARE, type Limit } from '../control/limit';
 import type { Pose, Vector } from '../control/pose';
 import { type MorphState, NOTHING_NEAR } from './stage';
-import { distanceBetween, type Places } from './world';
+import { distanceBetween, type World } from './world';
 
-/** Hysteresis: another centre must be nearer by this share of the centres' distance, at most this many metres. */
-const [GAP_SHARE, GAP_MAX] = [0.1, 2] as const;
-/** Share of its limit that a nearer region must have left to take over, so that it is not left at once. */
-const ROOM_SHARE = 0.3;
+/** Hysteresis: share of two centres' distance by which another centre must be nearer. */
+const GAP_SHARE = 0.1;
+/** Greatest hysteresis, metres. */
+const GAP_MAX = 2;
+/** Least margin, as a share of its limit, with which a nearer region takes over, so that it is not left at once. */
+const MIN_MARGIN_SHARE = 0.3;
 /** Margin in metres beyond the user's position at which a radius may begin to fold. */
-const SLACK = 0.5;
+const MARGIN_METRES = 0.5;
 /** Tolerance for rounding, so that the last radius always counts as sufficient. */
-const ROUNDED = 1 - 1e-9;
-/** Share of the limit to which a landing position is clamped, and within which no other region is needed. */
-const [LANDING, HERE_SHARE] = [0.9, 0.5] as const;
+const ROUNDING_FACTOR = 1 - 1e-9;
+/** Share of the limit to which a landing position is clamped. */
+const LANDING_SHARE = 0.9;
+/** Least margin of a target, as a share of the current region's limit, for which the user jumps within that region. */
+const HERE_SHARE = 0.5;
 
 /** Interface of a journey to the regions. */
 export interface Regions {
@@ -32,7 +36,7 @@ export interface Regions {
   isComplete(region: number): boolean;
   /** Whether its maps are coarse and finer ones are to come. */
   isCoarse(region: number): boolean;
-  /** Shows it from now on, in a state as similar as possible to that of another region. */
+  /** Shows it from now on, in a state as similar as possible to the state `from` of another region. */
   enter(region: number, from: MorphState): void;
   /** Stops showing it. */
   leave(region: number): void;
@@ -40,48 +44,27 @@ export interface Regions {
   grown(region: number): MorphState | null;
 }
 
-export interface JourneySettings {
-  readonly places: Places;
-  /** Share of a morph's radius within which its picture does not fold. */
-  readonly marginShare: number;
-  /** Duration of a cross-fade, seconds. */
-  readonly fade: number;
-  /** Called when the user was moved to another place. */
-  readonly moved: (pose: Pose) => void;
-}
-
 /** Current picture of a journey. */
 export interface Leg {
   readonly region: number;
-  /**
-   * Picture that is fading out below that of the region, whose opacity is `share`; with a pose if the user was moved.
-   */
+  /** Picture that fades out below the region's, whose opacity is `share`; with its pose if the user was moved. */
   readonly leaving: { readonly region: number; readonly pose: Pose | null; readonly share: number } | null;
 }
 
-export interface Journey {
-  /** Advances by some seconds with the user's pose. */
-  advance(seconds: number, user: Pose): Leg;
-  /** Moves to another place when its region can be shown. */
-  go(target: Pose): void;
-  /** Stops waiting for a region whose loading has failed. */
-  failed(region: number): void;
-  /** Area where the user may be. */
-  readonly bounds: Bounds;
-  readonly region: number;
-  /** Region that the user is moving to; null for none. */
-  readonly goal: number | null;
-  /** Least radius of the region's morph that does not fold at the user's position. */
-  readonly least: number;
-}
+export type Journey = ReturnType<typeof createJourney>;
 
-export function createJourney(settings: JourneySettings, regions: Regions, first: number): Journey {
+/** Creates a journey; `onMove` is called when the user was moved to another place. */
+export function createJourney(
+  settings: Pick<World, 'places' | 'marginShare' | 'fade'> & { readonly onMove: (pose: Pose) => void },
+  regions: Regions,
+  first: number,
+) {
   let current = first;
   let ahead: number | null = null;
   let leaving: { region: number; pose: Pose | null; since: number } | null = null;
-  let going: { region: number; target: Pose } | null = null;
+  let jump: { region: number; target: Pose } | null = null;
   let user: Pose | null = null;
-  let opened: readonly number[] = [first];
+  let openRegions: readonly number[] = [first];
 
   const { places } = settings;
 
@@ -111,17 +94,17 @@ export function createJourney(settings: JourneySettings, regions: Regions, first
     const [from, offer] = [regions.grown(current), offerOf(next)];
     if (!from || !offer) return false;
     const gap = Math.min(GAP_SHARE * distanceTo(next, places.of(current).center), GAP_MAX);
-    const [here, there] = [limitOf(current, from), limitOf(next, offer)];
+    const [currentLimit, nextLimit] = [limitOf(current, from), limitOf(next, offer)];
     const isNearer = distanceTo(next, place) + gap <= distanceTo(current, place);
     const isAsLarge = offer.radius >= from.radius && !regions.isCoarse(next);
     const isAlike = from.strength === 0 || isAsLarge || regions.isComplete(next);
-    if (isNearer && isAlike && marginAt(there, place) >= ROOM_SHARE * there.metres) return true;
+    if (isNearer && isAlike && marginAt(nextLimit, place) >= MIN_MARGIN_SHARE * nextLimit.metres) return true;
     // At its edge the picture is replaced even by one that is less similar.
-    const isAtEdge = marginAt(here, place) < (1 - FREE) * here.metres;
-    return isAtEdge && marginAt(there, place) >= Math.max(marginAt(here, place), 0) + gap;
+    const isAtEdge = marginAt(currentLimit, place) < (1 - FREE_SHARE) * currentLimit.metres;
+    return isAtEdge && marginAt(nextLimit, place) >= Math.max(marginAt(currentLimit, place), 0) + gap;
   }
 
-  function take(region: number, from: MorphState, pose: Pose | null): void {
+  function takeOver(region: number, from: MorphState, pose: Pose | null): void {
     leaving = { region: current, pose, since: 0 };
     if (region !== current) {
       regions.enter(region, from);
@@ -132,50 +115,54 @@ export function createJourney(settings: JourneySettings, regions: Regions, first
   /** Returns the pose at which the user lands if the region begins with a state. */
   function landing(region: number, grown: MorphState, target: Pose): Pose {
     const { center, metres } = limitOf(region, grown);
-    return { ...target, position: clampToLimit(target.position, { center, metres: LANDING * metres }) };
+    return { ...target, position: clampToLimit(target.position, { center, metres: LANDING_SHARE * metres }) };
   }
 
   /** Moves the user if the region of the place can be shown. */
   function depart(pose: Pose): void {
-    if (!going) return;
-    const { region, target } = going;
+    if (!jump) return;
+    const { region, target } = jump;
     const from = regions.grown(current);
     const isHere = region === current;
     const offer = isHere ? from : regions.offer(region, from ?? NOTHING_NEAR);
     if (!offer) return;
     // Its picture must leave the user room; otherwise it begins with nothing near.
-    const fits = isHere || marginAt(limitOf(region, offer), target.position) > (1 - FREE) * limitOf(region, offer).metres;
+    const limit = limitOf(region, offer);
+    const fits = isHere || marginAt(limit, target.position) > (1 - FREE_SHARE) * limit.metres;
     const place = landing(region, fits ? offer : NOTHING_NEAR, target);
-    going = null;
-    take(region, fits && from ? from : NOTHING_NEAR, from ? pose : null);
+    jump = null;
+    takeOver(region, fits && from ? from : NOTHING_NEAR, from ? pose : null);
     if (!from) leaving = null;
     user = place;
-    settings.moved(place);
+    settings.onMove(place);
   }
 
   /** Closes unneeded regions and loads needed ones, first the region of the user's current or future position. */
   function arrange(place: Vector): void {
-    const goal = going?.region ?? null;
+    const goal = jump?.region ?? null;
     // At most two regions are open during a cross-fade.
+    const limit = limitOf(current, regions.grown(current));
     if (leaving) ahead = leaving.region === current ? null : leaving.region;
-    else ahead = goal === null ? places.ahead({ place, current, ahead, limit: limitOf(current, regions.grown(current)) }) : null;
-    const other = leaving ? ahead : (goal ?? ahead);
-    const wanted = [...new Set([current, other ?? current])];
+    else ahead = goal === null ? places.ahead({ place, current, ahead, limit }) : null;
+    const secondRegion = leaving ? ahead : (goal ?? ahead);
+    const order = [...new Set([current, secondRegion ?? current])];
     const isAwaited = goal !== null && !leaving;
-    if (other !== null && (isAwaited || distanceTo(other, place) < distanceTo(current, place))) wanted.reverse();
-    for (const region of opened) {
-      if (!wanted.includes(region)) regions.close(region);
+    const isNearer = secondRegion !== null && distanceTo(secondRegion, place) < distanceTo(current, place);
+    if (isNearer || (secondRegion !== null && isAwaited)) order.reverse();
+    for (const region of openRegions) {
+      if (!order.includes(region)) regions.close(region);
     }
-    for (const region of wanted) regions.open(region);
-    opened = wanted;
-    regions.prefer(wanted);
+    for (const region of order) regions.open(region);
+    openRegions = order;
+    regions.prefer(order);
   }
 
   regions.open(first);
   regions.enter(first, NOTHING_NEAR);
 
   return {
-    advance(seconds, pose) {
+    /** Advances by some seconds with the user's pose. */
+    advance(seconds: number, pose: Pose): Leg {
       user = pose;
       if (leaving) {
         leaving.since += seconds;
@@ -186,40 +173,45 @@ export function createJourney(settings: JourneySettings, regions: Regions, first
       }
       if (!leaving) depart(pose);
       arrange(user.position);
-      if (!leaving && !going && ahead !== null && mayCross(ahead, user.position)) {
-        take(ahead, regions.grown(current) ?? NOTHING_NEAR, null);
+      if (!leaving && !jump && ahead !== null && mayCross(ahead, user.position)) {
+        takeOver(ahead, regions.grown(current) ?? NOTHING_NEAR, null);
         arrange(user.position);
       }
       const share = leaving && settings.fade > 0 ? leaving.since / settings.fade : 1;
       return { region: current, leaving: leaving && { region: leaving.region, pose: leaving.pose, share } };
     },
-    go(target) {
+    /** Moves to another place when its region can be shown. */
+    go(target: Pose): void {
       const region = places.nearest(target.position);
-      const here = limitOf(current, regions.grown(current));
+      const currentLimit = limitOf(current, regions.grown(current));
       // Near the centre the current region serves at once; a nearer one takes over later.
-      const isHere = marginAt(here, target.position) >= HERE_SHARE * here.metres;
-      going = { region: isHere ? current : region, target };
+      const isHere = marginAt(currentLimit, target.position) >= HERE_SHARE * currentLimit.metres;
+      jump = { region: isHere ? current : region, target };
     },
-    failed(region) {
-      if (going?.region === region && region !== current && regions.offer(region, NOTHING_NEAR) === null) going = null;
+    /** Stops waiting for a region whose loading has failed. */
+    failed(region: number): void {
+      if (jump?.region === region && region !== current && regions.offer(region, NOTHING_NEAR) === null) jump = null;
     },
-    get bounds() {
+    /** Area where the user may be. */
+    get bounds(): Bounds {
       const here = limitOf(current, regions.grown(current));
-      // A picture with its own pose stays there.
-      const shown = leaving && !leaving.pose ? [here, limitOf(leaving.region, regions.grown(leaving.region))] : [here];
+      // A picture that fades out with its own pose does not limit the user.
+      const hard = leaving && !leaving.pose ? [here, limitOf(leaving.region, regions.grown(leaving.region))] : [here];
       const offer = !leaving && ahead !== null ? offerOf(ahead) : null;
-      return { shown, open: offer && ahead !== null ? [here, limitOf(ahead, offer)] : [here] };
+      return { hard, soft: offer && ahead !== null ? [here, limitOf(ahead, offer)] : [here] };
     },
-    get region() {
+    get region(): number {
       return current;
     },
-    get goal() {
-      return going?.region ?? null;
+    /** Region that the user is moving to; null for none. */
+    get goal(): number | null {
+      return jump?.region ?? null;
     },
-    get least() {
+    /** Least radius of the region's morph that does not fold at the user's position. */
+    get minRadius(): number {
       const { center, fold_margin } = places.of(current);
-      const away = user ? distance(user.position, { center, metres: fold_margin }) : 0;
-      return (ROUNDED * Math.min(away + SLACK, fold_margin)) / settings.marginShare;
+      const distanceToCenter = user ? distance(user.position, { center, metres: fold_margin }) : 0;
+      return (ROUNDING_FACTOR * Math.min(distanceToCenter + MARGIN_METRES, fold_margin)) / settings.marginShare;
     },
   };
 }

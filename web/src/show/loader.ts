@@ -1,26 +1,67 @@
 /** Loading of a region ring by ring: maps and geometry. Each ring is shown when all of it is on the GPU. */
+import type { WebGLRenderer } from 'three';
 import { filesOfRing } from '../bundle/contents';
-import type { MapEntry, MapLayout, RangeScale, Sharper } from '../bundle/manifest';
-import type { Fetch } from '../bundle/source';
-import type { FileData, FirstMapRequest, Geometry, MapUpdate } from '../decode/messages';
-import { createPrefetch, fileOf, filesOf, type Job, type Loading, type RegionLoading } from './job';
-import { complete, partSteps, turnOf } from './region';
+import type { Manifest, MapEntry, MapLayout, RangeScale, RingEntry, SharperMaps } from '../bundle/manifest';
+import type { Fetch, Received } from '../bundle/source';
+import type { Decoder, FileData, FirstMapRequest, Geometry, MapUpdate, NextMapRequest } from '../decode/messages';
+import type { Store } from './buffers';
+import type { Shared } from './materials';
+import type { PieceMesh } from './pieces';
+import type { Programs } from './programs';
+import { complete, partSteps, type Region, turnOf } from './region';
 import { createCube, createPictures, cubeSteps } from './textures';
+import type { Uploads } from './uploads';
+
+export interface Loading {
+  readonly renderer: WebGLRenderer;
+  readonly shared: Shared;
+  readonly store: Store;
+  readonly uploads: Uploads;
+  /** Workers for geometry and for maps; the latter stores the state of each region's maps. */
+  readonly geometry: Decoder;
+  readonly maps: Decoder;
+  readonly fetch: Fetch;
+  readonly programs: Programs;
+  readonly warmUp: (meshes: readonly PieceMesh[]) => void;
+}
+
+/** Loading of one region. */
+export interface RegionLoading {
+  /** Manifest of the region's bundle. */
+  readonly manifest: Manifest;
+  readonly region: Region;
+  readonly number: number;
+  /** Called with each ring that can be shown. */
+  readonly arrived: (ring: number) => void;
+  /** Called with the number of received bytes, and of bytes of files already loaded. */
+  readonly received: Received;
+  /** Resolves to a ring when its files can be fetched and it is this region's turn. */
+  readonly waitForRing: (ring: number) => Promise<RingEntry>;
+  /** Waits until the cube of an older map may be overwritten: it is in use during a cross-fade. */
+  readonly mayReplace: (ring: number) => Promise<void>;
+  readonly signal: AbortSignal;
+}
+
+interface Job extends Loading, RegionLoading {
+  readonly prefetch: ReturnType<typeof createPrefetch>;
+  /** Names of parts that the region has requested, or shares with other regions. */
+  readonly requested: Set<string>;
+}
 
 /** Loads all rings; while one is decoded and uploaded, files of the next one are prefetched. */
 export async function loadRegion(loading: Loading, course: RegionLoading): Promise<void> {
-  const { manifest, region, received, signal, turn } = course;
+  const { manifest, region, received, signal, waitForRing } = course;
   const sizeOf = (name: string): number => manifest.files[name]?.bytes ?? 0;
   const fetch: Fetch = (name, own) => loading.fetch(name, own, received);
-  const job: Job = { ...loading, ...course, ahead: createPrefetch(fetch, sizeOf), requested: new Set() };
+  const job: Job = { ...loading, ...course, prefetch: createPrefetch(fetch, sizeOf), requested: new Set() };
   const { rings } = region.entry;
-  const { map } = await turn(0, signal);
+  const { map } = await waitForRing(0);
   if (map) await loadFirstMap(job, map);
   course.arrived(0);
   const { dynamic } = manifest;
   if (dynamic) await loadGeometry(job, 0, dynamic.geometry, dynamic.parts);
   for (let ring = 1; ring < rings.length; ring++) {
-    const described = await turn(ring, signal);
+    const described = await waitForRing(ring);
     const jobs: Promise<void>[] = [];
     if (described.map) jobs.push(loadMap(job, ring, described.map));
     if (described.sharper) jobs.push(loadSharper(job, ring, described.sharper));
@@ -28,7 +69,7 @@ export async function loadRegion(loading: Loading, course: RegionLoading): Promi
     // Requested after the files of this ring.
     const next = rings[ring + 1];
     const isNew = (name: string): boolean => !isLoaded(loading, name) && !job.requested.has(name);
-    if (next) job.ahead.want(filesOfRing(next).filter(isNew), signal);
+    if (next) job.prefetch.begin(filesOfRing(next).filter(isNew), signal);
     await Promise.all(jobs);
     course.arrived(ring);
   }
@@ -41,7 +82,7 @@ function isLoaded({ store }: Loading, name: string): boolean {
 
 async function loadGeometry(job: Job, ring: number, name: string, partNames: readonly string[]): Promise<void> {
   const { manifest, region, signal, store } = job;
-  const wanted = partNames.filter((part) => !isLoaded(job, part));
+  const missing = partNames.filter((part) => !isLoaded(job, part));
   for (const part of partNames) {
     // Loaded for another region.
     if (isLoaded(job, part) && !job.requested.has(part)) job.received(manifest.files[part]?.bytes ?? 0);
@@ -51,7 +92,7 @@ async function loadGeometry(job: Job, ring: number, name: string, partNames: rea
   if (isKept) job.received(manifest.files[name]?.bytes ?? 0);
   const [glb, ...parts] = await Promise.all([
     isKept ? ({ name, data: null } as const) : fileOf(job, name),
-    ...wanted.map((file) => fileOf(job, file)),
+    ...missing.map((file) => fileOf(job, file)),
   ]);
   signal.throwIfAborted();
   const geometry = await job.geometry({
@@ -67,9 +108,7 @@ async function loadGeometry(job: Job, ring: number, name: string, partNames: rea
     },
     isDynamic: ring === 0,
   });
-  for (const part of wanted) {
-    if (part.endsWith('.bin')) store.buffers.add(part);
-  }
+  for (const part of missing) if (part.endsWith('.bin')) store.buffers.add(part);
   if (ring === 0) store.buffers.add(name);
   await receiveParts(job, ring, geometry);
 }
@@ -83,7 +122,7 @@ async function loadFirstMap(job: Job, map: MapEntry): Promise<void> {
 
 /** Loads a ring's changes of the previous map, or a whole map. */
 async function loadMap(job: Job, ring: number, { tiles, color, range }: MapEntry): Promise<void> {
-  const { manifest, maps, number, region, renderer, signal, uploads } = job;
+  const { manifest, maps, region, renderer, signal, uploads } = job;
   const [pictures, codes] = await Promise.all([filesOf(job, color), filesOf(job, range)]);
   const isWhole = Array.isArray(color);
   const cube = region.cubes[turnOf(ring)];
@@ -92,16 +131,8 @@ async function loadMap(job: Job, ring: number, { tiles, color, range }: MapEntry
   if (isWhole) await maps(firstRequest(job, manifest.map, region.entry.range, pictures));
   signal.throwIfAborted();
   const since = cube.holds !== null && cube.hasRange ? cube.holds : null;
-  const update = await maps({
-    kind: 'next-map',
-    region: number,
-    // Whole ranges are encoded like those of the first ring.
-    ring: isWhole ? 1 : ring,
-    tiles,
-    color: isWhole ? null : (pictures[0] ?? null),
-    range: codes,
-    since,
-  });
+  // Whole ranges are encoded like those of the first ring.
+  const update = await maps(nextRequest(job, isWhole ? 1 : ring, tiles, isWhole ? [] : pictures, codes, since));
   signal.throwIfAborted();
   await uploads.add(cubeSteps(renderer, cube, update, ring, manifest.map), signal);
 }
@@ -116,36 +147,46 @@ function firstRequest(
   return { kind: 'first-map', region: number, faceSize, tile, across, step, color };
 }
 
+function nextRequest(
+  { number, signal }: Job,
+  ring: number,
+  tiles: readonly number[],
+  pictures: readonly FileData[],
+  range: readonly FileData[],
+  since: number | null,
+): NextMapRequest {
+  signal.throwIfAborted();
+  return { kind: 'next-map', region: number, ring, tiles, color: pictures[0] ?? null, range, since };
+}
+
 /** Replaces coarse maps by full-size ones: the worker composes the last ring's map, which is then uploaded. */
-async function loadSharper(job: Job, ring: number, { layout, maps, range }: Sharper): Promise<void> {
+async function loadSharper(job: Job, ring: number, { layout, maps, range }: SharperMaps): Promise<void> {
   const { region, renderer, signal, uploads } = job;
   const [first, ...changes] = maps;
   if (!first || changes.length === 0) throw new Error('maps of full size: expected those of all rings');
   let update = await job.maps(firstRequest(job, layout, range, await filesOf(job, first.color)));
   for (const [order, change] of changes.entries()) {
-    const isLast = order === changes.length - 1;
-    update = await applyChange(job, order + 1, change, isLast);
+    update = await applyChange(job, order + 1, change, order === changes.length - 1);
   }
   await job.mayReplace(ring);
   signal.throwIfAborted();
-  const turn = turnOf(ring);
-  region.cubes[turn].dispose();
-  region.cubes[turn] = createCube(renderer, layout.face_size, range);
-  await uploads.add(cubeSteps(renderer, region.cubes[turn], update, ring, layout), signal);
+  const index = turnOf(ring);
+  region.cubes[index].dispose();
+  region.cubes[index] = createCube(renderer, layout.face_size, range);
+  await uploads.add(cubeSteps(renderer, region.cubes[index], update, ring, layout), signal);
 }
 
 /** Applies a ring's changes; the whole map is requested only for the last ring. */
-async function applyChange(job: Job, ring: number, { tiles, color, range }: MapEntry, isLast: boolean): Promise<MapUpdate> {
-  const [[picture], codes] = await Promise.all([filesOf(job, color), filesOf(job, range)]);
-  job.signal.throwIfAborted();
-  const since = isLast ? null : ring - 1;
-  return job.maps({ kind: 'next-map', region: job.number, ring, tiles, color: picture ?? null, range: codes as FileData[], since });
+async function applyChange(job: Job, ring: number, change: MapEntry, isLast: boolean): Promise<MapUpdate> {
+  const { tiles, color, range } = change;
+  const [pictures, codes] = await Promise.all([filesOf(job, color), filesOf(job, range)]);
+  return job.maps(nextRequest(job, ring, tiles, pictures, codes, isLast ? null : ring - 1));
 }
 
 /** Adds geometry to the group of a ring; it is shown when complete. */
 async function receiveParts(job: Job, ring: number, { number, parts, samples, triangles }: Geometry): Promise<void> {
-  const { renderer, region, store, uploads, geometry, programs, signal, warm } = job;
-  const resources = { gl: renderer.getContext() as WebGL2RenderingContext, store, warm };
+  const { renderer, region, store, uploads, geometry, programs, signal, warmUp } = job;
+  const resources = { gl: renderer.getContext() as WebGL2RenderingContext, store, warmUp };
   const pictures = createPictures(renderer, (name, texture) => {
     // Another region may have loaded it meanwhile.
     if (store.textures.has(name)) texture.dispose();
@@ -156,7 +197,7 @@ async function receiveParts(job: Job, ring: number, { number, parts, samples, tr
     await programs.ready(samples);
     let before = Promise.resolve();
     for (let next = 0; next < parts; next++) {
-      const part = await geometry({ kind: 'part', of: number, part: next });
+      const part = await geometry({ kind: 'part', geometry: number, part: next });
       const sent = uploads.add(partSteps(region, ring, part, resources, pictures), signal);
       // Awaiting the promise reports the error.
       sent.catch(() => undefined);
@@ -168,6 +209,51 @@ async function receiveParts(job: Job, ring: number, { number, parts, samples, tr
   } finally {
     pictures.dispose();
     // The error of a stopped worker is reported to its pending requests.
-    geometry({ kind: 'drop', of: number }).catch(() => undefined);
+    geometry({ kind: 'drop', geometry: number }).catch(() => undefined);
   }
+}
+
+function filesOf(job: Job, names: string | readonly string[] | null): Promise<FileData[]> {
+  return Promise.all([names ?? []].flat().map((name) => fileOf(job, name)));
+}
+
+async function fileOf({ prefetch, manifest, signal }: Job, name: string): Promise<FileData> {
+  const described = manifest.files[name];
+  if (!described) throw new Error(`${name} is not listed in the manifest`);
+  return { name, data: await prefetch.fetch(name, signal), bytes: described.bytes, sha256: described.sha256 };
+}
+
+/** Greatest number of prefetched bytes that are not requested yet. */
+const MAX_PREFETCH_BYTES = 16 * 2 ** 20;
+
+/** Prefetches files, so that the network does not wait for decoding and uploads; `sizeOf` returns a file's bytes. */
+export function createPrefetch(fetch: Fetch, sizeOf: (name: string) => number, maxBytes = MAX_PREFETCH_BYTES) {
+  const prefetched = new Map<string, Promise<ArrayBuffer>>();
+  let bytes = 0;
+
+  return {
+    /** Returns the content of a file, possibly prefetched. */
+    fetch(name: string, signal: AbortSignal): Promise<ArrayBuffer> {
+      const content = prefetched.get(name);
+      if (!content) return fetch(name, signal);
+      prefetched.delete(name);
+      bytes -= sizeOf(name);
+      return content;
+    },
+    /** Prefetches files that will be requested next. */
+    begin(names: readonly string[], signal: AbortSignal): void {
+      for (const name of names) {
+        if (prefetched.has(name) || bytes + sizeOf(name) > maxBytes) continue;
+        const content = fetch(name, signal);
+        // A request for the file reports the error.
+        content.catch(() => undefined);
+        prefetched.set(name, content);
+        bytes += sizeOf(name);
+      }
+    },
+    /** Number of prefetched bytes. */
+    get bytes(): number {
+      return bytes;
+    },
+  };
 }

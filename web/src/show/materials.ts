@@ -4,7 +4,6 @@ import {
   CustomBlending,
   DoubleSide,
   GLSL3,
-  type IUniform,
   Matrix4,
   OneFactor,
   OneMinusSrcAlphaFactor,
@@ -18,16 +17,10 @@ import type { Material, Piece } from '../decode/messages';
 import { FAR_FRAGMENT, FAR_VERTEX, NEAR_FRAGMENT, NEAR_VERTEX } from '../shaders/scene';
 
 /** Uniforms of a picture; see the shaders. */
-export interface Shared extends Record<string, IUniform> {
-  readonly radii: IUniform<Vector4>;
-  readonly opacity: IUniform<number>;
-  readonly map: IUniform<CubeTexture>;
-  readonly codes: IUniform<CubeTexture>;
-  readonly coding: IUniform<Vector4>;
-}
+export type Shared = ReturnType<typeof createShared>;
 
 /** Creates the uniforms with initial textures. */
-export function createShared(map: CubeTexture, codes: CubeTexture): Shared {
+export function createShared(map: CubeTexture, codes: CubeTexture) {
   return {
     radii: { value: new Vector4() },
     opacity: { value: 1 },
@@ -38,7 +31,7 @@ export function createShared(map: CubeTexture, codes: CubeTexture): Shared {
 }
 
 /** Radius beyond everything; shaders cannot rely on infinity. */
-export const NOWHERE = 1e30;
+export const NO_CUT = 1e30;
 
 /** Blends a picture that fades in over the one before; the canvas stays opaque. */
 export const BLENDING = {
@@ -84,47 +77,42 @@ export function definesOf(piece: Piece, { image, glow }: Textures): Record<strin
 
 /** Creates the material of a piece that is cut at a radius, or nowhere (`Infinity`). */
 export function nearMaterial(piece: Piece, textures: Textures, shared: Shared, cut: number): RawShaderMaterial {
-  const { material } = piece;
+  const { color, cutoff, emission } = piece.material;
   return new RawShaderMaterial({
     ...BLENDING,
     vertexShader: NEAR_VERTEX,
     fragmentShader: NEAR_FRAGMENT,
     defines: definesOf(piece, textures),
-    uniforms: { ...shared, ...ownUniforms(material, textures), cut: { value: Math.min(cut, NOWHERE) } },
+    uniforms: {
+      ...shared,
+      base_color: { value: new Vector4(...color) },
+      cutoff: { value: cutoff ?? 0 },
+      image: { value: textures.image },
+      emission: { value: new Vector3(...(emission ?? [0, 0, 0])) },
+      glow: { value: textures.glow },
+      placement: { value: new Matrix4() },
+      cut: { value: Math.min(cut, NO_CUT) },
+    },
   });
 }
 
 /** Materials of a region; pieces that look alike share one, because three.js spends time on each. */
-export interface Materials {
-  of(piece: Piece, textures: Textures, cut: number): RawShaderMaterial;
-  dispose(): void;
-}
+export type Materials = ReturnType<typeof createMaterials>;
 
-export function createMaterials(shared: Shared): Materials {
-  const made = new Map<string, RawShaderMaterial>();
+export function createMaterials(shared: Shared) {
+  const materials = new Map<string, RawShaderMaterial>();
   return {
-    of(piece, textures, cut) {
+    of(piece: Piece, textures: Textures, cut: number): RawShaderMaterial {
       const kind = Object.keys(definesOf(piece, textures));
       const look = JSON.stringify([kind, piece.material, String(cut)]);
-      const found = made.get(look) ?? nearMaterial(piece, textures, shared, cut);
-      made.set(look, found);
-      return found;
+      const material = materials.get(look) ?? nearMaterial(piece, textures, shared, cut);
+      materials.set(look, material);
+      return material;
     },
-    dispose() {
-      for (const material of made.values()) material.dispose();
-      made.clear();
+    dispose(): void {
+      for (const material of materials.values()) material.dispose();
+      materials.clear();
     },
-  };
-}
-
-function ownUniforms(material: Material, { image, glow }: Textures): Record<string, IUniform> {
-  return {
-    base_color: { value: new Vector4(...material.color) },
-    cutoff: { value: material.cutoff ?? 0 },
-    image: { value: image },
-    emission: { value: new Vector3(...(material.emission ?? [0, 0, 0])) },
-    glow: { value: glow },
-    placement: { value: new Matrix4() },
   };
 }
 

@@ -3,36 +3,27 @@
 /** Seconds over which the rate and the frame times are measured. */
 const WINDOW_SECONDS = 1;
 
-export interface Meter {
-  /** Adds received bytes. */
-  receive(bytes: number): void;
-  /** Adds the duration of a frame, seconds. */
-  frame(seconds: number): void;
-  /** Resets all measurements. */
-  reset(): void;
-  /** Received bytes; bits per second, null while nothing arrives; mean and greatest frame time in milliseconds. */
-  read(): { received: number; rate: number | null; frame: number; maxFrame: number };
-}
-
-export function createMeter(now: () => number = () => performance.now() / 1000): Meter {
+export function createMeter(now: () => number = () => performance.now() / 1000) {
   let received = 0;
   let arrivals: { time: number; bytes: number }[] = [];
   let frames: number[] = [];
   return {
-    receive(bytes) {
+    /** Adds received bytes. */
+    receive(bytes: number): void {
       received += bytes;
       arrivals.push({ time: now(), bytes });
     },
-    frame(seconds) {
+    /** Adds the duration of a frame, seconds. */
+    frame(seconds: number): void {
       frames.push(seconds);
       let sum = frames.reduce((total, duration) => total + duration, 0);
       while (frames.length > 1 && sum > WINDOW_SECONDS) sum -= frames.shift() ?? 0;
     },
-    reset() {
-      received = 0;
-      arrivals = [];
-      frames = [];
+    /** Resets all measurements. */
+    reset(): void {
+      [received, arrivals, frames] = [0, [], []];
     },
+    /** Received bytes; bits per second, null while nothing arrives; mean and greatest frame time in milliseconds. */
     read() {
       const windowStart = now() - WINDOW_SECONDS;
       arrivals = arrivals.filter(({ time }) => time > windowStart);

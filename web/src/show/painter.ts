@@ -26,10 +26,7 @@ export interface Picture {
   readonly ring: number;
   /** R, metres. */
   readonly radius: number;
-  /**
-   * Strength of the morph, 0 to 1; null for the conventional picture: geometry unmorphed, the map as seen from the
-   * centre.
-   */
+  /** Strength of the morph, 0 to 1; null for the conventional picture, whose geometry is not morphed. */
   readonly strength: number | null;
 }
 
@@ -41,19 +38,12 @@ export interface Guests {
 }
 
 /** Parts of a picture that are omitted. */
-export interface Without {
+export interface OmittedParts {
   readonly map?: boolean;
   readonly guests?: boolean;
 }
 
-export interface Painter {
-  /** Compiles the shaders of the first picture while its files are loaded. */
-  prepare(camera: Camera): void;
-  /** Draws a picture over the previous content with an opacity. The map may be shown elsewhere. */
-  draw(picture: Picture, camera: Camera, opacity: number, without?: Without): void;
-  /** Sets the other users to draw; null for none. */
-  setGuests(guests: Guests | null): void;
-}
+export type Painter = ReturnType<typeof createPainter>;
 
 /**
  * Creates a painter for a renderer. `blank` returns an empty map for pictures without one. `place` moves the camera's
@@ -65,47 +55,46 @@ export function createPainter(
   nearShare: number,
   blank: () => Cube,
   place: (center: Point) => void,
-): Painter {
+) {
   const near = new Scene();
-  const far = new Scene();
-  far.add(screen(shared));
+  const far = new Scene().add(screenMesh(farMaterial(shared)));
   let guests: Guests | null = null;
 
   return {
-    prepare(camera) {
+    /** Compiles the shaders of the first picture while its files are loaded. */
+    prepare(camera: Camera): void {
       renderer.compile(far, camera);
     },
-    draw(picture, camera, opacity, without = {}) {
-      const { region, ring, radius, strength } = picture;
+    /** Draws a picture over the previous content with an opacity. The map may be shown elsewhere. */
+    draw({ region, ring, radius, strength }: Picture, camera: Camera, opacity: number, omitted: OmittedParts = {}): void {
       place(region.entry.center);
       const cube = hasMap(region, ring) ? cubeOf(region, ring) : blank();
       const inner = nearShare * radius;
       // With R = 0 everything is shown as the centre sees it: the weight of the user's view is 0 everywhere.
       const slope = radius > 0 ? 1 / (radius - inner) : 1;
       shared.radii.value.set(inner, radius, slope, strength ?? -1);
-      shared.map.value = cube.color;
-      shared.codes.value = cube.codes;
-      const { least, step } = cube.scale;
-      shared.coding.value.set(least, step, cube.size, cube.hasRange ? 1 : 0);
+      [shared.map.value, shared.codes.value] = [cube.color, cube.codes];
+      shared.coding.value.set(cube.scale.least, cube.scale.step, cube.size, cube.hasRange ? 1 : 0);
       shared.opacity.value = opacity;
-      const others = without.guests ? [] : (guests?.meshes ?? []);
-      if (others.length > 0) guests?.place(region.entry.center);
+      const guestMeshes = omitted.guests ? [] : (guests?.meshes ?? []);
+      if (guestMeshes.length > 0) guests?.place(region.entry.center);
       const groups = region.groups.slice(0, ring + 1);
-      const drawn = opacity < 1 ? [...groups.flatMap(meshesOf), ...others] : [];
-      near.children = [...groups, ...others] as Object3D[];
+      const fadingMeshes = opacity < 1 ? [...groups.flatMap(meshesOf), ...guestMeshes] : [];
+      near.children = [...groups, ...guestMeshes] as Object3D[];
       renderer.clearDepth();
       if (opacity < 1) {
         // Depth prepass: otherwise an occluded surface would shine through.
-        setWrites(drawn, false, true);
+        setWrites(fadingMeshes, false, true);
         renderer.render(near, camera);
-        setWrites(drawn, true, false);
+        setWrites(fadingMeshes, true, false);
       }
       renderer.render(near, camera);
-      if (opacity < 1) setWrites(drawn, true, true);
-      if (!without.map) renderer.render(far, camera);
+      if (opacity < 1) setWrites(fadingMeshes, true, true);
+      if (!omitted.map) renderer.render(far, camera);
       near.children = [];
     },
-    setGuests(next) {
+    /** Sets the other users to draw; null for none. */
+    setGuests(next: Guests | null): void {
       guests = next;
     },
   };
@@ -118,14 +107,8 @@ function setWrites(meshes: Guests['meshes'], color: boolean, depth: boolean): vo
   }
 }
 
-/** Triangle that covers the whole picture. */
-function screen(shared: Shared): Mesh {
-  const mesh = new Mesh(covering(), farMaterial(shared));
-  mesh.frustumCulled = false;
-  return mesh;
-}
-
-const VERTEX = /* glsl */ `
+/** Shader for triangles that cover the whole picture. */
+export const SCREEN_VERTEX = /* glsl */ `
 in vec3 position;
 
 void main() {
@@ -143,16 +126,10 @@ void main() {
 }
 `;
 
-export interface Veil {
-  readonly mesh: Mesh;
-  /** Sets the darkness: 0 for none, 1 for black. */
-  set(darkness: number): void;
-}
-
-export function createVeil(): Veil {
+export function createVeil() {
   const darkness = { value: 0 };
   const material = new RawShaderMaterial({
-    vertexShader: VERTEX,
+    vertexShader: SCREEN_VERTEX,
     fragmentShader: FRAGMENT,
     glslVersion: GLSL3,
     uniforms: { darkness },
@@ -163,12 +140,12 @@ export function createVeil(): Veil {
     depthWrite: false,
     transparent: true,
   });
-  const mesh = new Mesh(covering(), material);
-  mesh.frustumCulled = false;
+  const mesh = screenMesh(material);
   mesh.visible = false;
   return {
     mesh,
-    set(value) {
+    /** Sets the darkness: 0 for none, 1 for black. */
+    set(value: number): void {
       darkness.value = value;
       mesh.visible = value > 0;
     },
@@ -176,8 +153,8 @@ export function createVeil(): Veil {
 }
 
 /** Triangle that covers the whole picture. */
-export function covering(): BufferGeometry {
+export function screenMesh(material: Material): Mesh {
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new BufferAttribute(new Float32Array([-1, -1, 0, 3, -1, 0, -1, 3, 0]), 3));
-  return geometry;
+  return Object.assign(new Mesh(geometry, material), { frustumCulled: false });
 }

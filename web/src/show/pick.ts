@@ -2,7 +2,6 @@
 import {
   DepthTexture,
   GLSL3,
-  Mesh,
   NoBlending,
   PerspectiveCamera,
   RawShaderMaterial,
@@ -13,15 +12,8 @@ import {
   WebGLRenderTarget,
 } from 'three';
 import type { Vector } from '../control/pose';
-import { covering } from './painter';
-
-const VERTEX = /* glsl */ `
-in vec3 position;
-
-void main() {
-  gl_Position = vec4(position.xy, 0.0, 1.0);
-}
-`;
+import { FAR_PLANE, NEAR_PLANE } from './composer';
+import { SCREEN_VERTEX, screenMesh } from './painter';
 
 /** WebGL cannot read depths back: the depth is encoded in three bytes of a colour. */
 const FRAGMENT = /* glsl */ `
@@ -37,38 +29,33 @@ void main() {
 }
 `;
 
-export interface Picker {
-  /**
-   * Returns the point at a pixel of the camera's picture, in the frame of `draw`; x and y are shares of the picture's
-   * width and height, from the upper left. Null if nothing is drawn there.
-   */
-  pick(camera: PerspectiveCamera, place: readonly [number, number], draw: () => void): Vector3 | null;
-  /** Frees the GPU resources; a later pick creates them again. */
-  dispose(): void;
-}
+export type Picker = ReturnType<typeof createPicker>;
 
 /** Creates a picker for a renderer; all picks share one program, which would otherwise be compiled each time. */
-export function createPicker(renderer: WebGLRenderer): Picker {
+export function createPicker(renderer: WebGLRenderer) {
   const depth = new DepthTexture(1, 1, UnsignedIntType);
   const target = new WebGLRenderTarget(1, 1, { depthTexture: depth });
   const result = new WebGLRenderTarget(1, 1);
   const material = new RawShaderMaterial({
-    vertexShader: VERTEX,
+    vertexShader: SCREEN_VERTEX,
     fragmentShader: FRAGMENT,
     glslVersion: GLSL3,
     blending: NoBlending,
     depthTest: false,
     uniforms: { depth: { value: depth } },
   });
-  const mesh = new Mesh(covering(), material);
-  mesh.frustumCulled = false;
+  const mesh = screenMesh(material);
   const scene = new Scene().add(mesh);
   const digits = new Uint8Array(4);
 
   return {
-    pick(camera, [x, y], draw) {
+    /**
+     * Returns the point at a pixel of the camera's picture, in the frame of `draw`; x and y are shares of the picture's
+     * width and height, from the upper left. Null if nothing is drawn there.
+     */
+    pick(camera: PerspectiveCamera, [x, y]: readonly [number, number], draw: () => void): Vector3 | null {
       const before = renderer.getRenderTarget();
-      const [width, height] = [renderer.domElement.width, renderer.domElement.height];
+      const { width, height } = renderer.domElement;
       camera.setViewOffset(width, height, Math.floor(x * width), Math.floor(y * height), 1, 1);
       try {
         renderer.setRenderTarget(target);
@@ -84,14 +71,15 @@ export function createPicker(renderer: WebGLRenderer): Picker {
         renderer.setRenderTarget(before);
       }
     },
-    dispose() {
-      for (const held of [mesh.geometry, material, depth, target, result]) held.dispose();
+    /** Frees the GPU resources; a later pick creates them again. */
+    dispose(): void {
+      for (const resource of [mesh.geometry, material, depth, target, result]) resource.dispose();
     },
   };
 }
 
-/** Field of view of the single pixel, degrees; least and greatest distance, metres. */
-const [ANGLE, NEAR, FAR] = [0.5, 0.05, 30_000] as const;
+/** Field of view of the single pixel, degrees. */
+const PIXEL_ANGLE = 0.5;
 
 /** Returns the distance along a ray in metres, in the frame of `draw`; null without a hit. */
 export function castRay(
@@ -101,7 +89,7 @@ export function castRay(
   direction: Vector,
   draw: (eye: PerspectiveCamera) => void,
 ): number | null {
-  const eye = new PerspectiveCamera(ANGLE, 1, NEAR, FAR);
+  const eye = new PerspectiveCamera(PIXEL_ANGLE, 1, NEAR_PLANE, FAR_PLANE);
   eye.position.set(...origin);
   eye.lookAt(new Vector3(...origin).add(new Vector3(...direction)));
   eye.updateMatrixWorld(true);

@@ -23,52 +23,49 @@ export interface MeshResources {
   readonly gl: WebGL2RenderingContext;
   readonly store: Store;
   /** Makes three.js initialize meshes. */
-  readonly warm: (meshes: readonly PieceMesh[]) => void;
+  readonly warmUp: (meshes: readonly PieceMesh[]) => void;
 }
 
 /** Resources of a mesh that are freed with it. */
-interface Owned {
+interface MeshParts {
   readonly arrays: MeshArrays;
   readonly placements: Buffers<'placement'> | null;
-  readonly same: string | null;
+  readonly sharedKey: string | null;
 }
 
-const owned = new WeakMap<PieceMesh, Owned>();
+const partsByMesh = new WeakMap<PieceMesh, MeshParts>();
 
 /** Piece whose arrays are allocated on the GPU. */
-export interface Prepared {
-  /** Steps that upload the arrays. */
-  steps(): Generator<Step>;
-  /** Creates the mesh after these steps. */
-  make(material: RawShaderMaterial): PieceMesh;
-  /** Frees the arrays if no mesh was made. */
-  free(): void;
-}
+export type Prepared = ReturnType<typeof prepare>;
 
-export function prepare(piece: Piece, { gl, store }: MeshResources): Prepared {
-  const { same } = piece;
+export function prepare(piece: Piece, { gl, store }: MeshResources) {
+  const { sharedKey } = piece;
   let isNew = false;
-  const arrays = store.take(same, () => {
+  const arrays = store.acquire(sharedKey, () => {
     isNew = true;
     return arraysOf(gl, piece);
   });
-  const placements = piece.placements ? createBuffers(gl, { placement: columnOf(piece.placements, PLACEMENT) }) : null;
-  const parts = { arrays, placements, same };
+  const rows = piece.placements;
+  const placements = rows && createBuffers(gl, { placement: { rows, width: PLACEMENT } });
+  const parts = { arrays, placements, sharedKey };
   return {
-    *steps() {
+    /** Steps that upload the arrays. */
+    *steps(): Generator<Step> {
       if (isNew) yield* arrays.steps();
       if (placements) yield* placements.steps();
     },
-    make(material) {
+    /** Creates the mesh after these steps. */
+    make(material: RawShaderMaterial): PieceMesh {
       const mesh = meshOf(piece.name, parts, material);
-      owned.set(mesh, parts);
+      partsByMesh.set(mesh, parts);
       return mesh;
     },
-    free: () => free(parts, store),
+    /** Frees the arrays if no mesh was made. */
+    free: (): void => free(parts, store),
   };
 }
 
-function meshOf(name: string, { arrays, placements }: Owned, material: RawShaderMaterial): PieceMesh {
+function meshOf(name: string, { arrays, placements }: MeshParts, material: RawShaderMaterial): PieceMesh {
   const geometry = placements ? placedGeometry(placements) : new BufferGeometry();
   const { index, ...attributes } = arrays.attributes;
   // three.js accepts attributes and indices with external buffers, although its types do not say so.
@@ -91,28 +88,24 @@ export function disposeMesh(mesh: PieceMesh, store: Store): void {
   for (const name of Object.keys(geometry.attributes)) geometry.deleteAttribute(name);
   geometry.setIndex(null);
   geometry.dispose();
-  const parts = owned.get(mesh);
+  const parts = partsByMesh.get(mesh);
   if (parts) free(parts, store);
-  owned.delete(mesh);
+  partsByMesh.delete(mesh);
 }
 
-function free({ arrays, placements, same }: Owned, store: Store): void {
-  if (store.give(same)) arrays.dispose();
+function free({ arrays, placements, sharedKey }: MeshParts, store: Store): void {
+  if (store.release(sharedKey)) arrays.dispose();
   placements?.dispose();
 }
 
 function arraysOf(gl: WebGL2RenderingContext, { positions, normals, uvs, colors, indices }: Piece): MeshArrays {
   return createBuffers(gl, {
-    position: columnOf(positions, 3),
-    normal: normals && columnOf(normals, 3),
-    uv: uvs && columnOf(uvs, 2),
-    color: colors && { ...columnOf(colors, 4), isShare: true },
-    index: columnOf(indices, 1),
+    position: { rows: positions, width: 3 },
+    normal: normals && { rows: normals, width: 3 },
+    uv: uvs && { rows: uvs, width: 2 },
+    color: colors && { rows: colors, width: 4, isNormalized: true },
+    index: { rows: indices, width: 1 },
   });
-}
-
-function columnOf<T extends Float32Array | Uint16Array | Uint32Array>(rows: T, width: number): { rows: T; width: number } {
-  return { rows, width };
 }
 
 /** Reads each placement as three rows from one interleaved array. */

@@ -4,26 +4,21 @@ import type { Piece } from '../decode/messages';
 import { definesOf, nearMaterial, type Shared, texturesOf } from './materials';
 import type { Uploads } from './uploads';
 
-export interface Programs {
-  /** Resolves when the GPU has the programs for pieces like these. */
-  ready(samples: readonly Piece[]): Promise<void>;
-  /** Discards all programs after the graphics were lost. */
-  forget(): void;
-}
+export type Programs = ReturnType<typeof createPrograms>;
 
-export function createPrograms(renderer: WebGLRenderer, camera: Camera, shared: Shared, uploads: Uploads): Programs {
-  // Programs by kind. three.js deletes a program with the last material that uses it; the materials made here remain.
-  const made = new Map<string, Promise<void>>();
+export function createPrograms(renderer: WebGLRenderer, camera: Camera, shared: Shared, uploads: Uploads) {
+  // Programs by kind. three.js deletes a program with its last material, so the materials created here are kept.
+  const programs = new Map<string, Promise<void>>();
   const picture = new Texture();
 
   async function make(piece: Piece): Promise<void> {
     const material = nearMaterial(piece, texturesOf(piece.material, () => picture), shared, Infinity);
     const scene = new Scene().add(new Mesh(new BufferGeometry(), material));
     let compiled = Promise.resolve();
-    const begin = (): void => {
+    const run = (): void => {
       compiled = compile(renderer, scene, camera);
     };
-    await uploads.add([{ kind: 'program', bytes: 0, run: begin }], new AbortController().signal, true);
+    await uploads.add([{ kind: 'program', bytes: 0, run }], new AbortController().signal, true);
     await compiled;
     await waitForIdle(renderer);
     const start = performance.now();
@@ -31,28 +26,26 @@ export function createPrograms(renderer: WebGLRenderer, camera: Camera, shared: 
     uploads.spend(performance.now() - start);
   }
 
-  function kindOf(piece: Piece): string {
-    return Object.keys(definesOf(piece, texturesOf(piece.material, () => picture))).join(' ');
-  }
-
   return {
-    async ready(samples) {
-      const coming = samples.map((piece) => {
-        const kind = kindOf(piece);
-        const found = made.get(kind) ?? make(piece);
-        made.set(kind, found);
-        return found;
-      });
-      await Promise.all(coming);
+    /** Resolves when the GPU has the programs for pieces like these. */
+    async ready(samples: readonly Piece[]): Promise<void> {
+      const compilations: (Promise<void> | undefined)[] = [];
+      for (const piece of samples) {
+        const kind = Object.keys(definesOf(piece, texturesOf(piece.material, () => picture))).join(' ');
+        if (!programs.has(kind)) programs.set(kind, make(piece));
+        compilations.push(programs.get(kind));
+      }
+      await Promise.all(compilations);
     },
-    forget() {
-      made.clear();
-    },
+    /** Discards all programs after the graphics were lost. */
+    forget: (): void => programs.clear(),
   };
 }
 
-/** Milliseconds between two polls of the GPU's progress; greatest number of attempts to find it idle. */
-const [POLL_MS, MAX_POLLS] = [10, 3] as const;
+/** Milliseconds between two polls of the GPU's progress. */
+const POLL_MS = 10;
+/** Greatest number of attempts to find the GPU idle. */
+const MAX_ATTEMPTS = 3;
 
 /** Compiles the programs of a scene; resolves when a frame that uses them need not wait. */
 async function compile(renderer: WebGLRenderer, scene: Scene, camera: Camera): Promise<void> {
@@ -68,17 +61,17 @@ async function compile(renderer: WebGLRenderer, scene: Scene, camera: Camera): P
 /** Resolves when the GPU has finished all commands up to now. */
 async function waitForGpu(renderer: WebGLRenderer): Promise<void> {
   const gl = renderer.getContext() as WebGL2RenderingContext;
-  const after = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+  const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
   gl.flush();
-  while (after && !gl.isContextLost() && gl.getSyncParameter(after, gl.SYNC_STATUS) !== gl.SIGNALED) {
+  while (fence && !gl.isContextLost() && gl.getSyncParameter(fence, gl.SYNC_STATUS) !== gl.SIGNALED) {
     await new Promise((done) => setTimeout(done, POLL_MS));
   }
-  gl.deleteSync(after);
+  gl.deleteSync(fence);
 }
 
 /** Resolves when the GPU is idle, so that queries do not block; gives up after a few attempts. */
 async function waitForIdle(renderer: WebGLRenderer): Promise<void> {
-  for (let n = 0; n < MAX_POLLS; n++) {
+  for (let n = 0; n < MAX_ATTEMPTS; n++) {
     const { frame } = renderer.info.render;
     await waitForGpu(renderer);
     if (renderer.info.render.frame === frame) return;
@@ -88,14 +81,14 @@ async function waitForIdle(renderer: WebGLRenderer): Promise<void> {
 /** Lets three.js query a material's program, which waits for the GPU; throws an error if the program is invalid. */
 function checkProgram(renderer: WebGLRenderer, material: RawShaderMaterial): void {
   const gl = renderer.getContext() as WebGL2RenderingContext;
-  const { currentProgram: made } = renderer.properties.get(material) as { currentProgram?: ThreeProgram };
-  if (!made || gl.isContextLost()) return;
-  if (gl.getProgramParameter(made.program, gl.LINK_STATUS) !== true) {
-    const logs = [made.vertexShader, made.fragmentShader].map((shader) => gl.getShaderInfoLog(shader));
-    throw new Error(`the browser refuses a program: ${[gl.getProgramInfoLog(made.program), ...logs].join(' ')}`);
+  const { currentProgram: compiled } = renderer.properties.get(material) as { currentProgram?: ThreeProgram };
+  if (!compiled || gl.isContextLost()) return;
+  if (gl.getProgramParameter(compiled.program, gl.LINK_STATUS) !== true) {
+    const logs = [compiled.vertexShader, compiled.fragmentShader].map((shader) => gl.getShaderInfoLog(shader));
+    throw new Error(`the browser refuses a program: ${[gl.getProgramInfoLog(compiled.program), ...logs].join(' ')}`);
   }
-  made.getUniforms();
-  made.getAttributes();
+  compiled.getUniforms();
+  compiled.getAttributes();
 }
 
 /** Program of three.js. */

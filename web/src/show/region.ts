@@ -3,44 +3,31 @@ import { Group, type WebGLRenderer } from 'three';
 import type { RegionEntry } from '../bundle/manifest';
 import type { Part, Piece, Triangles } from '../decode/messages';
 import type { Store } from './buffers';
-import { createMaterials, type Materials, type Shared, texturesOf } from './materials';
+import { createMaterials, type Shared, texturesOf } from './materials';
 import { disposeMesh, type MeshResources, type PieceMesh, prepare, type Prepared } from './pieces';
 import { createCube, type Cube, type Pictures } from './textures';
-import type { Step } from './uploads';
 
 /** Meshes per step: three.js takes about 0.1 ms to begin a picture, and half as long for each mesh. */
-const TOGETHER = 4;
+const MESHES_PER_STEP = 4;
 
-export interface Region {
-  readonly entry: RegionEntry;
+export type Region = ReturnType<typeof createRegion>;
+
+/** Creates a region without content; the faces of its maps have `size` texels along an edge. */
+export function createRegion(renderer: WebGLRenderer, entry: RegionEntry, size: number, store: Store, shared: Shared) {
   /** Groups by ring, invisible until complete; the group of ring 0 has the dynamic objects of all pictures. */
-  readonly groups: readonly Group[];
-  readonly materials: Materials;
-  /** Triangles of each complete group. */
-  readonly triangles: Triangles[];
-  /** Two cubes in alternation: that of the visible ring, and that of the ring being loaded. */
-  readonly cubes: [Cube, Cube];
-  dispose(): void;
-}
-
-export function createRegion(
-  renderer: WebGLRenderer,
-  entry: RegionEntry,
-  faceSize: number,
-  store: Store,
-  shared: Shared,
-): Region {
   const groups = entry.rings.map(() => Object.assign(new Group(), { visible: false }));
   const materials = createMaterials(shared);
-  const make = (): Cube => createCube(renderer, faceSize, entry.range);
-  const cubes: Region['cubes'] = [make(), make()];
+  const make = (): Cube => createCube(renderer, size, entry.range);
+  /** Two cubes in alternation: that of the visible ring, and that of the ring being loaded. */
+  const cubes: [Cube, Cube] = [make(), make()];
   return {
     entry,
     groups,
     materials,
-    triangles: entry.rings.map(() => ({ own: 0, drawn: 0 })),
+    /** Triangles of each complete group. */
+    triangles: entry.rings.map((): Triangles => ({ inFile: 0, drawn: 0 })),
     cubes,
-    dispose() {
+    dispose(): void {
       for (const group of groups) {
         for (const mesh of meshesOf(group)) disposeMesh(mesh, store);
         group.clear();
@@ -53,9 +40,9 @@ export function createRegion(
 
 /** Returns the cube with a ring's map. */
 export function cubeOf(region: Region, ring: number): Cube {
-  const found = region.cubes.find((cube) => cube.holds === ring);
-  if (!found) throw new Error(`the map of ring ${ring} is missing`);
-  return found;
+  const cubeOfRing = region.cubes.find((cube) => cube.holds === ring);
+  if (!cubeOfRing) throw new Error(`the map of ring ${ring} is missing`);
+  return cubeOfRing;
 }
 
 /** Whether a ring has a map. */
@@ -73,47 +60,32 @@ export function meshesOf(group: Group): PieceMesh[] {
   return group.children as PieceMesh[];
 }
 
-/** Returns the group of a ring. */
-function groupOf(region: Region, ring: number): Group {
-  const group = region.groups[ring];
-  if (!group) throw new Error(`there is no ring ${ring}`);
-  return group;
-}
-
 /** Shows a ring's geometry, or the dynamic objects, when all of it is on the GPU, and records its triangles. */
 export function complete(region: Region, ring: number, triangles: Triangles): void {
-  groupOf(region, ring).visible = true;
+  (region.groups[ring] as Group).visible = true;
   region.triangles[ring] = triangles;
 }
 
 /** Number of triangles in a picture with all rings up to one. */
 export function trianglesShown(region: Region, ring: number): Triangles {
-  const sum = { own: 0, drawn: 0 };
-  for (const { own, drawn } of region.triangles.slice(0, ring + 1)) {
-    sum.own += own;
-    sum.drawn += drawn;
-  }
-  return sum;
+  return region.triangles.slice(0, ring + 1).reduce((sum, { inFile, drawn }) => {
+    return { inFile: sum.inFile + inFile, drawn: sum.drawn + drawn };
+  }, { inFile: 0, drawn: 0 });
 }
 
 /** Steps that upload a part of a file's geometry and add it to the group of its ring. */
-export function* partSteps(
-  region: Region,
-  ring: number,
-  { bands, pieces }: Part,
-  resources: MeshResources,
-  pictures: Pictures,
-): Generator<Step> {
+export function* partSteps(region: Region, ring: number, part: Part, resources: MeshResources, pictures: Pictures) {
+  const { bands, pieces } = part;
   // Dynamic objects, in ring 0, also appear beyond the cut.
   const cut = ring === 0 ? Infinity : region.entry.cut;
-  const group = groupOf(region, ring);
+  const group = region.groups[ring] as Group;
   const ready: { piece: Piece; prepared: Prepared }[] = [];
   const make = (): void => {
     const meshes = ready.splice(0).map(({ piece, prepared }) => {
       const textures = texturesOf(piece.material, (uri) => resources.store.textures.get(uri) ?? null);
       return prepared.make(region.materials.of(piece, textures, cut));
     });
-    resources.warm(meshes);
+    resources.warmUp(meshes);
     group.add(...meshes);
   };
   try {
@@ -122,7 +94,8 @@ export function* partSteps(
       const prepared = prepare(piece, resources);
       ready.push({ piece, prepared });
       yield* prepared.steps();
-      if (ready.length === TOGETHER || number === pieces.length - 1) yield { kind: 'mesh', bytes: 0, run: make };
+      const isLast = number === pieces.length - 1;
+      if (ready.length === MESHES_PER_STEP || isLast) yield { kind: 'mesh', bytes: 0, run: make } as const;
     }
   } finally {
     for (const { prepared } of ready) prepared.free();

@@ -24,18 +24,8 @@ export function createRenderer(canvas: HTMLCanvasElement, antialias: boolean): W
   return renderer;
 }
 
-export interface ContextLoss {
-  readonly isLost: boolean;
-  /** Removes the event listeners. */
-  dispose(): void;
-}
-
 /** Watches a canvas for loss of its context; call it after three.js has registered its own listeners. */
-export function watchLoss(
-  canvas: HTMLCanvasElement,
-  handleLoss: () => void,
-  handleRestoration: () => void,
-): ContextLoss {
+export function watchLoss(canvas: HTMLCanvasElement, handleLoss: () => void, handleRestoration: () => void) {
   let isLost = false;
   const stop = new AbortController();
   const { signal } = stop;
@@ -52,10 +42,11 @@ export function watchLoss(
   canvas.addEventListener('webglcontextlost', onLost, { signal });
   canvas.addEventListener('webglcontextrestored', onRestored, { signal });
   return {
-    get isLost() {
+    get isLost(): boolean {
       return isLost;
     },
-    dispose: () => stop.abort(),
+    /** Removes the event listeners. */
+    dispose: (): void => stop.abort(),
   };
 }
 

@@ -22,25 +22,12 @@ export interface Shown {
   readonly fading: { readonly ring: number; readonly share: number } | null;
 }
 
-export interface Stage {
-  /** Records that a ring is loaded; rings arrive in order. Until the stage is entered, each replaces the one before. */
-  arrive(ring: number): void;
-  /** Returns the first state after a transition from another region; null before ring 0. */
-  offer(from: MorphState): MorphState | null;
-  /** Shows the region from now on, in a state as similar to the other region's as the loaded rings allow. */
-  enter(from: MorphState): void;
-  /** Stops showing it. */
-  leave(): void;
-  /** Advances by some seconds; radii smaller than `least` would fold. */
-  advance(seconds: number, least?: number): Shown | null;
-  /** Resolves when the map of ring `ring` − 2 is no longer shown, so that the map of `ring` may replace it. */
-  replaceable(ring: number): Promise<void>;
-}
+export type Stage = ReturnType<typeof createStage>;
 
-export function createStage(settings: GrowthSettings & { readonly fade: number }, { isSmooth, isWhole }: Manner): Stage {
+export function createStage(settings: GrowthSettings & { readonly fade: number }, { isSmooth, isWhole }: Manner) {
   let arrived = -1;
   let ring = -1;
-  let since = 0;
+  let fadeSeconds = 0;
   let isFading = false;
   let isEntered = false;
   let grown = NOTHING_NEAR;
@@ -50,6 +37,7 @@ export function createStage(settings: GrowthSettings & { readonly fade: number }
     return ring >= (isWhole ? settings.radii.length : 0);
   }
 
+  /** Returns the first state after a transition from another region; null before ring 0. */
   function offer(from: MorphState): MorphState | null {
     const [first, last] = [settings.radii[0], settings.radii[ring - 1]];
     if (!isShowable()) return null;
@@ -58,63 +46,67 @@ export function createStage(settings: GrowthSettings & { readonly fade: number }
   }
 
   /** Without smoothness everything is shown at once, as soon as it does not fold. */
-  function immediate(least: number): MorphState {
+  function immediateState(least: number): MorphState {
     const radius = settings.radii[ring - 1];
     if (radius === undefined) return NOTHING_NEAR;
     return { radius, strength: grown.strength === 1 || radius >= least ? 1 : 0 };
   }
 
   function release(): void {
-    const free = waiting.filter((entry) => isFree(entry.ring));
-    waiting = waiting.filter((entry) => !isFree(entry.ring));
-    for (const { done } of free) done();
+    const unblocked = waiting.filter((entry) => mayReplace(entry.ring));
+    waiting = waiting.filter((entry) => !mayReplace(entry.ring));
+    for (const { done } of unblocked) done();
   }
 
-  /** The map of `next` replaces that of `next` − 2. */
-  function isFree(next: number): boolean {
+  /** Whether the map of ring `next` may replace the map of ring `next` − 2. */
+  function mayReplace(next: number): boolean {
     return ring >= next - 1 || arrived < 1;
   }
 
   return {
-    arrive(next) {
+    /** Records that a ring is loaded, in order. Until the stage is entered, each ring replaces the one before. */
+    arrive(next: number): void {
       arrived = next;
       if (isEntered && isSmooth && ring >= 0) return;
       ring = next;
       release();
     },
     offer,
-    enter(from) {
+    /** Shows the region from now on, in a state as similar to the other region's as the loaded rings allow. */
+    enter(from: MorphState): void {
       grown = offer(from) ?? NOTHING_NEAR;
       isEntered = true;
     },
-    leave() {
+    /** Stops showing it. */
+    leave(): void {
       isEntered = isFading = false;
       ring = arrived;
       release();
     },
-    advance(seconds, least = 0) {
+    /** Advances by some seconds; radii smaller than `least` would fold. */
+    advance(seconds: number, least = 0): Shown | null {
       if (!isShowable()) return null;
-      grown = isSmooth ? grow(grown, ring, isFading ? 0 : seconds, settings, least) : immediate(least);
+      grown = isSmooth ? grow(grown, ring, isFading ? 0 : seconds, settings, least) : immediateState(least);
       if (!isFading && arrived > ring) {
         isFading = true;
-        since = 0;
+        fadeSeconds = 0;
         return { ring, grown, fading: { ring: ring + 1, share: 0 } };
       }
       if (!isFading) return { ring, grown, fading: null };
-      since += seconds;
-      const share = settings.fade > 0 ? Math.min(since / settings.fade, 1) : 1;
+      fadeSeconds += seconds;
+      const share = settings.fade > 0 ? Math.min(fadeSeconds / settings.fade, 1) : 1;
       if (share < 1) return { ring, grown, fading: { ring: ring + 1, share } };
       ring += 1;
       isFading = false;
       release();
       return { ring, grown, fading: null };
     },
-    replaceable(next) {
-      return new Promise((done) => {
-        if (isFree(next)) done();
-        else waiting.push({ ring: next, done });
-      });
-    },
+    /** Resolves when the map of ring `next` − 2 is no longer shown, so that the map of `next` may replace it. */
+    whenReplaceable: (next: number): Promise<void> =>
+      new Promise((done) => {
+        waiting.push({ ring: next, done });
+        release();
+      }),
   };
 }
 
@@ -143,43 +135,43 @@ const MIN_SHARE = 0.05;
 export const NOTHING_NEAR: MorphState = { radius: 0, strength: 0 };
 
 /**
- * Advances the growth by some seconds, with the rings up to `ring`; the inverse of the radius falls linearly. Pictures with a radius below `least` would fold:
- * until a ring reaches it, the strength stays 0, which gives the same picture at any radius.
+ * Advances the growth by some seconds, with the rings up to `ring`; the inverse of the radius falls linearly. Pictures
+ * with a radius below `least` would fold, so until a ring reaches it the strength stays 0: then all radii look alike.
  */
-export function grow(now: MorphState, ring: number, seconds: number, settings: GrowthSettings, least = 0): MorphState {
+export function grow(state: MorphState, ring: number, seconds: number, settings: GrowthSettings, least = 0): MorphState {
   const goal = settings.radii[ring - 1];
   if (goal === undefined) return NOTHING_NEAR;
   const rate = (settings.speed * Math.PI) / 180 / settings.reach;
-  let left = seconds;
-  let strength = now.radius === 0 ? 0 : now.strength;
-  const begins = settings.radii.find((each) => each >= least) ?? Number.POSITIVE_INFINITY;
-  if (strength === 0 && begins > goal) return { radius: goal, strength };
-  const radius = strength === 0 ? begins : now.radius;
+  let remainingSeconds = seconds;
+  let strength = state.radius === 0 ? 0 : state.strength;
+  const firstRadius = settings.radii.find((each) => each >= least) ?? Number.POSITIVE_INFINITY;
+  if (strength === 0 && firstRadius > goal) return { radius: goal, strength };
+  const radius = strength === 0 ? firstRadius : state.radius;
   if (strength < 1) {
-    const whole = 1 / (Math.max(settings.nearShare, MIN_SHARE) * radius * rate);
-    const needed = (1 - strength) * whole;
-    strength = left >= needed ? 1 : strength + left / whole;
-    left = Math.max(0, left - needed);
+    const growthSeconds = 1 / (Math.max(settings.nearShare, MIN_SHARE) * radius * rate);
+    const missingSeconds = (1 - strength) * growthSeconds;
+    strength = remainingSeconds >= missingSeconds ? 1 : strength + remainingSeconds / growthSeconds;
+    remainingSeconds = Math.max(0, remainingSeconds - missingSeconds);
   }
   if (strength < 1 || radius >= goal) return { radius: Math.min(radius, goal), strength };
-  const inverse = 1 / radius - (1 - settings.nearShare) * rate * left;
+  const inverse = 1 / radius - (1 - settings.nearShare) * rate * remainingSeconds;
   return { radius: inverse <= 1 / goal ? goal : 1 / inverse, strength };
 }
 
 export interface Strategy extends Manner {
   /** Returns the manifest in the order of loading. */
   readonly arrange: (manifest: Manifest) => Manifest;
-  /** Whether it loads the rings of the bundle, as servers make them on demand. */
+  /** Whether it loads rings; servers that make regions on demand make only rings. */
   readonly isByRings: boolean;
 }
 
-const asItIs = (manifest: Manifest): Manifest => manifest;
+const unchanged = (manifest: Manifest): Manifest => manifest;
 
 /** Strategies to load near geometry, compared in CloVR (2024). */
 const STRATEGIES: Readonly<Record<string, Strategy>> = {
-  clovr: { isSmooth: true, isWhole: false, arrange: asItIs, isByRings: true },
+  clovr: { isSmooth: true, isWhole: false, arrange: unchanged, isByRings: true },
   // Shows rings at once instead of smoothly.
-  clovrd: { isSmooth: false, isWhole: false, arrange: asItIs, isByRings: true },
+  clovrd: { isSmooth: false, isWhole: false, arrange: unchanged, isByRings: true },
   // Shows nothing until everything that the centre sees is loaded.
   vis0: { isSmooth: false, isWhole: true, arrange: orderByFootprint, isByRings: false },
   // Shows objects as they arrive, the largest footprints first.
@@ -188,9 +180,9 @@ const STRATEGIES: Readonly<Record<string, Strategy>> = {
 
 /** Returns the strategy of a name in an address; clovr by default. */
 export function strategyOf(name: string | null): Strategy {
-  const found = Object.hasOwn(STRATEGIES, name ?? 'clovr') ? STRATEGIES[name ?? 'clovr'] : undefined;
-  if (!found) {
+  const strategy = Object.hasOwn(STRATEGIES, name ?? 'clovr') ? STRATEGIES[name ?? 'clovr'] : undefined;
+  if (!strategy) {
     throw new BundleError(`strategy: expected ${Object.keys(STRATEGIES).join(', ')}, got ${name ?? ''}`, 'address');
   }
-  return found;
+  return strategy;
 }

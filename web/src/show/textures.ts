@@ -1,27 +1,16 @@
 /** Textures on the GPU that are uploaded in steps: cube maps with range codes, and images in bands of rows. */
 import { CubeTexture, ExternalTexture, type Texture, type WebGLRenderer } from 'three';
 import type { MapLayout, RangeScale } from '../bundle/manifest';
-import type { Band, MapUpdate } from '../decode/messages';
+import { type Band, type MapUpdate, tileAt } from '../decode/messages';
 import { type Step, STEP_BYTES } from './uploads';
 
-export interface Cube {
-  readonly color: CubeTexture;
-  readonly codes: CubeTexture;
-  /** Ring whose map it holds; null for none. */
-  holds: number | null;
-  /** Whether it has range codes. */
-  hasRange: boolean;
-  /** Texels per side of a face; scale of its codes. */
-  readonly size: number;
-  readonly scale: RangeScale;
-  dispose(): void;
-}
+export type Cube = ReturnType<typeof createCube>;
 
 export const FACES = 6;
 /** Scale of a map without codes. */
 const NO_SCALE: RangeScale = { least: 1, step: 1 };
 
-export function createCube(renderer: WebGLRenderer, size: number, scale: RangeScale = NO_SCALE): Cube {
+export function createCube(renderer: WebGLRenderer, size: number, scale: RangeScale = NO_SCALE) {
   const gl = renderer.getContext() as WebGL2RenderingContext;
   const color = wrapTexture(renderer, allocateCube(gl, size, gl.SRGB8_ALPHA8, gl.LINEAR));
   const codes = wrapTexture(renderer, allocateCube(gl, size, gl.R16UI, gl.NEAREST));
@@ -29,11 +18,15 @@ export function createCube(renderer: WebGLRenderer, size: number, scale: RangeSc
   return {
     color,
     codes,
-    holds: null,
+    /** Ring whose map it holds; null for none. */
+    holds: null as number | null,
+    /** Whether it has range codes. */
     hasRange: false,
+    /** Texels per side of a face. */
     size,
+    /** Scale of its codes. */
     scale,
-    dispose() {
+    dispose(): void {
       for (const texture of [color, codes]) {
         gl.deleteTexture(handleOf(renderer, texture));
         renderer.properties.remove(texture);
@@ -68,52 +61,31 @@ export function colorOf(renderer: WebGLRenderer, { color }: Cube): WebGLTexture 
 }
 
 /** Steps that load a ring's map into the cube. */
-export function* cubeSteps(
-  renderer: WebGLRenderer,
-  cube: Cube,
-  update: MapUpdate,
-  ring: number,
-  layout: MapLayout,
-): Generator<Step> {
+export function* cubeSteps(renderer: WebGLRenderer, cube: Cube, update: MapUpdate, ring: number, layout: MapLayout) {
   const gl = renderer.getContext() as WebGL2RenderingContext;
   const { face_size: size, tile } = layout;
   cube.holds = null;
   if (update.whole) {
-    for (let face = 0; face < FACES; face++) {
-      const whole = { face, x: 0, y: 0, width: size, height: size };
-      yield* boxSteps(renderer, gl, cube.color, whole, faceOf(update.color, face));
-      if (update.codes) yield* boxSteps(renderer, gl, cube.codes, whole, faceOf(update.codes, face));
+    for (const [face, color] of update.color.entries()) {
+      const box = { face, x: 0, y: 0, width: size, height: size };
+      const codes = update.codes?.[face];
+      yield* boxSteps(renderer, gl, cube.color, box, color);
+      if (codes) yield* boxSteps(renderer, gl, cube.codes, box, codes);
     }
     cube.hasRange = update.codes !== null;
   } else {
-    const across = size / tile;
     const area = tile * tile;
-    for (let i = 0; i < update.tiles.length; i++) {
-      const number = update.tiles[i] ?? 0;
-      const face = Math.floor(number / (across * across));
-      const place = number % (across * across);
-      const box = { face, x: (place % across) * tile, y: Math.floor(place / across) * tile, width: tile, height: tile };
-      yield* boxSteps(renderer, gl, cube.color, box, update.color.subarray(4 * i * area, 4 * (i + 1) * area));
-      yield* boxSteps(renderer, gl, cube.codes, box, update.codes.subarray(i * area, (i + 1) * area));
+    for (const [index, number] of update.tiles.entries()) {
+      const box = { ...tileAt(number, size / tile, tile), width: tile, height: tile };
+      yield* boxSteps(renderer, gl, cube.color, box, update.color.subarray(4 * index * area, 4 * (index + 1) * area));
+      yield* boxSteps(renderer, gl, cube.codes, box, update.codes.subarray(index * area, (index + 1) * area));
     }
   }
   cube.holds = ring;
 }
 
-function faceOf<T>(faces: readonly T[], number: number): T {
-  const found = faces[number];
-  if (!found) throw new Error('a map has fewer than six faces');
-  return found;
-}
-
 /** Rectangle of texels in a face. */
-interface Box {
-  readonly face: number;
-  readonly x: number;
-  readonly y: number;
-  readonly width: number;
-  readonly height: number;
-}
+type Box = ReturnType<typeof tileAt> & { readonly width: number; readonly height: number };
 
 /** Steps that upload texels, as many rows at a time as fit into a step. */
 function* boxSteps(
@@ -127,12 +99,21 @@ function* boxSteps(
   const rows = Math.max(Math.floor(STEP_BYTES / (row * data.BYTES_PER_ELEMENT)), 1);
   for (let first = 0; first < box.height; first += rows) {
     const part = { ...box, y: box.y + first, height: Math.min(rows, box.height - first) };
-    const some = data.subarray(first * row, (first + part.height) * row);
-    yield { kind: 'map', bytes: some.byteLength, run: () => put(renderer, gl, texture, part, some) };
+    const texels = data.subarray(first * row, (first + part.height) * row);
+    yield { kind: 'map', bytes: texels.byteLength, run: () => uploadTexels(renderer, gl, texture, part, texels) };
   }
 }
 
-function put(
+/** Binds a texture for uploads of rows from the top, without premultiplied alpha. */
+function bindForUpload(renderer: WebGLRenderer, target: 'TEXTURE_2D' | 'TEXTURE_CUBE_MAP', texture: WebGLTexture) {
+  const [gl, { state }] = [renderer.getContext() as WebGL2RenderingContext, renderer];
+  state.activeTexture(gl.TEXTURE0);
+  state.bindTexture(gl[target], texture);
+  state.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, false);
+  state.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false);
+}
+
+function uploadTexels(
   renderer: WebGLRenderer,
   gl: WebGL2RenderingContext,
   texture: CubeTexture,
@@ -140,10 +121,7 @@ function put(
   data: Uint8Array | Uint16Array,
 ): void {
   const { state } = renderer;
-  state.activeTexture(gl.TEXTURE0);
-  state.bindTexture(gl.TEXTURE_CUBE_MAP, handleOf(renderer, texture));
-  state.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, false);
-  state.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false);
+  bindForUpload(renderer, 'TEXTURE_CUBE_MAP', handleOf(renderer, texture));
   state.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
   const target = gl.TEXTURE_CUBE_MAP_POSITIVE_X + face;
   const [format, type] = data instanceof Uint8Array ? [gl.RGBA, gl.UNSIGNED_BYTE] : [gl.RED_INTEGER, gl.UNSIGNED_SHORT];
@@ -151,26 +129,18 @@ function put(
   state.pixelStorei(gl.UNPACK_ALIGNMENT, 4);
 }
 
-export interface Pictures {
-  /** Steps that upload a band, and finish the texture after its last band. */
-  steps(band: Band): Generator<Step>;
-  /** Frees incomplete textures. */
-  dispose(): void;
-}
+export type Pictures = ReturnType<typeof createPictures>;
 
-/** Collects bands while a file is loaded; `whole` is called with complete textures. */
-export function createPictures(renderer: WebGLRenderer, whole: (name: string, texture: Texture) => void): Pictures {
+/** Collects bands while a file is loaded; `onComplete` is called with complete textures. */
+export function createPictures(renderer: WebGLRenderer, onComplete: (name: string, texture: Texture) => void) {
   const gl = renderer.getContext() as WebGL2RenderingContext;
-  const coming = new Map<string, WebGLTexture>();
+  const incomplete = new Map<string, WebGLTexture>();
 
-  function bind(texture: WebGLTexture): void {
-    renderer.state.activeTexture(gl.TEXTURE0);
-    renderer.state.bindTexture(gl.TEXTURE_2D, texture);
-  }
+  const bind = (texture: WebGLTexture): void => bindForUpload(renderer, 'TEXTURE_2D', texture);
 
   function begin({ name, width, height }: Band): WebGLTexture {
     const texture = gl.createTexture();
-    coming.set(name, texture);
+    incomplete.set(name, texture);
     bind(texture);
     const levels = 1 + Math.floor(Math.log2(Math.max(width, height)));
     gl.texStorage2D(gl.TEXTURE_2D, levels, gl.SRGB8_ALPHA8, width, height);
@@ -182,36 +152,35 @@ export function createPictures(renderer: WebGLRenderer, whole: (name: string, te
   }
 
   function send(band: Band): void {
-    bind(coming.get(band.name) ?? begin(band));
-    const { state } = renderer;
-    state.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, false);
-    state.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false);
-    state.pixelStorei(gl.UNPACK_COLORSPACE_CONVERSION_WEBGL, gl.NONE);
+    bind(incomplete.get(band.name) ?? begin(band));
+    renderer.state.pixelStorei(gl.UNPACK_COLORSPACE_CONVERSION_WEBGL, gl.NONE);
     gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, band.y, gl.RGBA, gl.UNSIGNED_BYTE, band.rows);
     band.rows.close();
   }
 
   function finish(name: string): void {
-    const handle = coming.get(name);
+    const handle = incomplete.get(name);
     if (!handle) return;
-    coming.delete(name);
+    incomplete.delete(name);
     bind(handle);
     gl.generateMipmap(gl.TEXTURE_2D);
     const texture = new ExternalTexture(handle);
     texture.addEventListener('dispose', () => gl.deleteTexture(handle));
-    whole(name, texture);
+    onComplete(name, texture);
   }
 
   return {
-    *steps(band) {
+    /** Steps that upload a band, and finish the texture after its last band. */
+    *steps(band: Band): Generator<Step> {
       const { name, y, rows, height } = band;
       const isLast = y + rows.height === height;
       yield { kind: 'picture', bytes: 4 * rows.width * rows.height, run: () => send(band) };
       if (isLast) yield { kind: 'picture', bytes: 0, run: () => finish(name) };
     },
-    dispose() {
-      for (const texture of coming.values()) gl.deleteTexture(texture);
-      coming.clear();
+    /** Frees incomplete textures. */
+    dispose(): void {
+      for (const texture of incomplete.values()) gl.deleteTexture(texture);
+      incomplete.clear();
     },
   };
 }

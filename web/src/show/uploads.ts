@@ -1,4 +1,4 @@
-/** Queue of main-thread work in steps that fit into frames, and into the room that browsers have for uploads. */
+/** Queue of main-thread work in steps that fit into frames, and into the memory that browsers have for uploads. */
 
 /** Greatest number of bytes that a step sends to the GPU. */
 export const STEP_BYTES = 2 ** 18;
@@ -11,22 +11,7 @@ export interface Step {
   readonly run: () => void;
 }
 
-export interface Uploads {
-  /**
-   * Adds the steps of a job; resolves after the last one, rejects when one throws or the job is aborted. Jobs run one
-   * after the other; urgent ones first.
-   */
-  add(steps: Iterable<Step>, signal: AbortSignal, isUrgent?: boolean): Promise<void>;
-  /** Records milliseconds of the main thread spent on a decoder's answer, which the next frame's budget lacks. */
-  spend(milliseconds: number): void;
-  /**
-   * Runs the steps that are expected to fit into a budget of milliseconds: at least one, unless answers have used part
-   * of it or the GPU lags behind. Returns the milliseconds spent, including answers.
-   */
-  run(milliseconds: number): number;
-  /** Forgets bytes in flight after the graphics were lost. */
-  forget(): void;
-}
+export type Uploads = ReturnType<typeof createUploads>;
 
 interface Job {
   readonly steps: Iterator<Step>;
@@ -38,7 +23,7 @@ interface Job {
 }
 
 /** Creates the queue; `flight` counts bytes that the GPU has not consumed; by default nothing is counted. */
-export function createUploads(now: () => number = () => performance.now(), flight: Flight = createFlight(null)): Uploads {
+export function createUploads(now: () => number = () => performance.now(), flight = createFlight(null)) {
   const jobs: Job[] = [];
   const costs = createCosts();
   let spent = 0;
@@ -48,7 +33,7 @@ export function createUploads(now: () => number = () => performance.now(), fligh
     for (let job = jobs[0]; job; job = jobs[0]) {
       try {
         job.signal.throwIfAborted();
-        job.next ??= nextStep(job);
+        job.next ??= (job.steps.next().value as Step | undefined) ?? null;
         if (job.next) return { job, step: job.next };
         end(job);
         job.done();
@@ -83,17 +68,26 @@ export function createUploads(now: () => number = () => performance.now(), fligh
   }
 
   return {
-    add(steps, signal, isUrgent = false) {
+    /**
+     * Adds the steps of a job; resolves after the last one, rejects when one throws or the job is aborted. Jobs run one
+     * after the other; urgent ones first.
+     */
+    add(steps: Iterable<Step>, signal: AbortSignal, isUrgent = false): Promise<void> {
       return new Promise((done, failed) => {
         const job: Job = { steps: steps[Symbol.iterator](), signal, done, failed, next: null };
         if (isUrgent) jobs.unshift(job);
         else jobs.push(job);
       });
     },
-    spend(milliseconds) {
+    /** Records milliseconds of the main thread spent on a decoder's answer; they reduce the next frame's budget. */
+    spend(milliseconds: number): void {
       spent += milliseconds;
     },
-    run(milliseconds) {
+    /**
+     * Runs the steps that are expected to fit into a budget of milliseconds: at least one, unless answers have used
+     * part of it or the GPU lags behind. Returns the milliseconds spent, including answers.
+     */
+    run(milliseconds: number): number {
       const start = now() - spent;
       let isIdle = spent === 0;
       spent = 0;
@@ -107,50 +101,35 @@ export function createUploads(now: () => number = () => performance.now(), fligh
       flight.mark();
       return now() - start;
     },
+    /** Forgets bytes in flight after the graphics were lost. */
     forget: flight.forget,
   };
-}
-
-function nextStep(job: Job): Step | null {
-  const { done, value } = job.steps.next() as IteratorResult<Step, undefined>;
-  return done ? null : value;
 }
 
 /** Kind of a step; its duration is a constant plus a term proportional to its bytes. */
 export type StepKind = 'map' | 'picture' | 'arrays' | 'mesh' | 'program';
 
-interface Sized {
-  readonly kind: StepKind;
-  readonly bytes: number;
-}
-
-/** Prediction of the duration of steps from earlier ones of the same kind. */
-export interface Costs {
-  /** Expected duration of a step, milliseconds. */
-  expected(step: Sized): number;
-  /** Learns from the duration of a step. */
-  learn(step: Sized, milliseconds: number): void;
-}
-
 /** Number of bytes whose upload takes as long as an empty step. */
-const UNIT = 2 ** 16;
+const UNIT_BYTES = 2 ** 16;
 /** Initial milliseconds per unit: those of a slow computer. */
-const FIRST: Readonly<Record<StepKind, number>> = { map: 0.2, picture: 0.2, arrays: 0.1, mesh: 0.5, program: 2.5 };
-/** Learning rate of the estimate. */
-const LEARNT = 0.15;
+const INITIAL_MS: Readonly<Record<StepKind, number>> = { map: 0.2, picture: 0.2, arrays: 0.1, mesh: 0.5, program: 2.5 };
+const LEARNING_RATE = 0.15;
 /** Greatest ratio to the estimate that is learned: longer steps were interrupted. */
-const MAX = 4;
+const MAX_RATIO = 4;
 
-function createCosts(): Costs {
-  const known = new Map<StepKind, number>();
-  const unit = (kind: StepKind): number => known.get(kind) ?? FIRST[kind];
-  const units = (bytes: number): number => 1 + bytes / UNIT;
+/** Predicts the duration of steps from earlier ones of the same kind. */
+function createCosts() {
+  const learnedCosts = new Map<StepKind, number>();
+  const unit = (kind: StepKind): number => learnedCosts.get(kind) ?? INITIAL_MS[kind];
+  const units = (bytes: number): number => 1 + bytes / UNIT_BYTES;
   return {
-    expected: ({ kind, bytes }) => unit(kind) * units(bytes),
-    learn({ kind, bytes }, milliseconds) {
+    /** Expected duration of a step, milliseconds. */
+    expected: ({ kind, bytes }: Step): number => unit(kind) * units(bytes),
+    /** Learns from the duration of a step. */
+    learn({ kind, bytes }: Step, milliseconds: number): void {
       const before = unit(kind);
-      const seen = Math.min(milliseconds / units(bytes), MAX * before);
-      known.set(kind, before + LEARNT * (seen - before));
+      const measured = Math.min(milliseconds / units(bytes), MAX_RATIO * before);
+      learnedCosts.set(kind, before + LEARNING_RATE * (measured - before));
     },
   };
 }
@@ -159,22 +138,13 @@ function createCosts(): Costs {
 export const MAX_IN_FLIGHT = 2 ** 23;
 
 /**
- * Counter of bytes that were sent to the GPU and not consumed. Browsers have little room for them: once it is full, a
- * call blocks until the GPU has finished all before it, which can take many frames with software rendering.
+ * Counter of bytes that were sent to the GPU and not consumed. Browsers have little memory for them: once it is full,
+ * a call blocks until the GPU has finished all before it, which can take many frames with software rendering.
  */
-export interface Flight {
-  /** Adds sent bytes. */
-  send(bytes: number): void;
-  /** Whether this many more bytes may be sent. */
-  hasRoom(bytes: number): boolean;
-  /** Inserts a fence: bytes sent before it count as consumed when the GPU passes it. */
-  mark(): void;
-  /** Resets the counter after the graphics were lost. */
-  forget(): void;
-}
+export type Flight = ReturnType<typeof createFlight>;
 
 /** Creates the counter; `gl` is null if nothing needs to be counted. */
-export function createFlight(gl: WebGL2RenderingContext | null): Flight {
+export function createFlight(gl: WebGL2RenderingContext | null) {
   let marks: { readonly sync: WebGLSync; readonly bytes: number }[] = [];
   let sent = 0;
 
@@ -188,17 +158,20 @@ export function createFlight(gl: WebGL2RenderingContext | null): Flight {
   }
 
   return {
-    send(bytes) {
+    /** Adds sent bytes. */
+    send(bytes: number): void {
       sent += bytes;
     },
-    hasRoom(bytes) {
+    /** Whether this many more bytes may be sent. */
+    hasRoom(bytes: number): boolean {
       if (!gl || bytes === 0) return true;
       settle(gl);
-      const flying = marks.reduce((sum, mark) => sum + mark.bytes, sent);
+      const bytesInFlight = marks.reduce((sum, mark) => sum + mark.bytes, sent);
       // An idle GPU takes any amount.
-      return flying === 0 || flying + bytes <= MAX_IN_FLIGHT;
+      return bytesInFlight === 0 || bytesInFlight + bytes <= MAX_IN_FLIGHT;
     },
-    mark() {
+    /** Inserts a fence: bytes sent before it count as consumed when the GPU passes it. */
+    mark(): void {
       if (gl && sent > 0) {
         const sync = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
         if (sync) marks.push({ sync, bytes: sent });
@@ -206,9 +179,9 @@ export function createFlight(gl: WebGL2RenderingContext | null): Flight {
       }
       sent = 0;
     },
-    forget() {
-      marks = [];
-      sent = 0;
+    /** Resets the counter after the graphics were lost. */
+    forget(): void {
+      [marks, sent] = [[], 0];
     },
   };
 }

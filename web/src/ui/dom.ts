@@ -1,7 +1,4 @@
-/**
- * Creation of elements without parsing HTML, so that no text of a bundle becomes markup; icons; saving of files;
- * copying of texts.
- */
+/** Elements, created without parsing HTML, so that no text of a bundle becomes markup; icons; saving and copying. */
 
 type Attributes = Readonly<Record<string, string | boolean | undefined>>;
 type Child = Node | string;
@@ -18,11 +15,23 @@ export function make<Name extends keyof HTMLElementTagNameMap>(
   return element;
 }
 
-/** Creates a button with a label and a class. */
 export function button(label: string, className: string, action: () => void): HTMLButtonElement {
   const element = make('button', { type: 'button', class: className }, label);
   element.addEventListener('click', action);
   return element;
+}
+
+/** Creates a button with an icon; the label is for screen readers. */
+export function iconButton(path: string, label: string, title: string, action: () => void): HTMLButtonElement {
+  const element = make('button', { type: 'button', class: 'button-icon', 'aria-label': label, title }, icon(path));
+  element.addEventListener('click', action);
+  return element;
+}
+
+/** Creates a button of the bar with an icon and a label; the title says the effect and the key. */
+export function toolButton(path: string, label: string, title: string, key: string): HTMLButtonElement {
+  const text = make('span', { class: 'tool-label' }, label);
+  return make('button', { type: 'button', class: 'tool', title, 'aria-keyshortcuts': key }, icon(path), text);
 }
 
 /** Finds an element of the document; throws an error if there is none of this kind. */
@@ -55,7 +64,6 @@ function setAttributes(element: Element, attributes: Attributes): void {
   }
 }
 
-/** Makes the browser save a file. */
 export function saveFile(content: Blob, name: string): void {
   const address = URL.createObjectURL(content);
   make('a', { href: address, download: name }).click();

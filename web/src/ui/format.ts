@@ -1,32 +1,31 @@
 /** Formatting of numbers. Invalid numbers become a dash. */
 
 const UNKNOWN = '–';
-/** No-break space between a number and its unit. */
-const SPACE = '\u00a0';
+const NO_BREAK_SPACE = '\u00a0';
 const PREFIXES = ['', 'k', 'M', 'G', 'T'] as const;
 
 /** `12.4 MB`. */
 export function bytes(count: number): string {
-  return scaled(count, 'B');
+  return withPrefix(count, 'B');
 }
 
 /** `12.4 of 45.1 MB`: both in the unit of the whole. */
 export function bytesOf(part: number, whole: number): string {
   if (!isAmount(part) || !isAmount(whole)) return UNKNOWN;
   const power = powerOf(Math.max(part, whole));
-  return `${digits(part, power)} of ${digits(whole, power)}${SPACE}${PREFIXES[power]}B`;
+  return `${digits(part, power)} of ${digits(whole, power)}${NO_BREAK_SPACE}${PREFIXES[power]}B`;
 }
 
 /** Bits per second, `48.2 Mb/s`; `idle` for null. */
 export function rate(bits: number | null): string {
-  return bits === null ? 'idle' : scaled(bits, 'b/s');
+  return bits === null ? 'idle' : withPrefix(bits, 'b/s');
 }
 
 /** `640,886`, from a million on `1.24 million`. */
 export function count(number: number): string {
   if (!isAmount(number)) return UNKNOWN;
-  if (number >= 999.5e6) return `${(number / 1e9).toFixed(2)}${SPACE}billion`;
-  if (number >= 999_999.5) return `${(number / 1e6).toFixed(2)}${SPACE}million`;
+  if (number >= 999.5e6) return `${(number / 1e9).toFixed(2)}${NO_BREAK_SPACE}billion`;
+  if (number >= 999_999.5) return `${(number / 1e6).toFixed(2)}${NO_BREAK_SPACE}million`;
   return Math.round(number).toLocaleString('en');
 }
 
@@ -34,26 +33,26 @@ export function count(number: number): string {
 export function percent(part: number, whole: number): string {
   if (!isAmount(part) || !isAmount(whole)) return UNKNOWN;
   const share = whole > 0 ? (100 * part) / whole : 100;
-  if (share > 0 && share < 1) return `<${SPACE}1${SPACE}%`;
-  return `${Math.min(Math.floor(share), 100)}${SPACE}%`;
+  if (share > 0 && share < 1) return `<${NO_BREAK_SPACE}1${NO_BREAK_SPACE}%`;
+  return `${Math.min(Math.floor(share), 100)}${NO_BREAK_SPACE}%`;
 }
 
 /** `11.2 ms`, from 100 ms on `125 ms`. */
 export function milliseconds(time: number): string {
-  return isAmount(time) ? `${time.toFixed(time < 99.95 ? 1 : 0)}${SPACE}ms` : UNKNOWN;
+  return isAmount(time) ? `${time.toFixed(time < 99.95 ? 1 : 0)}${NO_BREAK_SPACE}ms` : UNKNOWN;
 }
 
 /** `0.35 m`, `22.0 m`, `140 m`, `3.2 km`. */
 export function metres(length: number): string {
   if (!isAmount(length)) return UNKNOWN;
-  if (length >= 999.5) return `${(length / 1000).toFixed(1)}${SPACE}km`;
-  return `${length.toFixed(length < 0.995 ? 2 : length < 99.95 ? 1 : 0)}${SPACE}m`;
+  if (length >= 999.5) return `${(length / 1000).toFixed(1)}${NO_BREAK_SPACE}km`;
+  return `${length.toFixed(length < 0.995 ? 2 : length < 99.95 ? 1 : 0)}${NO_BREAK_SPACE}m`;
 }
 
-function scaled(amount: number, unit: string): string {
+function withPrefix(amount: number, unit: string): string {
   if (!isAmount(amount)) return UNKNOWN;
   const power = powerOf(amount);
-  return `${digits(amount, power)}${SPACE}${PREFIXES[power]}${unit}`;
+  return `${digits(amount, power)}${NO_BREAK_SPACE}${PREFIXES[power]}${unit}`;
 }
 
 /** Power of the prefix with which a number has at most three integer digits, after rounding. */

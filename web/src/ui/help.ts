@@ -1,6 +1,6 @@
 /** Commands by key, which the panel runs, and the help with all keys, touch gestures and gamepad controls. */
 import { hasOtherPurpose, isMovementKey } from '../control/drive';
-import { icon, ICONS, make } from './dom';
+import { iconButton, ICONS, make } from './dom';
 
 /** Keys or gestures, and their effect. */
 export type Row = readonly [keys: readonly string[], does: string];
@@ -37,32 +37,17 @@ const PAD: readonly Row[] = [
   [['Right stick'], 'look around'],
 ];
 
-export interface Help {
-  toggle(): void;
-  /** Adds a section. */
-  add(title: string, rows: readonly Row[]): void;
-}
-
 /** Creates a dialog in `root`; `absent` returns the names of unavailable commands. */
-export function createHelp(root: HTMLElement, absent: () => readonly Name[]): Help {
-  const close = make('button', { type: 'button', class: 'button-icon', 'aria-label': 'Close', title: 'Close (Esc)' });
-  close.append(icon(ICONS.close));
+export function createHelp(root: HTMLElement, absent: () => readonly Name[]) {
+  const close = iconButton(ICONS.close, 'Close', 'Close (Esc)', () => dialog.close());
   const commands = make('section', {});
-  const last = make('div', { class: 'help-touch' }, part('Touch', TOUCH), part('Gamepad', PAD));
+  const last = make('div', { class: 'help-touch' }, section('Touch', TOUCH), section('Gamepad', PAD));
   const dialog = make(
     'dialog',
     { class: 'help', 'aria-labelledby': 'help-title', tabindex: '-1' },
     make('header', {}, make('h1', { id: 'help-title' }, 'How to move'), close),
-    make(
-      'div',
-      { class: 'help-parts' },
-      part('Walk', WALK),
-      part('Orbit', ORBIT),
-      commands,
-      last,
-    ),
+    make('div', { class: 'help-parts' }, section('Walk', WALK), section('Orbit', ORBIT), commands, last),
   );
-  close.addEventListener('click', () => dialog.close());
   dialog.addEventListener('click', (event) => {
     // Only a click on the backdrop hits the dialog itself.
     if (event.target === dialog) dialog.close();
@@ -75,25 +60,25 @@ export function createHelp(root: HTMLElement, absent: () => readonly Name[]): He
   root.append(dialog);
 
   return {
-    toggle() {
+    toggle(): void {
       if (dialog.open) {
         dialog.close();
         return;
       }
       const missing = absent();
       const names = (Object.keys(SHORTCUTS) as Name[]).filter((name) => !missing.includes(name));
-      const rows = names.map((name): Row => [[SHORTCUTS[name].label], SHORTCUTS[name].does]);
-      commands.replaceChildren(...part('Commands', rows).childNodes);
+      const rows = names.map((name): Row => [[SHORTCUTS[name].label], SHORTCUTS[name].effect]);
+      commands.replaceChildren(...section('Commands', rows).childNodes);
       dialog.showModal();
       dialog.scrollTop = 0;
     },
-    add(title, rows) {
-      last.append(part(title, rows));
+    add(title: string, rows: readonly Row[]): void {
+      last.append(section(title, rows));
     },
   };
 }
 
-function part(title: string, rows: readonly Row[]): HTMLElement {
+function section(title: string, rows: readonly Row[]): HTMLElement {
   const list = make('dl', {});
   for (const [keys, does] of rows) {
     list.append(make('dt', {}, ...keys.map((key) => make('kbd', {}, key))), make('dd', {}, does));
@@ -103,30 +88,22 @@ function part(title: string, rows: readonly Row[]): HTMLElement {
 
 export type Name = 'walk' | 'orbit' | 'split' | 'photo' | 'link' | 'home' | 'next' | 'look' | 'panel' | 'retry' | 'headset' | 'help';
 
-export interface Shortcut {
-  /** Key in lower case, and its label. */
-  readonly key: string;
-  readonly label: string;
-  readonly does: string;
-}
-
-/** Keys as labelled on the user's keyboard. */
-export const SHORTCUTS: Readonly<Record<Name, Shortcut>> = {
-  walk: { key: '1', label: '1', does: 'walk' },
-  orbit: { key: '2', label: '2', does: 'orbit around the point ahead' },
-  split: { key: 'c', label: 'C', does: 'compare with the conventional picture' },
-  photo: { key: 'p', label: 'P', does: 'save the picture' },
-  link: { key: 'l', label: 'L', does: 'copy a link to this view' },
-  home: { key: 'home', label: 'Home', does: 'go back to the centre' },
-  next: { key: 'n', label: 'N', does: 'go to the next place' },
-  look: { key: 'f', label: 'F', does: 'look around with the mouse without a button, until Esc' },
-  panel: { key: 'i', label: 'I', does: 'show or hide the figures' },
-  retry: { key: 'r', label: 'R', does: 'reload what failed' },
-  headset: { key: 'v', label: 'V', does: 'enter the headset, and leave it' },
-  help: { key: '?', label: '?', does: 'show or hide this help' },
+/** Keys as labelled on the user's keyboard, in lower case; their labels; and the effects. */
+export const SHORTCUTS: Readonly<Record<Name, { readonly key: string; readonly label: string; readonly effect: string }>> = {
+  walk: { key: '1', label: '1', effect: 'walk' },
+  orbit: { key: '2', label: '2', effect: 'orbit around the point ahead' },
+  split: { key: 'c', label: 'C', effect: 'compare with the conventional picture' },
+  photo: { key: 'p', label: 'P', effect: 'save the picture' },
+  link: { key: 'l', label: 'L', effect: 'copy a link to this view' },
+  home: { key: 'home', label: 'Home', effect: 'go back to the centre' },
+  next: { key: 'n', label: 'N', effect: 'go to the next place' },
+  look: { key: 'f', label: 'F', effect: 'look around with the mouse without a button, until Esc' },
+  panel: { key: 'i', label: 'I', effect: 'show or hide the figures' },
+  retry: { key: 'r', label: 'R', effect: 'reload what failed' },
+  headset: { key: 'v', label: 'V', effect: 'enter the headset, and leave it' },
+  help: { key: '?', label: '?', effect: 'show or hide this help' },
 };
 
-/** Runs commands by key. */
 export function listen(run: (name: Name) => void, keys: EventTarget = window): void {
   const names = new Map(Object.entries(SHORTCUTS).map(([name, { key }]) => [key, name as Name]));
   keys.addEventListener('keydown', (event) => {

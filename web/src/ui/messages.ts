@@ -1,23 +1,10 @@
 /** Error messages: over the whole page, or in a banner above the last valid picture. */
-import { button, icon, ICONS, make } from './dom';
+import { button, find, iconButton, ICONS, make } from './dom';
 
 /** Greatest number of problems in a banner; the others are counted. */
-const MAX = 3;
+const MAX_PROBLEMS = 3;
 
-export interface FatalOptions {
-  /** Exact error, for those who can fix it. */
-  readonly detail?: string | undefined;
-  /** Action of the retry button; none without one. */
-  readonly retry?: (() => void) | undefined;
-}
-
-/** Title of an error, and advice to the user. */
-export interface Message {
-  readonly title: string;
-  readonly text: string;
-}
-
-/** Messages of errors after which nothing can be shown. */
+/** Titles of errors after which nothing can be shown, and advice to the user. */
 export const FATAL = {
   scene: {
     title: 'The server cannot load the scene',
@@ -53,18 +40,21 @@ export const FATAL = {
     title: 'The scene cannot be shown',
     text: 'Reload the page. If that does not help, send the message below to whoever gave you the link.',
   },
-} as const satisfies Readonly<Record<string, Message>>;
+} as const satisfies Readonly<Record<string, { readonly title: string; readonly text: string }>>;
 
-/** Shows a page-wide message about why nothing can be shown. */
-export function showFatal(title: string, text: string, { detail, retry }: FatalOptions = {}): void {
+/**
+ * Shows a page-wide message about why nothing can be shown: `detail` is the exact error, for those who can fix it; `retry`
+ * is the action of a button.
+ */
+export function showFatal(title: string, text: string, { detail, retry }: { detail: string; retry?: () => void }): void {
   const heading = make('h1', { tabindex: '-1', id: 'message-title' }, title);
   const card = make('div', { class: 'fatal-card' }, make('p', { class: 'fatal-brand' }, 'nearfar'), heading);
   card.append(make('p', {}, text));
-  if (detail) card.append(make('p', { class: 'fatal-detail' }, detail));
+  if (detail !== '') card.append(make('p', { class: 'fatal-detail' }, detail));
   if (retry) card.append(button('Try again', 'button-main', retry));
-  const place = message();
-  place.replaceChildren(card);
-  place.dataset['kind'] = 'fatal';
+  const element = messageElement();
+  element.replaceChildren(card);
+  element.dataset['kind'] = 'fatal';
   // The page behind the message is inert, also for keys.
   for (const other of document.querySelectorAll('canvas, [data-behind]')) other.setAttribute('inert', '');
   heading.focus({ preventScroll: true });
@@ -72,34 +62,27 @@ export function showFatal(title: string, text: string, { detail, retry }: FatalO
 
 /** Shows a banner of problems while the last valid picture stays; an empty list removes the banner. */
 export function showProblems(problems: readonly string[], retry: () => void): void {
-  const place = message();
-  if (place.dataset['kind'] === 'fatal') return;
-  const list = make('ul', {}, ...problems.slice(0, MAX).map((problem) => make('li', {}, problem)));
-  if (problems.length > MAX) list.append(make('li', {}, `and ${problems.length - MAX} more`));
-  const close = make('button', { type: 'button', class: 'button-icon', 'aria-label': 'Dismiss', title: 'Dismiss' });
-  close.append(icon(ICONS.close));
-  close.addEventListener('click', clearMessage);
+  const element = messageElement();
+  if (element.dataset['kind'] === 'fatal') return;
+  const list = make('ul', {}, ...problems.slice(0, MAX_PROBLEMS).map((problem) => make('li', {}, problem)));
+  if (problems.length > MAX_PROBLEMS) list.append(make('li', {}, `and ${problems.length - MAX_PROBLEMS} more`));
+  const close = iconButton(ICONS.close, 'Dismiss', 'Dismiss', clearMessage);
   const text = make('div', { class: 'banner-text' }, make('strong', {}, 'Not all of the scene is shown'), list);
   if (problems.length === 0) clearMessage();
   else {
-    place.replaceChildren(text, button('Try again', 'button-main', retry), close);
-    place.dataset['kind'] = 'banner';
+    element.replaceChildren(text, button('Try again', 'button-main', retry), close);
+    element.dataset['kind'] = 'banner';
   }
 }
 
-/** Removes the message. */
 export function clearMessage(): void {
-  const place = message();
-  place.replaceChildren();
-  delete place.dataset['kind'];
+  const element = messageElement();
+  element.replaceChildren();
+  delete element.dataset['kind'];
   for (const other of document.querySelectorAll('canvas, [data-behind]')) other.removeAttribute('inert');
 }
 
 /** Permanent element of the page, so that screen readers announce its changes. */
-function message(): HTMLElement {
-  const found = document.getElementById('message');
-  if (found) return found;
-  const made = make('div', { id: 'message', role: 'alert' });
-  document.body.append(made);
-  return made;
+function messageElement(): HTMLElement {
+  return find('#message', HTMLElement);
 }

@@ -1,36 +1,25 @@
-/**
- * Elements over the picture: the divider between both pictures, the mark of the left thumb, and a line while waiting.
- */
+/** Elements over the picture: the divider of both pictures, the mark of the left thumb, and a line while waiting. */
 import { type Thumb, THUMB_REACH } from '../control/pointers';
 import { icon, ICONS, make } from './dom';
 
-/** Shares of the width by which keys move it. */
-const [STEP, LEAP] = [0.01, 0.1] as const;
+/** Shares of the width by which keys move the divider. */
+const [KEY_STEP, PAGE_STEP] = [0.01, 0.1] as const;
 /** Pixels from the line to a label and from there to the edge, together. */
-const BESIDE = 40;
-/** Initial position. */
+const LABEL_MARGIN = 40;
+/** Initial position of the divider. */
 export const MIDDLE = 0.5;
 
-export interface Divider {
-  /** Sets the share of the picture that is conventional, 0 to 1; null removes the divider. */
-  set(share: number | null): void;
-}
-
-/** Creates a divider; `changed` is called after every change, by the user or by `set`. */
-export function createDivider(root: HTMLElement, changed: (share: number | null) => void): Divider {
+/** Creates a divider; `onChange` is called after every change, by the user or by `set`. */
+export function createDivider(root: HTMLElement, onChange: (share: number | null) => void) {
   const label = (side: string, text: string): HTMLElement =>
     make('span', { class: `divider-label divider-${side}`, 'aria-hidden': 'true' }, text);
   const [left, right] = [label('left', 'Conventional'), label('right', 'Continuous')];
   const line = make(
     'div',
     {
-      class: 'divider',
-      role: 'slider',
-      tabindex: '0',
+      class: 'divider', role: 'slider', tabindex: '0', 'aria-orientation': 'horizontal',
       'aria-label': 'Divider between the conventional picture, left, and the continuous one, right',
-      'aria-orientation': 'horizontal',
-      'aria-valuemin': '0',
-      'aria-valuemax': '100',
+      'aria-valuemin': '0', 'aria-valuemax': '100',
     },
     left,
     make('span', { class: 'divider-grip' }, icon(ICONS.grip)),
@@ -41,10 +30,11 @@ export function createDivider(root: HTMLElement, changed: (share: number | null)
   new ResizeObserver(arrange).observe(layer);
   let share: number | null = null;
 
+  /** Sets the share of the picture that is conventional, 0 to 1; null removes the divider. */
   function set(next: number | null): void {
-    const wanted = next === null || Number.isNaN(next) ? null : Math.min(Math.max(next, 0), 1);
-    if (wanted === share) return;
-    share = wanted;
+    const newShare = next === null || Number.isNaN(next) ? null : Math.min(Math.max(next, 0), 1);
+    if (newShare === share) return;
+    share = newShare;
     layer.hidden = share === null;
     if (share !== null) {
       const percent = String(Math.round(100 * share));
@@ -54,14 +44,14 @@ export function createDivider(root: HTMLElement, changed: (share: number | null)
       line.setAttribute('aria-valuetext', `${percent} percent conventional`);
       arrange();
     }
-    changed(share);
+    onChange(share);
   }
 
   /** Hides labels without enough room beside the line. */
   function arrange(): void {
     const [width, part] = [layer.clientWidth, share ?? MIDDLE];
-    left.classList.toggle('is-cut', left.offsetWidth + BESIDE > part * width);
-    right.classList.toggle('is-cut', right.offsetWidth + BESIDE > (1 - part) * width);
+    left.classList.toggle('is-cut', left.offsetWidth + LABEL_MARGIN > part * width);
+    right.classList.toggle('is-cut', right.offsetWidth + LABEL_MARGIN > (1 - part) * width);
   }
 
   function drag(event: PointerEvent): void {
@@ -92,12 +82,12 @@ export function createDivider(root: HTMLElement, changed: (share: number | null)
 /** Returns the new position after a key; null removes the divider, undefined for other keys. */
 export function nextShare(key: string, share: number): number | null | undefined {
   const moves = new Map<string, number | null>([
-    ['ArrowLeft', share - STEP],
-    ['ArrowDown', share - STEP],
-    ['ArrowRight', share + STEP],
-    ['ArrowUp', share + STEP],
-    ['PageDown', share - LEAP],
-    ['PageUp', share + LEAP],
+    ['ArrowLeft', share - KEY_STEP],
+    ['ArrowDown', share - KEY_STEP],
+    ['ArrowRight', share + KEY_STEP],
+    ['ArrowUp', share + KEY_STEP],
+    ['PageDown', share - PAGE_STEP],
+    ['PageUp', share + PAGE_STEP],
     ['Home', 0],
     ['End', 1],
     ['Escape', null],
@@ -106,15 +96,11 @@ export function nextShare(key: string, share: number): number | null | undefined
   return typeof next === 'number' ? Math.min(Math.max(next, 0), 1) : next;
 }
 
-export interface ThumbMark {
-  show(thumb: Thumb | null): void;
-}
-
-export function createThumbMark(root: HTMLElement): ThumbMark {
+export function createThumbMark(root: HTMLElement) {
   const ring = make('div', { class: 'thumb', hidden: true, 'aria-hidden': 'true' }, make('span', {}));
   root.append(ring);
   return {
-    show(thumb) {
+    show(thumb: Thumb | null): void {
       ring.hidden = thumb === null;
       if (!thumb) return;
       const { x, y, right, down } = thumb;
@@ -125,15 +111,10 @@ export function createThumbMark(root: HTMLElement): ThumbMark {
   };
 }
 
-export interface Wait {
-  readonly begin: () => void;
-  readonly end: () => void;
-}
-
-export function createWait(root: HTMLElement): Wait {
+export function createWait(root: HTMLElement) {
   const line = make('p', { class: 'wait card', role: 'status' }, 'The server loads the scene…');
   return {
-    begin: () => root.append(line),
-    end: () => line.remove(),
+    begin: (): void => root.append(line),
+    end: (): void => line.remove(),
   };
 }

@@ -1,8 +1,8 @@
 /** Panel with its buttons and keys. */
 import { messageOf } from '../base/errors';
-import type { Mode } from '../control/controls';
-import { copyText, icon, ICONS, make, saveFile, write } from './dom';
-import { createHelp, listen, type Name, type Row, SHORTCUTS } from './help';
+import type { Mode } from '../control/pointers';
+import { copyText, iconButton, ICONS, make, saveFile, toolButton, write } from './dom';
+import { createHelp, listen, type Name, SHORTCUTS } from './help';
 import { showProblems } from './messages';
 import { MIDDLE } from './overlays';
 import {
@@ -16,30 +16,18 @@ import {
   summaryOf,
 } from './status';
 
-/** Duration of a note, seconds. */
-const NOTE = 3;
+const NOTE_SECONDS = 3;
 /** Media query for screens on which the panel is open at first, because it leaves most of the picture free. */
-const ROOMY = '(min-width: 48rem) and (min-height: 34rem)';
-
-export interface Panel {
-  /** Updates the figures; a few times a second is enough. */
-  update(status: Status): void;
-  /** Shows a short note, which screen readers speak without interrupting. */
-  announce(text: string): void;
-  /** Adds a section to the help. */
-  explain(title: string, rows: readonly Row[]): void;
-  /** Shows a mode or divider that was changed outside the panel. */
-  reflect(state: { readonly mode?: Mode; readonly isDivided?: boolean }): void;
-}
+const LARGE_SCREEN = '(min-width: 48rem) and (min-height: 34rem)';
 
 /** Builds the panel in an element that covers the picture; user actions call `commands`. */
-export function createPanel(root: HTMLElement, commands: Commands): Panel {
+export function createPanel(root: HTMLElement, commands: Commands) {
   let isDivided = false;
-  let wasRing = -1;
+  let lastRing = -1;
   let wasComplete = false;
-  let wasMade: string | null = null;
+  let lastProgress: string | null = null;
   let problems = '';
-  let noteEnds = 0;
+  let noteTimer = 0;
 
   const buttons = {
     walk: tool('walk', 'Walk', ICONS.walk),
@@ -60,13 +48,14 @@ export function createPanel(root: HTMLElement, commands: Commands): Panel {
   const bar = make('div', { class: 'tools', role: 'group', 'aria-label': 'Commands' }, ...Object.values(common));
   bar.classList.toggle('tools-many', commands.next !== undefined);
   const figures = createFigures();
-  const quiet = make('p', { class: 'quiet', hidden: true });
+  const close = iconButton(ICONS.close, 'Hide the figures', 'Hide the figures (I)', hideFigures);
+  const headsetNote = make('p', { class: 'quiet', hidden: true });
   const panel = make(
     'section',
     { class: 'panel card', id: 'panel', 'aria-label': 'Figures' },
-    make('header', {}, make('h1', {}, 'nearfar'), dismiss()),
+    make('header', {}, make('h1', {}, 'nearfar'), close),
     figures.element,
-    quiet,
+    headsetNote,
   );
   const chip = make('button', { type: 'button', class: 'chip card', title: 'Show the figures (I)', hidden: true });
   chip.addEventListener('click', () => run('panel'));
@@ -87,7 +76,7 @@ export function createPanel(root: HTMLElement, commands: Commands): Panel {
     ...(problems ? [] : (['retry'] as const)),
     ...(commands.next ? [] : (['next'] as const)),
   ]);
-  panel.hidden = !window.matchMedia(ROOMY).matches;
+  panel.hidden = !window.matchMedia(LARGE_SCREEN).matches;
   for (const [name, button] of Object.entries(buttons)) button.addEventListener('click', () => run(name as Name));
   listen(run);
   reflect({ mode: 'walk' });
@@ -103,10 +92,9 @@ export function createPanel(root: HTMLElement, commands: Commands): Panel {
       reflect({ mode: name });
       speak(name === 'walk' ? 'Walking' : 'Orbiting');
     } else if (name === 'split') {
-      const wanted = !isDivided;
-      reflect({ isDivided: wanted });
-      commands.setDivider(wanted ? MIDDLE : null);
-      speak(wanted ? 'Left conventional, right continuous' : 'Continuous');
+      reflect({ isDivided: !isDivided });
+      commands.setDivider(isDivided ? MIDDLE : null);
+      speak(isDivided ? 'Left conventional, right continuous' : 'Continuous');
     } else if (name === 'photo') {
       saveFile(await commands.screenshot(), `nearfar ${new Date().toISOString().slice(0, 19).replace(/\D/g, '-')}.png`);
       announce('Picture saved');
@@ -138,7 +126,8 @@ export function createPanel(root: HTMLElement, commands: Commands): Panel {
     }
   }
 
-  function reflect({ mode, isDivided: divided }: Parameters<Panel['reflect']>[0]): void {
+  /** Shows a mode or divider that was changed outside the panel. */
+  function reflect({ mode, isDivided: divided }: { readonly mode?: Mode; readonly isDivided?: boolean }): void {
     if (mode) {
       press(buttons.walk, mode === 'walk');
       press(buttons.orbit, mode === 'orbit');
@@ -146,30 +135,25 @@ export function createPanel(root: HTMLElement, commands: Commands): Panel {
     isDivided = divided ?? isDivided;
     press(buttons.split, isDivided);
     press(buttons.panel, !panel.hidden);
-    chip.hidden = !panel.hidden || wasComplete || wasRing < 0;
+    chip.hidden = !panel.hidden || wasComplete || lastRing < 0;
   }
 
-  function dismiss(): HTMLElement {
-    const close = make('button', {
-      type: 'button', class: 'button-icon', 'aria-label': 'Hide the figures', title: 'Hide the figures (I)',
-    }, icon(ICONS.close));
-    close.addEventListener('click', () => {
-      run('panel');
-      buttons.panel.focus({ preventScroll: true });
-    });
-    return close;
+  function hideFigures(): void {
+    run('panel');
+    buttons.panel.focus({ preventScroll: true });
   }
 
+  /** Shows a short note, which screen readers speak without interrupting. */
   function announce(text: string): void {
     write(note, text);
     speak(text);
     note.hidden = false;
-    window.clearTimeout(noteEnds);
-    noteEnds = window.setTimeout(() => {
+    window.clearTimeout(noteTimer);
+    noteTimer = window.setTimeout(() => {
       note.hidden = true;
       // The same text is spoken again when it is written again.
       speak('');
-    }, 1000 * NOTE);
+    }, 1000 * NOTE_SECONDS);
   }
 
   function speak(text: string): void {
@@ -179,35 +163,38 @@ export function createPanel(root: HTMLElement, commands: Commands): Panel {
   function announceChanges(status: Status): void {
     const complete = isComplete(status);
     if (complete && !wasComplete) speak('All rings are shown');
-    else if (status.ring !== wasRing) speak(`Ring ${status.ring} of ${status.rings} is shown`);
-    [wasRing, wasComplete] = [status.ring, complete];
-    const made = progressText(status);
+    else if (status.ring !== lastRing) speak(`Ring ${status.ring} of ${status.rings} is shown`);
+    [lastRing, wasComplete] = [status.ring, complete];
+    const progress = progressText(status);
     // The wait depends on other users or the server.
-    if (made !== null && made !== wasMade && isDelayed(status)) announce(`The place is not ready yet: ${made}`);
-    wasMade = made;
-    const texts = status.problems.join('\n');
-    if (texts !== problems) showProblems(status.problems, () => run('retry'));
-    problems = texts;
+    const isNews = progress !== null && progress !== lastProgress && isDelayed(status);
+    if (isNews) announce(`The place is not ready yet: ${progress}`);
+    lastProgress = progress;
+    const lines = status.problems.join('\n');
+    if (lines !== problems) showProblems(status.problems, () => run('retry'));
+    problems = lines;
   }
 
   function showHeadset(): void {
-    const found = headsetOf(commands);
-    headset.hidden = !found;
-    label(headset, found?.isPresenting ? 'Leave VR' : 'Enter VR');
-    write(quiet, typeof commands.headset === 'string' ? commands.headset : '');
-    quiet.hidden = typeof commands.headset !== 'string';
+    const command = headsetOf(commands);
+    headset.hidden = !command;
+    const label = headset.querySelector('.tool-label');
+    if (label) write(label, command?.isPresenting ? 'Leave VR' : 'Enter VR');
+    write(headsetNote, typeof commands.headset === 'string' ? commands.headset : '');
+    headsetNote.hidden = typeof commands.headset !== 'string';
   }
 
   return {
-    update(status) {
+    /** Updates the figures; a few times a second is enough. */
+    update(status: Status): void {
       announceChanges(status);
       figures.update(status);
-      const none = status.serverProgress ? 0 : 1;
-      const share = status.expected > 0 ? Math.min(status.received / status.expected, 1) : none;
+      const emptyShare = status.serverProgress ? 0 : 1;
+      const loadedShare = status.expected > 0 ? Math.min(status.received / status.expected, 1) : emptyShare;
       line.hidden = wasComplete;
       line.dataset['stuck'] = String(problems !== '');
-      line.style.setProperty('--share', share.toFixed(4));
-      line.setAttribute('aria-valuenow', String(Math.floor(100 * share)));
+      line.style.setProperty('--share', loadedShare.toFixed(4));
+      line.setAttribute('aria-valuenow', String(Math.floor(100 * loadedShare)));
       write(chip, summaryOf(status));
       showHeadset();
       reflect({});
@@ -219,16 +206,10 @@ export function createPanel(root: HTMLElement, commands: Commands): Panel {
 }
 
 /** Creates a button of the bar, with its effect and its key in the title. */
-function tool(name: Name, label: string, drawing: string): HTMLButtonElement {
-  const { label: key, does } = SHORTCUTS[name];
-  const title = `${does.charAt(0).toUpperCase()}${does.slice(1)} (${key})`;
-  const text = make('span', { class: 'tool-label' }, label);
-  return make('button', { type: 'button', class: 'tool', title, 'aria-keyshortcuts': key }, icon(drawing), text);
-}
-
-function label(button: HTMLButtonElement, text: string): void {
-  const place = button.querySelector('.tool-label');
-  if (place) write(place, text);
+function tool(name: Name, label: string, path: string): HTMLButtonElement {
+  const { label: key, effect } = SHORTCUTS[name];
+  const title = `${effect.charAt(0).toUpperCase()}${effect.slice(1)} (${key})`;
+  return toolButton(path, label, title, key);
 }
 
 function headsetOf({ headset }: Commands): HeadsetCommand | null {

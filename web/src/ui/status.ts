@@ -36,7 +36,6 @@ export interface Status {
   readonly problems: readonly string[];
 }
 
-/** Commands of the panel and the keys. */
 export interface Commands {
   /** Sets the position of the divider between conventional (left) and continuous (right), 0 to 1; null removes it. */
   setDivider(share: number | null): void;
@@ -49,7 +48,6 @@ export interface Commands {
   lookAround(): void;
   /** Returns a PNG of the picture without the panel. */
   screenshot(): Promise<Blob>;
-  /** Returns a link to this pose. */
   link(): string;
   /** Command for the headset, or why there is no headset; absent until the browser has answered. */
   headset?: HeadsetCommand | string;
@@ -66,6 +64,7 @@ export interface HeadsetCommand {
 /** Returns the lines of the panel by name. */
 export function linesOf(status: Status): Readonly<Record<string, string>> {
   const { ring, rings, radius, received, expected, frame, maxFrame, triangles, drawn, sceneTriangles } = status;
+  const progress = progressText(status);
   return {
     Loaded: `${bytesOf(received, expected)} (${percent(received, expected)})`,
     Speed: isComplete(status) ? 'complete' : rate(status.rate),
@@ -74,7 +73,7 @@ export function linesOf(status: Status): Readonly<Record<string, string>> {
     Triangles: `${count(triangles)} of ${count(sceneTriangles)}`,
     'Split into': drawn > triangles ? count(drawn) : UNUSED,
     Frame: `${milliseconds(frame)}, at most ${milliseconds(maxFrame)}`,
-    ...regionOrProgress(status),
+    ...(progress === null ? { Region: `${status.region + 1} of ${status.regions ?? 1}` } : { Place: progress }),
     'From centre': `${metres(status.distance)} of ${metres(status.foldMargin)}`,
   };
 }
@@ -103,12 +102,6 @@ export function isDelayed({ serverProgress }: Status): boolean {
   return serverProgress?.stage === 'busy' || (serverProgress?.stage === 'waiting' && serverProgress.before > 0);
 }
 
-function regionOrProgress(status: Status): Readonly<Record<string, string>> {
-  const progress = progressText(status);
-  if (progress !== null) return { Place: progress };
-  return { Region: `${status.region + 1} of ${status.regions ?? 1}` };
-}
-
 /** Short summary for small screens. */
 export function summaryOf(status: Status): string {
   const progress = progressText(status);
@@ -116,20 +109,13 @@ export function summaryOf(status: Status): string {
   return `${percent(status.received, status.expected)} loaded, ring ${status.ring} of ${status.rings}`;
 }
 
-export interface Figures {
-  readonly element: HTMLElement;
-  update(status: Status): void;
-}
-
-export function createFigures(): Figures {
+export function createFigures() {
   const lines = new Map<string, HTMLElement>();
   const list = make('dl', { class: 'figures' });
   const foldBar = make('div', { class: 'reach', 'aria-hidden': 'true' }, make('span', {}));
   const problems = make('ul', { class: 'problems' });
 
-  function line(name: string): HTMLElement {
-    const existing = lines.get(name);
-    if (existing) return existing;
+  function createLine(name: string): HTMLElement {
     const value = make('dd', {});
     list.append(make('div', {}, make('dt', {}, name), value));
     lines.set(name, value);
@@ -138,8 +124,8 @@ export function createFigures(): Figures {
 
   return {
     element: make('div', { class: 'panel-body' }, list, foldBar, problems),
-    update(status) {
-      for (const [name, text] of Object.entries(linesOf(status))) write(line(name), text);
+    update(status: Status): void {
+      for (const [name, text] of Object.entries(linesOf(status))) write(lines.get(name) ?? createLine(name), text);
       const fraction = status.foldMargin > 0 ? Math.min(status.distance / status.foldMargin, 1) : 0;
       foldBar.style.setProperty('--share', fraction.toFixed(3));
       foldBar.dataset['near'] = String(fraction > 0.8);

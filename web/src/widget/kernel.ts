@@ -2,12 +2,12 @@
 import { abortable } from '../base/errors';
 import { BundleError } from '../bundle/error';
 import { parseManifest } from '../bundle/parse';
-import { createShared } from '../bundle/requests';
+import { shareRequests } from '../bundle/requests';
 import { type Received, serveListed, type Source } from '../bundle/source';
 import type { Model } from './model';
 
 /** Concurrent requests: Python answers them one after the other. */
-const AT_ONCE = 2;
+const MAX_REQUESTS = 2;
 const MANIFEST = 'manifest.json';
 
 /** Python's answer: the size of a file, with a piece of it in a buffer; or an error. */
@@ -19,40 +19,37 @@ interface Piece {
   readonly bytes: number;
 }
 
-interface PendingPiece {
-  readonly done: (piece: Piece) => void;
-  readonly failed: (reason: Error) => void;
-}
-
 export interface KernelSource extends Source {
   dispose(): void;
 }
 
 /** Opens the bundle of a model; `received` is called with the bytes of all files. */
 export async function openKernel(model: Model, received: Received, signal: AbortSignal): Promise<KernelSource> {
-  const waiting = new Map<string, PendingPiece>();
+  const pendingPieces = new Map<string, { done(piece: Piece): void; failed(reason: Error): void }>();
   // Answers reach every view of the model, so that ids must be unique.
-  const own = Math.random().toString(36).slice(2);
-  let last = 0;
+  const viewId = Math.random().toString(36).slice(2);
+  let requestCount = 0;
 
   const onAnswer = (answer: Answer, buffers: readonly DataView[]): void => {
-    const pending = waiting.get(answer?.id);
+    const pending = pendingPieces.get(answer?.id);
     if (!pending) return;
-    waiting.delete(answer.id);
+    pendingPieces.delete(answer.id);
     const [buffer] = buffers;
+    // A copy, whose buffer can be transferred to a worker.
+    const copy = buffer && new Uint8Array(buffer.buffer, buffer.byteOffset, buffer.byteLength).slice();
     if ('problem' in answer) pending.failed(new BundleError(answer.problem));
-    else if (!buffer) pending.failed(new BundleError('the kernel answers without a file'));
-    else pending.done({ data: bytesOf(buffer), bytes: answer.bytes });
+    else if (!copy) pending.failed(new BundleError('the kernel answers without a file'));
+    else pending.done({ data: copy as Uint8Array<ArrayBuffer>, bytes: answer.bytes });
   };
   model.on('msg:custom', onAnswer);
 
   /** Requests a piece of a file, without a timeout, because a busy kernel answers later. */
   function ask(name: string, start: number, stop: AbortSignal): Promise<Piece> {
-    const id = `${own}-${++last}`;
+    const id = `${viewId}-${++requestCount}`;
     return abortable<Piece>(stop, (done, failed) => {
-      waiting.set(id, { done, failed });
+      pendingPieces.set(id, { done, failed });
       model.send({ kind: 'read', id, name, start });
-      return () => waiting.delete(id);
+      return () => pendingPieces.delete(id);
     });
   }
 
@@ -75,7 +72,7 @@ export async function openKernel(model: Model, received: Received, signal: Abort
 
   const text = await load(MANIFEST, null, signal, () => undefined);
   const manifest = parseManifest(new TextDecoder().decode(text));
-  const shared = createShared(serveListed((name) => manifest.files[name], AT_ONCE, load));
+  const shared = shareRequests(serveListed((name) => manifest.files[name], MAX_REQUESTS, load));
   return {
     manifest,
     fetch: (name, stop, onBytes = () => undefined) => shared(name, stop, onBytes),
@@ -83,12 +80,7 @@ export async function openKernel(model: Model, received: Received, signal: Abort
     distrust: () => undefined,
     dispose() {
       model.off('msg:custom', onAnswer);
-      waiting.clear();
+      pendingPieces.clear();
     },
   };
-}
-
-/** Returns a copy, whose buffer can be transferred to a worker. */
-function bytesOf(view: DataView): Uint8Array<ArrayBuffer> {
-  return new Uint8Array(view.buffer, view.byteOffset, view.byteLength).slice() as Uint8Array<ArrayBuffer>;
 }

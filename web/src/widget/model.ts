@@ -13,38 +13,32 @@ export interface Model {
 }
 
 /** Least milliseconds between two messages to Python. */
-export const EVERY = 100;
+export const MIN_INTERVAL = 100;
 
-export interface Mirror {
-  /** Sends values that differ from Python's; called once per frame. */
-  tell(values: Readonly<Record<string, unknown>>, now: number): void;
-  /** Calls `changed` once for all values that Python or another view has set together. */
-  hear(names: readonly string[], changed: () => void): void;
-  dispose(): void;
-}
-
-export function createMirror(model: Model): Mirror {
+export function createMirror(model: Model) {
   const listeners: [event: string, callback: () => void][] = [];
-  let last = Number.NEGATIVE_INFINITY;
-  let isOwn = false;
+  let lastSent = Number.NEGATIVE_INFINITY;
+  let isSending = false;
 
   return {
-    tell(values, now) {
+    /** Sends values that differ from Python's; called once per frame. */
+    tell(values: Readonly<Record<string, unknown>>, now: number): void {
       const changed = Object.entries(values).filter(([name, value]) => !isSame(model.get(name), value));
-      if (changed.length === 0 || now - last < EVERY) return;
-      last = now;
-      isOwn = true;
+      if (changed.length === 0 || now - lastSent < MIN_INTERVAL) return;
+      lastSent = now;
+      isSending = true;
       for (const [name, value] of changed) model.set(name, value);
-      isOwn = false;
+      isSending = false;
       model.save_changes();
     },
-    hear(names, changed) {
-      let isTold = false;
+    /** Calls `changed` once for all values that Python or another view has set together. */
+    hear(names: readonly string[], changed: () => void): void {
+      let isScheduled = false;
       const callback = (): void => {
-        if (isOwn || isTold) return;
-        isTold = true;
+        if (isSending || isScheduled) return;
+        isScheduled = true;
         queueMicrotask(() => {
-          isTold = false;
+          isScheduled = false;
           changed();
         });
       };
@@ -53,7 +47,7 @@ export function createMirror(model: Model): Mirror {
         model.on(`change:${name}`, callback);
       }
     },
-    dispose() {
+    dispose(): void {
       for (const [event, callback] of listeners) model.off(event, callback);
       listeners.length = 0;
     },
@@ -63,5 +57,5 @@ export function createMirror(model: Model): Mirror {
 /** Compares numbers, texts and lists of them. */
 function isSame(a: unknown, b: unknown): boolean {
   if (!Array.isArray(a) || !Array.isArray(b)) return Object.is(a, b);
-  return a.length === b.length && a.every((item, place) => isSame(item, b[place]));
+  return a.length === b.length && a.every((item, index) => isSame(item, b[index]));
 }

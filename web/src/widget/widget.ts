@@ -16,20 +16,14 @@ interface Host extends HTMLElement {
   nearfar?: { readonly viewer: Viewer };
 }
 
-interface View {
-  readonly host: Host;
-  readonly canvas: HTMLCanvasElement;
-  /** Shows a text below the picture, or a problem instead of it until that is empty. */
-  say(text: string): void;
-  complain(problem: string): void;
-}
+type View = ReturnType<typeof createView>;
 
-/** A view for anywidget: an element with its model, and a function that ends it. */
-type Render = (context: { model: Model; el: HTMLElement }) => () => void;
-
-/** Creates the widget; `worker` is the script of the workers. */
-export function createWidget(worker: URL): { readonly render: Render } {
-  return { render: ({ model, el }) => render(model, el, worker) };
+/**
+ * Creates the widget; `worker` is the script of the workers. Anywidget calls `render` with an element and its model, and
+ * calls the returned function to end the view.
+ */
+export function createWidget(worker: URL) {
+  return { render: ({ model, el }: { model: Model; el: HTMLElement }) => render(model, el, worker) };
 }
 
 function render(model: Model, el: HTMLElement, worker: URL): () => void {
@@ -59,7 +53,7 @@ function render(model: Model, el: HTMLElement, worker: URL): () => void {
   };
 }
 
-function createView(model: Model, el: HTMLElement): View {
+function createView(model: Model, el: HTMLElement) {
   const host: Host = document.createElement('div');
   const [canvas, text] = [document.createElement('canvas'), document.createElement('p')];
   host.className = 'nearfar-view';
@@ -74,10 +68,11 @@ function createView(model: Model, el: HTMLElement): View {
   host.append(canvas, text);
   el.append(host);
   let problem = '';
-  const say = (said: string): void => {
-    if (text.textContent !== (problem || said)) text.textContent = problem || said;
+  /** Shows a text below the picture, or a problem instead of it until the problem is empty. */
+  const say = (line: string): void => {
+    if (text.textContent !== (problem || line)) text.textContent = problem || line;
   };
-  return { host, canvas, say, complain: (told) => say((problem = told)) };
+  return { host, canvas, say, complain: (newProblem: string): void => say((problem = newProblem)) };
 }
 
 /** Draws frames until the returned function is called. */
@@ -101,9 +96,9 @@ function show(
     antialias: true,
     isSmooth,
     isWhole,
-    failed,
-    lost: (isLost) => view.complain(isLost ? GRAPHICS_LOST : ''),
-    moved: controls.setPose,
+    onFailure: failed,
+    onLoss: (isLost) => view.complain(isLost ? GRAPHICS_LOST : ''),
+    onMove: controls.setPose,
   });
   host.nearfar = { viewer };
   const mirror = createMirror(model);
@@ -117,17 +112,17 @@ function show(
     viewer.camera.updateProjectionMatrix();
   });
   viewer.open(world.places.nearest(requestedPose().position));
-  let isSeen = true;
+  let isOnScreen = true;
   // Notebooks outside the screen are not drawn.
   const watch = new IntersectionObserver((entries) => {
-    isSeen = entries.at(-1)?.isIntersecting ?? true;
+    isOnScreen = entries.at(-1)?.isIntersecting ?? true;
   });
   watch.observe(canvas);
   let last = performance.now();
   viewer.renderer.setAnimationLoop((now: number) => {
     const seconds = Math.max(now - last, 0) / 1000;
     last = now;
-    if (!isSeen) return;
+    if (!isOnScreen) return;
     const pose = controls.update(seconds);
     viewer.frame(pose, Math.min(seconds, MAX_FRAME_SECONDS));
     const { bounds, shown, region, entry, goal, arrived } = viewer.facts;

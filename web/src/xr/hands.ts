@@ -12,48 +12,38 @@ export interface HandRay {
   readonly isPointing: boolean;
 }
 
-export interface Hands {
-  /** Returns the tracked hands above a floor. */
-  update(inputs: readonly Input[], floor: Floor): HandRay[];
-  dispose(): void;
-}
-
-export function createHands(session: XRSession): Hands {
-  const stop = new AbortController();
+/** Creates a function that returns the tracked hands above a floor, until the signal aborts. */
+export function createHands(session: XRSession, signal: AbortSignal) {
   const squeezed = new Set<XRInputSource>();
   let gesturing = new Set<XRInputSource>();
-  const { signal } = stop;
   session.addEventListener('squeezestart', ({ inputSource }) => squeezed.add(inputSource), { signal });
   session.addEventListener('squeezeend', ({ inputSource }) => squeezed.delete(inputSource), { signal });
 
-  return {
-    update(inputs, floor) {
-      const turn = { position: [0, 0, 0], yaw: floor.yaw } as const;
-      const found = inputs.filter(({ source, joints }) => isPointing(joints, gesturing.has(source)));
-      gesturing = new Set(found.map(({ source }) => source));
-      return inputs.flatMap(({ source, ray }) => {
-        const { handedness: side } = source;
-        if (!ray || side === 'none') return [];
-        const [origin, direction] = [worldOf(floor, ray.origin), worldOf(turn, ray.direction)];
-        return [{ side, origin, direction, isPointing: squeezed.has(source) || gesturing.has(source) }];
-      });
-    },
-    dispose: () => stop.abort(),
+  return (inputs: readonly Input[], floor: Floor): HandRay[] => {
+    const turn = { position: [0, 0, 0], yaw: floor.yaw } as const;
+    const pointing = inputs.filter(({ source, joints }) => isPointing(joints, gesturing.has(source)));
+    gesturing = new Set(pointing.map(({ source }) => source));
+    return inputs.flatMap(({ source, ray }) => {
+      const { handedness: side } = source;
+      if (!ray || side === 'none') return [];
+      const [origin, direction] = [worldOf(floor, ray.origin), worldOf(turn, ray.direction)];
+      return [{ side, origin, direction, isPointing: squeezed.has(source) || gesturing.has(source) }];
+    });
   };
 }
 
 /** Index of the first joint of each finger but the thumb, in the order of WebXR. */
-const [INDEX, OTHERS] = [6, [11, 16, 21]] as const;
+const [INDEX_FINGER, OTHER_FINGERS] = [6, [11, 16, 21]] as const;
 const [BONES, MATRIX] = [3, 16] as const;
 /** Thresholds of straightness to begin and to continue pointing (hysteresis). */
-const BEGINS = { straight: 0.9, bent: 0.75 } as const;
-const GOES_ON = { straight: 0.8, bent: 0.85 } as const;
+const BEGIN_THRESHOLDS = { straight: 0.9, bent: 0.75 } as const;
+const CONTINUE_THRESHOLDS = { straight: 0.8, bent: 0.85 } as const;
 
 /** Whether a hand points, given its previous state; false without tracked joints. */
-export function isPointing(joints: Joints | null, before: boolean): boolean {
+export function isPointing(joints: Joints | null, wasPointing: boolean): boolean {
   if (!joints) return false;
-  const { straight, bent } = before ? GOES_ON : BEGINS;
-  return straightness(joints, INDEX) > straight && OTHERS.every((finger) => straightness(joints, finger) < bent);
+  const { straight, bent } = wasPointing ? CONTINUE_THRESHOLDS : BEGIN_THRESHOLDS;
+  return straightness(joints, INDEX_FINGER) > straight && OTHER_FINGERS.every((finger) => straightness(joints, finger) < bent);
 }
 
 /** Straightness of a finger: distance from knuckle to tip divided by the length of the bones; 1 if straight. */

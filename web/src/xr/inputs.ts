@@ -1,6 +1,6 @@
 /** Input of a frame: rays of the hands, tracked joints, and sticks that walk and turn. */
 import { applyDeadZone, type Drive, NO_MOTION } from '../control/drive';
-import type { Vector } from '../control/pose';
+import { unit, type Vector } from '../control/pose';
 
 declare global {
   interface XRFrame {
@@ -59,9 +59,7 @@ export function readInputs(frame: XRFrame, space: XRReferenceSpace): Input[] {
 /** Returns the ray of a controller, which points along −z. */
 function rayOf(matrix: Float32Array): Ray {
   const at = (index: number): number => matrix[index] ?? 0;
-  const [x, y, z]: Vector = [-at(8), -at(9), -at(10)];
-  const size = Math.hypot(x, y, z) || 1;
-  return { origin: [at(12), at(13), at(14)], direction: [x / size, y / size, z / size] };
+  return { origin: [at(12), at(13), at(14)], direction: unit([-at(8), -at(9), -at(10)]) };
 }
 
 function stickOf({ axes, buttons, mapping }: Gamepad): Stick | null {
@@ -83,43 +81,34 @@ export interface Stick {
   readonly isPressed: boolean;
 }
 
-export interface SteeringCommand {
-  /** Walking input relative to the head's direction. */
-  readonly drive: Drive;
-  /** Immediate turn to the left, radians. */
-  readonly turn: number;
-}
-
 /** Angle of a snap turn, radians: smooth turns cause sickness. */
 export const SNAP = Math.PI / 6;
-/** Dead zone of a stick; deflection that triggers a turn, and below which the next one is armed. */
 const DEAD_ZONE = 0.18;
-const [TURNS, REARMS] = [0.7, 0.35] as const;
+/** Deflection of a stick that triggers a turn, and below which the next turn is armed. */
+const [TRIGGER, REARM] = [0.7, 0.35] as const;
 
-export interface Steering {
-  /** Reads the sticks of the left and the right hand; a hand without a stick leaves its part to the other. */
-  read(left: Stick | null, right: Stick | null): SteeringCommand;
-}
+export type Steering = ReturnType<typeof createSteering>;
 
-export function createSteering(): Steering {
+/**
+ * Creates a function of the left and the right hand's stick. It returns the walking input relative to the head's
+ * direction, and an immediate turn to the left in radians. A hand without a stick leaves its part to the other one.
+ */
+export function createSteering() {
   let isArmed = true;
 
   function snap(x: number): number {
-    if (Math.abs(x) < REARMS) isArmed = true;
-    if (!isArmed || Math.abs(x) < TURNS) return 0;
+    if (Math.abs(x) < REARM) isArmed = true;
+    if (!isArmed || Math.abs(x) < TRIGGER) return 0;
     isArmed = false;
     return -Math.sign(x) * SNAP;
   }
 
-  return {
-    read(left, right) {
-      const walks = left ?? right;
-      const turns = right ?? left;
-      const turn = snap(turns?.x ?? 0);
-      if (!walks) return { drive: NO_MOTION, turn };
-      // A single stick walks only ahead and back.
-      const [x, y] = applyDeadZone(walks === turns ? 0 : walks.x, walks.y, DEAD_ZONE);
-      return { drive: { ...NO_MOTION, right: x, ahead: 0 - y, isRunning: walks.isPressed }, turn };
-    },
+  return (left: Stick | null, right: Stick | null): { readonly drive: Drive; readonly turn: number } => {
+    const [walkStick, turnStick] = [left ?? right, right ?? left];
+    const turn = snap(turnStick?.x ?? 0);
+    if (!walkStick) return { drive: NO_MOTION, turn };
+    // A single stick walks only ahead and back.
+    const [x, y] = applyDeadZone(walkStick === turnStick ? 0 : walkStick.x, walkStick.y, DEAD_ZONE);
+    return { drive: { ...NO_MOTION, right: x, ahead: 0 - y, isRunning: walkStick.isPressed }, turn };
   };
 }

@@ -25,14 +25,14 @@ export function createMapLayer(renderer: WebGLRenderer, faceSize: number): MapLa
   const picture = xr.getBaseLayer() as XRLayer;
   session.updateRenderState({ layers: [layer, picture] });
   const copy = createCopy(gl, faceSize);
-  let held: { readonly cube: Cube; readonly ring: number | null } | null = null;
+  let copiedMap: { readonly cube: Cube; readonly ring: number | null } | null = null;
   let turn: number | null = null;
 
   /** Copies a map into the layer; returns false if it is already there. */
   function hold(cube: Cube): boolean {
-    if (held?.cube === cube && held.ring === cube.holds && !layer.needsRedraw) return false;
+    if (copiedMap?.cube === cube && copiedMap.ring === cube.holds && !layer.needsRedraw) return false;
     copy(colorOf(renderer, cube), binding.getSubImage(layer, xr.getFrame()).colorTexture);
-    held = { cube, ring: cube.holds };
+    copiedMap = { cube, ring: cube.holds };
     return true;
   }
 

@@ -17,38 +17,33 @@ import {
 import type { Input } from './inputs';
 import { type Aim, ARC_POINTS } from './teleport';
 
-export interface Look {
-  /** Group to add to the rig. */
-  readonly group: Group;
-  update(inputs: readonly Input[], aim: Aim | null): void;
-  dispose(): void;
-}
+export type Look = ReturnType<typeof createLook>;
 
 /** Number of hands, and joints per hand. */
 const [HANDS, JOINTS] = [2, 25] as const;
 /** Radius and half length of a controller, radius of an arc's point, radii of the ring, metres. */
-const [THICK, LONG, POINT] = [0.018, 0.05, 0.012] as const;
+const [CONTROLLER_RADIUS, CONTROLLER_HALF_LENGTH, ARC_POINT_RADIUS] = [0.018, 0.05, 0.012] as const;
 const RING = [0.22, 0.3] as const;
-const [FREE, HELD] = [0x4cc2ff, 0xffb84c] as const;
+const [FREE_COLOR, CLAMPED_COLOR] = [0x4cc2ff, 0xffb84c] as const;
 
-export function createLook(): Look {
+export function createLook() {
   const group = new Group();
   const body = new MeshLambertMaterial({ color: 0xd5dbe3 });
   // Without depth test: the ground may lie slightly before or behind the user's floor.
-  const mark = new MeshBasicMaterial({ color: FREE, depthTest: false });
+  const mark = new MeshBasicMaterial({ color: FREE_COLOR, depthTest: false });
   const joints = createSpheres(HANDS * JOINTS, body);
   const points = createSpheres(ARC_POINTS, mark);
   const ring = new Mesh(new RingGeometry(...RING, 48).rotateX(-Math.PI / 2), mark);
   const controllers = Array.from({ length: HANDS }, () => {
-    const mesh = new Mesh(new CapsuleGeometry(THICK, 2 * LONG, 4, 12).rotateX(Math.PI / 2), body);
+    const mesh = new Mesh(new CapsuleGeometry(CONTROLLER_RADIUS, 2 * CONTROLLER_HALF_LENGTH, 4, 12).rotateX(Math.PI / 2), body);
     mesh.matrixAutoUpdate = false;
     return mesh;
   });
   const light = new HemisphereLight(0xffffff, 0x666a70, 2.5);
-  const drawn = [...controllers, joints, points, ring];
-  for (const mesh of drawn) mesh.frustumCulled = false;
-  group.add(light, ...drawn);
-  const colors = { free: new Color(FREE), held: new Color(HELD) };
+  const meshes = [...controllers, joints, points, ring];
+  for (const mesh of meshes) mesh.frustumCulled = false;
+  group.add(light, ...meshes);
+  const colors = { free: new Color(FREE_COLOR), clamped: new Color(CLAMPED_COLOR) };
   const [matrix, scale] = [new Matrix4(), new Vector3()];
 
   function showControllers(inputs: readonly Input[]): void {
@@ -62,11 +57,11 @@ export function createLook(): Look {
 
   function showJoints(inputs: readonly Input[]): void {
     let count = 0;
-    for (const { joints: found } of inputs) {
-      if (!found) continue;
-      for (let joint = 0; joint < found.radii.length && count < HANDS * JOINTS; joint++) {
-        matrix.fromArray(found.matrices, 16 * joint);
-        const radius = found.radii[joint] ?? 0;
+    for (const { joints: hand } of inputs) {
+      if (!hand) continue;
+      for (let joint = 0; joint < hand.radii.length && count < HANDS * JOINTS; joint++) {
+        matrix.fromArray(hand.matrices, 16 * joint);
+        const radius = hand.radii[joint] ?? 0;
         joints.setMatrixAt(count++, matrix.scale(scale.setScalar(radius)));
       }
     }
@@ -75,24 +70,24 @@ export function createLook(): Look {
 
   function showAim(aim: Aim | null): void {
     aim?.arc.forEach(([x, y, z], number) => {
-      points.setMatrixAt(number, matrix.makeScale(POINT, POINT, POINT).setPosition(x, y, z));
+      points.setMatrixAt(number, matrix.makeScale(ARC_POINT_RADIUS, ARC_POINT_RADIUS, ARC_POINT_RADIUS).setPosition(x, y, z));
     });
     show(points, aim?.arc.length ?? 0);
     ring.visible = aim !== null;
     if (!aim) return;
     ring.position.set(...aim.target);
-    mark.color.copy(aim.isHeld ? colors.held : colors.free);
+    mark.color.copy(aim.isClamped ? colors.clamped : colors.free);
   }
 
   return {
     group,
-    update(inputs, aim) {
+    update(inputs: readonly Input[], aim: Aim | null): void {
       showControllers(inputs);
       showJoints(inputs);
       showAim(aim);
     },
-    dispose() {
-      for (const mesh of drawn) mesh.geometry.dispose();
+    dispose(): void {
+      for (const mesh of meshes) mesh.geometry.dispose();
       for (const mesh of [joints, points]) mesh.dispose();
       for (const material of [body, mark]) material.dispose();
       group.removeFromParent();

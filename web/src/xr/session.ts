@@ -17,23 +17,13 @@ import type { Bounds } from '../control/limit';
 import type { Pose, Vector } from '../control/pose';
 import { createWalk } from '../control/walk';
 import type { Viewer } from '../show/viewer';
-import { createHands, type HandRay, type Hands } from './hands';
+import { createHands, type HandRay } from './hands';
 import { createSteering, type Input, readInputs, type Steering } from './inputs';
 import { createMapLayer } from './layer';
 import { createLook, type Look } from './look';
-import { type Aiming, createAiming, createJump, type Jump } from './teleport';
+import { createAiming, createJump, type Jump } from './teleport';
 
-export interface Headset {
-  readonly isPresenting: boolean;
-  /** Hands in the last frame. */
-  readonly hands: readonly HandRay[];
-  /** Enters or leaves the session; browsers require a click or a key. */
-  toggle(): Promise<void>;
-  /** Moves the user's head above another place; without effect outside a session. */
-  place(pose: Pose): void;
-  /** Advances by some seconds, once per frame; returns the head's world pose, null outside a session. */
-  update(seconds: number): Pose | null;
-}
+export type Headset = ReturnType<typeof createHeadset>;
 
 export interface HeadsetSettings {
   /** Returns the user's pose at the begin of a session. */
@@ -46,12 +36,13 @@ export interface HeadsetSettings {
   readonly isStatic: boolean;
 }
 
-/** State of a session. */
 interface SessionState {
   readonly look: Look;
-  readonly aiming: Aiming;
-  readonly hands: Hands;
-  readonly steering: Steering;
+  readonly aim: ReturnType<typeof createAiming>;
+  readonly findHands: ReturnType<typeof createHands>;
+  /** Ends listening to the session. */
+  readonly stop: AbortController;
+  readonly steer: Steering;
   readonly jump: Jump;
   readonly walk: ReturnType<typeof createWalk>;
   /** Floor of the user; null until the headset is tracked. */
@@ -64,13 +55,12 @@ interface SessionState {
 }
 
 /** Speeds start and stop gently. */
-const glides = (): boolean => false;
+const neverSudden = (): boolean => false;
 
-function createHeadset(viewer: Viewer, xr: XRSystem, settings: HeadsetSettings): Headset {
+function createHeadset(viewer: Viewer, xr: XRSystem, settings: HeadsetSettings) {
   const { renderer, rig } = viewer;
-  // Bounds of the frame.
   let bounds: Bounds | null = null;
-  let visit: SessionState | null = null;
+  let state: SessionState | null = null;
   let hands: readonly HandRay[] = [];
   renderer.xr.enabled = true;
 
@@ -86,42 +76,42 @@ function createHeadset(viewer: Viewer, xr: XRSystem, settings: HeadsetSettings):
       await session.end();
       throw reason;
     }
-    const begun = begin(session);
-    visit = begun;
-    rig.add(begun.look.group);
-    renderer.xr.getReferenceSpace()?.addEventListener('reset', () => (begun.isMoved = true));
+    const newState = begin(session);
+    state = newState;
+    rig.add(newState.look.group);
+    renderer.xr.getReferenceSpace()?.addEventListener('reset', () => (newState.isMoved = true));
     if (settings.isStatic) viewer.setMapLayer(createMapLayer(renderer, viewer.faceSize));
   }
 
   function begin(session: XRSession): SessionState {
-    const pose = settings.pose();
-    const made: SessionState = {
+    const [pose, stop] = [settings.pose(), new AbortController()];
+    const newState: SessionState = {
       look: createLook(),
-      aiming: createAiming(session, (target) => {
-        const { floor, jump } = made;
+      aim: createAiming(session, stop.signal, (target) => {
+        const { floor, jump } = newState;
         const goal = floor && worldOf(floor, target);
-        jump.start(() => (made.goal = goal));
+        jump.start(() => (newState.goal = goal));
       }),
-      hands: createHands(session),
-      steering: createSteering(),
+      findHands: createHands(session, stop.signal),
+      stop,
+      steer: createSteering(),
       jump: createJump(),
-      walk: createWalk(pose, () => bounds, glides),
+      walk: createWalk(pose, () => bounds, neverSudden),
       floor: null,
       pose,
       goal: null,
       isMoved: false,
     };
-    return made;
+    return newState;
   }
 
   function leave(): void {
-    if (!visit) return;
-    const { look, aiming, floor, pose } = visit;
-    visit.hands.dispose();
-    visit = null;
+    if (!state) return;
+    const { look, stop, floor, pose } = state;
+    state = null;
     hands = [];
+    stop.abort();
     look.dispose();
-    aiming.dispose();
     viewer.setMapLayer(null);
     viewer.setVeil(0);
     const [x, y, z] = pose.position;
@@ -129,53 +119,56 @@ function createHeadset(viewer: Viewer, xr: XRSystem, settings: HeadsetSettings):
   }
 
   /** Returns the floor after a frame: the user has walked, turned or jumped, and stays within the bounds. */
-  function floorOf(of: SessionState, head: Head, inputs: readonly Input[], seconds: number): Floor {
-    const { position: [x, y, z], yaw } = of.pose;
-    const ground: Vector = [x, of.floor?.position[1] ?? y - EYE_HEIGHT, z];
-    let floor = of.floor && !of.isMoved ? of.floor : floorUnder(ground, yaw, head);
-    of.isMoved = false;
-    const { drive, turn } = of.steering.read(stickOf(inputs, 'left'), stickOf(inputs, 'right'));
+  function floorOf(session: SessionState, head: Head, inputs: readonly Input[], seconds: number): Floor {
+    const { position: [x, y, z], yaw } = session.pose;
+    const ground: Vector = [x, session.floor?.position[1] ?? y - EYE_HEIGHT, z];
+    let floor = session.floor && !session.isMoved ? session.floor : floorUnder(ground, yaw, head);
+    session.isMoved = false;
+    const { drive, turn } = session.steer(stickOf(inputs, 'left'), stickOf(inputs, 'right'));
     if (turn !== 0) floor = turnFloor(floor, head, turn);
-    of.walk.follow(worldPose(floor, head));
-    of.walk.update(seconds, drive);
-    floor = moveFloor(floor, head, of.goal ?? of.walk.pose.position);
-    of.goal = null;
+    session.walk.follow(worldPose(floor, head));
+    session.walk.update(seconds, drive);
+    floor = moveFloor(floor, head, session.goal ?? session.walk.pose.position);
+    session.goal = null;
     // A body that moves beyond the bounds drags the floor along.
     return moveFloor(floor, head, clampToBounds(worldOf(floor, head.position), bounds));
   }
 
   return {
-    get isPresenting() {
-      return visit !== null;
+    get isPresenting(): boolean {
+      return state !== null;
     },
-    get hands() {
+    get hands(): readonly HandRay[] {
       return hands;
     },
-    toggle() {
+    /** Enters or leaves the session; browsers require a click or a key. */
+    toggle(): Promise<void> {
       const session = renderer.xr.getSession();
       return session ? session.end() : enter();
     },
-    place(pose) {
-      if (visit) Object.assign(visit, { floor: null, pose });
+    /** Moves the user's head above another place; without effect outside a session. */
+    place(pose: Pose): void {
+      if (state) Object.assign(state, { floor: null, pose });
     },
-    update(seconds) {
+    /** Advances by some seconds, once per frame; returns the head's world pose, null outside a session. */
+    update(seconds: number): Pose | null {
       const [frame, space] = [renderer.xr.getFrame(), renderer.xr.getReferenceSpace()];
-      if (!visit || !frame || !space) return null;
-      const seen = frame.getViewerPose(space);
+      if (!state || !frame || !space) return null;
+      const viewerPose = frame.getViewerPose(space);
       // Without tracking the pose does not change.
-      if (!seen) return visit.pose;
+      if (!viewerPose) return state.pose;
       bounds = headBounds(settings.bounds());
-      const head = headOf(seen.transform.matrix);
+      const head = headOf(viewerPose.transform.matrix);
       const inputs = readInputs(frame, space);
-      viewer.setVeil(visit.jump.advance(seconds));
-      const floor = floorOf(visit, head, inputs, seconds);
-      visit.floor = floor;
-      visit.pose = worldPose(floor, head);
+      viewer.setVeil(state.jump.advance(seconds));
+      const floor = floorOf(state, head, inputs, seconds);
+      state.floor = floor;
+      state.pose = worldPose(floor, head);
       viewer.stand(floor);
-      hands = visit.hands.update(inputs, floor);
-      const allowed = (wanted: Vector): Vector => localOf(floor, clampToBounds(worldOf(floor, wanted), bounds));
-      visit.look.update(inputs, visit.aiming.update(inputs, allowed));
-      return visit.pose;
+      hands = state.findHands(inputs, floor);
+      const allowed = (point: Vector): Vector => localOf(floor, clampToBounds(worldOf(floor, point), bounds));
+      state.look.update(inputs, state.aim(inputs, allowed));
+      return state.pose;
     },
   };
 }
@@ -185,22 +178,14 @@ function stickOf(inputs: readonly Input[], hand: XRHandedness): Input['stick'] {
 }
 
 /** Detects the headset; `tell` is called with it, or with a sentence why there is none, now and on changes. */
-export function offerHeadset(
-  viewer: Viewer,
-  settings: HeadsetSettings,
-  tell: (found: Headset | string) => void,
-): void {
+export function offerHeadset(viewer: Viewer, settings: HeadsetSettings, report: (found: Headset | string) => void): void {
   const { xr } = navigator;
   let headset: Headset | null = null;
 
   async function seek(): Promise<void> {
     const reason = await whyNoHeadset(xr, window.isSecureContext);
-    if (reason !== null || !xr) {
-      tell(reason ?? '');
-      return;
-    }
-    headset ??= createHeadset(viewer, xr, settings);
-    tell(headset);
+    if (reason === null && xr) headset ??= createHeadset(viewer, xr, settings);
+    report(reason ?? headset ?? '');
   }
 
   void seek();

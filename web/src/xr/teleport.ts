@@ -2,12 +2,11 @@
 import type { Vector } from '../control/pose';
 import type { Input, Ray } from './inputs';
 
-/** Metres per second and per second²: aimed level from the hip, it reaches about 4 m; at 45° more than 7 m. */
+/** Metres per second and per second²: an arc aimed level from the hip reaches about 4 m, one at 45° more than 7 m. */
 const [SPEED, GRAVITY] = [7.5, 9.81] as const;
-/** Number of points of an arc. */
 export const ARC_POINTS = 24;
 /** Seconds in which the picture fades to black, and back. */
-const FADE = 0.12;
+const FADE_SECONDS = 0.12;
 
 /** Returns where an arc along a ray lands on the ground at height 0. A hand below the ground throws from it. */
 export function landing({ origin: [x, y, z], direction: [dx, dy, dz] }: Ray): Vector {
@@ -35,39 +34,32 @@ function fall(height: number, up: number): number {
   return (rise + Math.sqrt(rise * rise + 2 * GRAVITY * Math.max(height, 0))) / GRAVITY;
 }
 
-export interface Jump {
-  /** Fades to black, acts, and fades back. Replaces a jump that has not acted. */
-  start(action: () => void): void;
-  /** Advances by some seconds; returns the darkness, 0 to 1. */
-  advance(seconds: number): number;
-}
+export type Jump = ReturnType<typeof createJump>;
 
-export function createJump(): Jump {
-  // Seconds since the start; the picture is darkest at FADE.
-  let since = 2 * FADE;
+export function createJump() {
+  // Seconds since the start; the picture is darkest at FADE_SECONDS.
+  let elapsed = 2 * FADE_SECONDS;
   let pending: (() => void) | null = null;
 
-  function act(): void {
-    const action = pending;
-    pending = null;
-    action?.();
-  }
-
   return {
-    start(action) {
+    /** Fades to black, acts, and fades back. Replaces a jump that has not acted. */
+    start(action: () => void): void {
       pending = action;
       // Starts at the current darkness.
-      since = Math.min(since, Math.max(2 * FADE - since, 0));
+      elapsed = Math.min(elapsed, Math.max(2 * FADE_SECONDS - elapsed, 0));
     },
-    advance(seconds) {
-      const before = since;
-      since = Math.min(since + seconds, 2 * FADE);
-      if (pending && since >= FADE) {
+    /** Advances by some seconds; returns the darkness, 0 to 1. */
+    advance(seconds: number): number {
+      const before = elapsed;
+      elapsed = Math.min(elapsed + seconds, 2 * FADE_SECONDS);
+      if (pending && elapsed >= FADE_SECONDS) {
         // Guarantees a frame at full darkness, however long frames are.
-        if (before < FADE) since = FADE;
-        act();
+        if (before < FADE_SECONDS) elapsed = FADE_SECONDS;
+        const action = pending;
+        pending = null;
+        action();
       }
-      return 1 - Math.abs(since - FADE) / FADE;
+      return 1 - Math.abs(elapsed - FADE_SECONDS) / FADE_SECONDS;
     },
   };
 }
@@ -77,55 +69,37 @@ export interface Aim {
   readonly arc: readonly Vector[];
   readonly target: Vector;
   /** Whether the target was clamped, because the aimed place lies beyond the limit. */
-  readonly isHeld: boolean;
-}
-
-export interface Aiming {
-  /**
-   * Updates the aim of the holding hand; the target is the nearest `allowed` place. Points are in the headset's space.
-   */
-  update(inputs: readonly Input[], allowed: (wanted: Vector) => Vector): Aim | null;
-  dispose(): void;
+  readonly isClamped: boolean;
 }
 
 /** Tolerance in metres between the aimed place and the target. */
-const SAME = 0.01;
+const TOLERANCE = 0.01;
 
-/** Listens to a session; `jump` is called with the target on release. */
-export function createAiming(session: XRSession, jump: (target: Vector) => void): Aiming {
-  const stop = new AbortController();
+/**
+ * Listens to a session until the signal aborts; `jump` is called with the target on release. The returned function
+ * updates the aim of the holding hand; the target is the nearest `allowed` place. Points are in the headset's space.
+ */
+export function createAiming(session: XRSession, signal: AbortSignal, jump: (target: Vector) => void) {
   let holding: XRInputSource | null = null;
   let aim: Aim | null = null;
 
   // The hand that pressed last aims; the press of the other one is ignored.
-  session.addEventListener('selectstart', ({ inputSource }) => (holding = inputSource), { signal: stop.signal });
+  session.addEventListener('selectstart', ({ inputSource }) => (holding = inputSource), { signal });
   session.addEventListener('selectend', ({ inputSource }) => {
     if (inputSource !== holding) return;
     const target = aim?.target;
-    drop();
+    holding = aim = null;
     if (target) jump(target);
-  }, { signal: stop.signal });
+  }, { signal });
 
-  function drop(): void {
-    holding = null;
-    aim = null;
-  }
-
-  return {
-    update(inputs, allowed) {
-      if (!holding) return null;
-      const ray = inputs.find(({ source }) => source === holding)?.ray;
-      if (!ray) {
-        // A hand out of sight has no aim; it may come back.
-        aim = null;
-        return null;
-      }
-      const wanted = landing(ray);
-      const target = allowed(wanted);
-      const isHeld = Math.hypot(target[0] - wanted[0], target[2] - wanted[2]) > SAME;
-      aim = { arc: arc(ray, target), target, isHeld };
-      return aim;
-    },
-    dispose: () => stop.abort(),
+  return (inputs: readonly Input[], allowed: (aimed: Vector) => Vector): Aim | null => {
+    // A hand out of sight has no aim; it may come back.
+    const ray = holding && inputs.find(({ source }) => source === holding)?.ray;
+    if (!ray) return (aim = null);
+    const aimed = landing(ray);
+    const target = allowed(aimed);
+    const isClamped = Math.hypot(target[0] - aimed[0], target[2] - aimed[2]) > TOLERANCE;
+    aim = { arc: arc(ray, target), target, isClamped };
+    return aim;
   };
 }

@@ -1,9 +1,10 @@
 /** Simulates hours in a room within minutes: a server in the page, on a stepped clock. It is no part of the page. */
+import { concatBytes } from '../../src/base/bytes';
 import type { Pose as Place } from '../../src/control/pose';
 import type { FromServer } from '../../src/rooms/frames';
 import { type Body, type Pose, rotationAlong, rotationOf } from '../../src/rooms/pose';
 import { randomOf } from '../support/random';
-import { encodeFrame } from '../support/room_frames';
+import { encodeFrame } from '../support/rooms';
 
 declare global {
   interface Window {
@@ -79,14 +80,7 @@ class Fake {
   }
 
   comes(frames: readonly FromServer[]): void {
-    const parts = frames.map(encodeFrame);
-    const whole = new Uint8Array(parts.reduce((sum, { length }) => sum + length, 0));
-    let at = 0;
-    for (const part of parts) {
-      whole.set(part, at);
-      at += part.length;
-    }
-    this.onmessage?.({ data: whole.buffer });
+    this.onmessage?.({ data: concatBytes(frames.map(encodeFrame)).buffer });
   }
 
   private welcome(): void {

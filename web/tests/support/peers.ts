@@ -2,37 +2,27 @@
 import { createHash } from 'node:crypto';
 import type { FileEntry } from '../../src/bundle/manifest';
 import { TICK } from '../../src/peers/downloads';
-import { createPeer, type Line, type Peer } from '../../src/peers/peer';
+import { type Channel, createPeer, type Peer } from '../../src/peers/peer';
 import { createShare, type Share } from '../../src/peers/share';
 import { LruCache } from '../../src/base/cache';
 import { createBudget } from '../../src/peers/uploads';
 import type { Bucket, Clock } from '../../src/rooms/clock';
+import { createSteppedClock } from './clock';
 
-export interface Stepped extends Clock {
-  /** Let some seconds pass, in ticks. */
-  pass(seconds: number): Promise<void>;
-  /** Run a function at each tick. */
-  each(action: () => void): void;
-}
+export type Stepped = ReturnType<typeof steppedClock>;
 
-export function steppedClock(): Stepped {
-  let time = 100;
-  let timers: { at: number; action: () => void }[] = [];
+/** A clock whose ticks call actions and await pending work. */
+export function steppedClock() {
+  const { advance, ...clock } = createSteppedClock();
   const actions: (() => void)[] = [];
   return {
-    now: () => time,
-    later(seconds, action) {
-      const timer = { at: time + seconds, action };
-      timers.push(timer);
-      return () => (timers = timers.filter((other) => other !== timer));
-    },
-    each: (action) => void actions.push(action),
-    async pass(seconds) {
-      for (let left = seconds; left > 1e-9; left -= TICK) {
-        time += Math.min(TICK, left);
-        const due = timers.filter(({ at }) => at <= time + 1e-9);
-        timers = timers.filter((timer) => !due.includes(timer));
-        for (const { action } of due) action();
+    ...clock,
+    /** Calls a function at each tick. */
+    each: (action: () => void): void => void actions.push(action),
+    /** Lets some seconds pass, in ticks. */
+    async pass(seconds: number): Promise<void> {
+      for (let remaining = seconds; remaining > 1e-9; remaining -= TICK) {
+        advance(Math.min(TICK, remaining));
         for (const action of actions) action();
         await settled();
       }
@@ -58,12 +48,12 @@ export async function settled(turns = 60): Promise<void> {
 }
 
 /** One end of a channel. Sent data reaches the other end in order, later. */
-export class Wire implements Line {
+export class Wire implements Channel {
   binaryType: BinaryType = 'blob';
   bufferedAmount = 0;
   bufferedAmountLowThreshold = 0;
-  onmessage: Line['onmessage'] = null;
-  onbufferedamountlow: Line['onbufferedamountlow'] = null;
+  onmessage: Channel['onmessage'] = null;
+  onbufferedamountlow: Channel['onbufferedamountlow'] = null;
   other: Wire | null = null;
   isClosed = false;
   /** Stop delivery of sent data. */
@@ -95,9 +85,9 @@ export class Wire implements Line {
 }
 
 export function createWires(): [Wire, Wire] {
-  const [one, other] = [new Wire(), new Wire()];
-  [one.other, other.other] = [other, one];
-  return [one, other];
+  const [first, second] = [new Wire(), new Wire()];
+  [first.other, second.other] = [second, first];
+  return [first, second];
 }
 
 /** Content of some size, and how a manifest lists it. */
@@ -119,10 +109,10 @@ export interface Page {
   /** Users who have announced their files. */
   readonly greeted: number[];
   /** Names of files requested from the server. */
-  readonly asked: string[];
+  readonly serverRequests: string[];
   /** Answers of the server. */
   serve: (name: string) => Promise<ArrayBuffer>;
-  wanted: readonly string[];
+  shownNames: readonly string[];
   isFirst: boolean;
   get(name: string, signal?: AbortSignal): Promise<ArrayBuffer>;
 }
@@ -135,7 +125,7 @@ export function hold({ store }: Page, key: string, data: ArrayBuffer): void {
 /** A page of a world; whoever it is joined with comes later. */
 export function createPage(number: number, world: World, clock: Stepped, ready = Promise.resolve()): Page {
   const [peers, dropped] = [new Map<number, Peer>(), new Map<number, string>()];
-  const [store, asked]: [LruCache<Blob>, string[]] = [new LruCache(64 * 2 ** 20), []];
+  const [store, serverRequests]: [LruCache<Blob>, string[]] = [new LruCache(64 * 2 ** 20), []];
   const open = new Map<string, Promise<ArrayBuffer>>();
   const page: Page = {
     number,
@@ -144,16 +134,16 @@ export function createPage(number: number, world: World, clock: Stepped, ready =
     peers,
     dropped,
     greeted: [],
-    asked,
-    wanted: Object.keys(world),
+    serverRequests,
+    shownNames: Object.keys(world),
     isFirst: false,
     serve: (name) => Promise.resolve(world[name]?.data.slice(0) ?? new ArrayBuffer(0)),
     get(name, signal = new AbortController().signal) {
-      const asking = open.get(name) ?? page.share.get(name, signal, () => undefined, async (wanted, own, told) => {
-        asked.push(wanted);
-        const data = await page.serve(wanted);
-        own.throwIfAborted();
-        told(data.byteLength);
+      const asking = open.get(name) ?? page.share.get(name, signal, () => undefined, async (fileName, requestSignal, report) => {
+        serverRequests.push(fileName);
+        const data = await page.serve(fileName);
+        requestSignal.throwIfAborted();
+        report(data.byteLength);
         return data;
       });
       open.set(name, asking);
@@ -163,10 +153,10 @@ export function createPage(number: number, world: World, clock: Stepped, ready =
     },
     share: createShare({
       store,
-      described: (name) => world[name]?.listed,
-      wanted: () => page.wanted,
-      isFirst: () => page.isFirst,
-      own: () => number,
+      entryOf: (name) => world[name]?.listed,
+      shownNames: () => page.shownNames,
+      isFirstPictureMissing: () => page.isFirst,
+      ownNumber: () => number,
       peers: () => [...peers.values()],
       ready,
       fetch: (name) => page.get(name),
@@ -184,7 +174,7 @@ export function createPage(number: number, world: World, clock: Stepped, ready =
 export function plug(page: Page, number: number, line: Wire, clock: Clock): Peer {
   const peer = createPeer({
     number,
-    line,
+    channel: line,
     shelf: page.share.shelf,
     budget: page.budget,
     now: clock.now,
@@ -203,9 +193,9 @@ export function plug(page: Page, number: number, line: Wire, clock: Clock): Peer
 }
 
 /** Joins two pages; returns both ends of their channel. */
-export function join(one: Page, other: Page, clock: Clock): [Wire, Wire] {
-  const [mine, theirs] = createWires();
-  plug(one, other.number, mine, clock);
-  plug(other, one.number, theirs, clock);
-  return [mine, theirs];
+export function join(page: Page, other: Page, clock: Clock): [Wire, Wire] {
+  const [pageWire, otherWire] = createWires();
+  plug(page, other.number, pageWire, clock);
+  plug(other, page.number, otherWire, clock);
+  return [pageWire, otherWire];
 }

@@ -1,6 +1,6 @@
 /** An emulated headset, installed in the page before its own script runs. It is no part of the page. */
 import { metaQuest2, metaQuest3, XRDevice } from 'iwer';
-import type { Facts } from '../../src/show/facts';
+import type { Facts } from '../../src/show/viewer';
 import { installLayers, type LayersFound } from './layers';
 
 /** Settings of a test: a headset, and the tangents of the angles to the sides of each eye's picture. */

@@ -20,42 +20,22 @@ _SMALL = 1 << 30
 
 
 def array(
-    name: str,
-    value: ArrayLike,
-    *,
-    columns: int | None = 3,
-    dtype: DTypeLike | None = None,
-    finite: bool = False,
+    name: str, value: ArrayLike, *, columns: int | None = 3, dtype: DTypeLike | None = None, finite: bool = False
 ) -> NDArray[Any]:
     """Convert an argument to an aligned C-contiguous array in native byte order; copies only if it is not one already.
 
-    Parameters
-    ----------
-    name
-        The argument's public name.
-    value
-        The caller's value.
-    columns
-        Expected shape (N, columns); None accepts any shape.
-    dtype
-        Type of the result. None keeps float32 and float64 and converts other types to float64. An integer type accepts
-        only whole numbers within its range.
-    finite
-        Whether to reject NaN and infinities. This reads the whole array; leave it off if the kernel checks it.
-
-    Raises
-    ------
-    TypeError
-        Values that are not real numbers, or fractions where integers are required.
-    ValueError
-        A wrong shape, integers out of range, or NaN and infinities with `finite`.
+    The shape must be (N, columns); None accepts any shape. `dtype` None keeps float32 and float64 and converts other
+    types to float64. An integer type accepts only whole numbers within its range. `finite` rejects NaN and infinities;
+    it reads the whole array: leave it off if the kernel checks it. TypeError for values that are not real numbers, and
+    for fractions where integers are required; else ValueError.
     """
     values = _numbers(name, value)
-    target = _target_type(values.dtype, dtype)
+    is_float32 = values.dtype.kind == "f" and values.dtype.itemsize == 4
+    target: np.dtype[Any] = np.dtype((np.float32 if is_float32 else np.float64) if dtype is None else dtype)
     if columns is not None and (values.ndim != 2 or values.shape[1] != columns):
         raise ValueError(f"{name}: expected shape (N, {columns}), got {values.shape}")
     if target.kind in "iu":
-        _whole(name, values, target)
+        _check_whole_numbers(name, values, target)
     result = _converted(name, values, target)
     if finite and (flaw := not_finite(name, result)):
         raise flaw
@@ -84,9 +64,9 @@ def not_finite(name: str, values: NDArray[Any]) -> ValueError | None:
     """Return an error that names the first NaN or infinity of an array; None if all values are finite."""
     if values.dtype.kind != "f" or np.isfinite(values).all():
         return None
-    bad = np.argwhere(~np.isfinite(values))
-    where = tuple(int(i) for i in bad[0])
-    return ValueError(f"{name}: expected finite numbers, got {len(bad)} that are not, the first at {where}")
+    indices = np.argwhere(~np.isfinite(values))
+    where = tuple(int(i) for i in indices[0])
+    return ValueError(f"{name}: expected finite numbers, got {len(indices)} that are not, the first at {where}")
 
 
 def output(name: str, value: NDArray[Any], source: NDArray[Any]) -> NDArray[Any]:
@@ -128,11 +108,11 @@ def box(name: str, value: ArrayLike) -> NDArray[np.float64]:
 
 def spheres(centers: ArrayLike, radii: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Return centres (N, 3) and radii (N,) as float64; one radius is repeated for all; ValueError otherwise."""
-    places = array("centers", centers, dtype=np.float64)
+    positions = array("centers", centers, dtype=np.float64)
     sizes = array("radii", radii, columns=None, dtype=np.float64)
-    if sizes.shape not in ((), (len(places),)):
-        raise ValueError(f"radii: expected one number or shape ({len(places)},), got {sizes.shape}")
-    return places, np.ascontiguousarray(np.broadcast_to(sizes, len(places)))
+    if sizes.shape not in ((), (len(positions),)):
+        raise ValueError(f"radii: expected one number or shape ({len(positions)},), got {sizes.shape}")
+    return positions, np.ascontiguousarray(np.broadcast_to(sizes, len(positions)))
 
 
 def _numbers(name: str, value: ArrayLike) -> NDArray[Any]:
@@ -143,13 +123,7 @@ def _numbers(name: str, value: ArrayLike) -> NDArray[Any]:
     return values
 
 
-def _target_type(source: np.dtype[Any], dtype: DTypeLike | None) -> np.dtype[Any]:
-    if dtype is not None:
-        return np.dtype(dtype)
-    return np.dtype(np.float32 if source.kind == "f" and source.itemsize == 4 else np.float64)
-
-
-def _whole(name: str, values: NDArray[Any], target: np.dtype[Any]) -> None:
+def _check_whole_numbers(name: str, values: NDArray[Any], target: np.dtype[Any]) -> None:
     if values.size == 0 or values.dtype == target:
         return
     if values.dtype.kind not in "iu":

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-_LONGEST = 60
+_MAX_LENGTH = 60
 """Greatest number of characters of a value in a message."""
 
 _MAX_ITEMS = 4
@@ -39,16 +39,16 @@ def shortened(value: object) -> str:
     if isinstance(value, np.generic):
         return shortened(value.item())
     try:
-        text = repr(value[: _LONGEST + 1] if isinstance(value, str) else value)
+        text = repr(value[: _MAX_LENGTH + 1] if isinstance(value, str) else value)
     except RecursionError:
         return f"{type_and_value(value)} of many levels"
-    return text if len(text) <= _LONGEST else f"{text[: _LONGEST - 1]}…"
+    return text if len(text) <= _MAX_LENGTH else f"{text[: _MAX_LENGTH - 1]}…"
 
 
-def one_line(text: str, most: int | None = None) -> str:
-    """Return printable text on one line, cut after `most` characters."""
+def one_line(text: str, max_length: int | None = None) -> str:
+    """Return printable text on one line, cut after `max_length` characters."""
     line = " ".join(printable(text).split())
-    return line if most is None or len(line) <= most else f"{line[: most - 1]}…"
+    return line if max_length is None or len(line) <= max_length else f"{line[: max_length - 1]}…"
 
 
 def printable(text: str) -> str:

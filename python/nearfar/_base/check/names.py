@@ -28,8 +28,8 @@ def choice(name: str, value: str, options: Collection[Option]) -> Option:
     if not isinstance(value, str):
         raise TypeError(f"{name}: expected a string, got {type_and_value(value)}")
     if value not in options:
-        listed = ", ".join(repr(option) for option in options)
-        raise ValueError(f"{name}: expected one of {listed}, got {shortened(value)}")
+        choices = ", ".join(repr(option) for option in options)
+        raise ValueError(f"{name}: expected one of {choices}, got {shortened(value)}")
     return cast(Option, value)
 
 
@@ -45,8 +45,11 @@ def text(name: str, value: str) -> str:
     return value
 
 
-def path(name: str, value: str | os.PathLike[str]) -> Path:
-    """Check a path that the file system can hold; ValueError otherwise, TypeError for anything but text or a path."""
+def path(name: str, value: str | os.PathLike[str], *suffixes: str) -> Path:
+    """Check a path that the file system can hold, and that ends in one of the suffixes, if any, in lower or upper case.
+
+    ValueError otherwise, TypeError for anything but text or a path.
+    """
     written = os.fspath(value) if isinstance(value, str | os.PathLike) else None
     if not isinstance(written, str):
         raise TypeError(f"{name}: expected a string or a path, got {type_and_value(value)}")
@@ -58,6 +61,8 @@ def path(name: str, value: str | os.PathLike[str]) -> Path:
         is_usable = False
     if not is_usable:
         raise ValueError(f"{name}: expected a path that the file system can hold, got {shortened(written)}")
+    if suffixes and Path(written).suffix.lower() not in suffixes:
+        raise ValueError(f"{name}: expected a name ending in {' or '.join(suffixes)}, got {written!r}")
     return Path(written)
 
 
@@ -84,21 +89,21 @@ def iterable(name: str, value: Iterable[Value], expected: str) -> Iterable[Value
 
 def items(name: str, value: Iterable[object], kind: type[Kind], expected: str) -> list[Kind]:
     """Check an iterable whose items all have a type, and return them as a list; TypeError otherwise."""
-    found = []
+    checked = []
     for number, item in enumerate(iterable(name, value, expected)):
         # Stops at the first wrong item: an iterable may be endless.
         if not isinstance(item, kind):
             raise TypeError(f"{name}: expected {expected}, got {type_and_value(item)} at index {number}")
-        found.append(item)
-    return found
+        checked.append(item)
+    return checked
 
 
 def texts(name: str, value: Iterable[str]) -> list[str]:
     """Check texts that files can hold; TypeError for anything but strings, ValueError for a lone surrogate."""
-    found = items(name, value, str, "a sequence of strings")
+    checked = items(name, value, str, "a sequence of strings")
     try:
-        "".join(found).encode()
+        "".join(checked).encode()
     except UnicodeEncodeError:
-        for number, item in enumerate(found):
+        for number, item in enumerate(checked):
             text(f"{name}[{number}]", item)
-    return found
+    return checked

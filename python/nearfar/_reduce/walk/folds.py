@@ -23,7 +23,7 @@ _HIGHEST = 1e6
 """Height in metres above which all pictures count as folded."""
 
 
-def walkable(kind: str, r1: float, r2: float, height: float) -> float:
+def walkable_distance(kind: str, r1: float, r2: float, height: float) -> float:
     """Horizontal distance in metres from the centre at which the picture folds; infinite for the conventional method.
 
     `height` is the user's height above or below the centre, metres. It is rounded up to a multiple of `STEP`, which
@@ -39,24 +39,24 @@ def _walkable(kind: str, r1: float, r2: float, steps: int) -> float:
     return fold_margin((0.0, steps * STEP, 0.0), center=(0.0, 0.0, 0.0), r1=r1, r2=r2, kind=kind)
 
 
-def climbs(path: Floats, centers: Floats, reach: float) -> Floats:
+def height_differences(path: Floats, centers: Floats, reach: float) -> Floats:
     """Greatest height difference (K,) between centres (K, 3) and the part of a path (N, 3) within reach of each."""
     starts, ends = (path[:-1], path[1:]) if len(path) > 1 else (path, path)
-    steps, found = ends - starts, np.zeros(len(centers))
+    steps, climb = ends - starts, np.zeros(len(centers))
     square = steps[:, 0] ** 2 + steps[:, 2] ** 2
     with progress.bar("checking heights") as report:
         for number, center in enumerate(centers):
             report(number, len(centers))
             x, z = starts[:, 0] - center[0], starts[:, 2] - center[2]
-            # Shares t of a piece at which |start + t step − O| = reach.
-            half, rest = -(x * steps[:, 0] + z * steps[:, 2]), x * x + z * z - reach * reach
-            root = np.sqrt(np.maximum(half * half - square * rest, 0.0))
-            whole = np.where(rest <= 0.0, np.inf, np.nan)
+            # Parameters t of a piece at which |start + t step − O| = reach: square t² − 2 b t + c = 0.
+            b, c = -(x * steps[:, 0] + z * steps[:, 2]), x * x + z * z - reach * reach
+            root = np.sqrt(np.maximum(b * b - square * c, 0.0))
+            unlimited = np.where(c <= 0.0, np.inf, np.nan)
             with np.errstate(divide="ignore", invalid="ignore"):
-                begin = np.where(square > 0.0, (half - root) / square, -whole)
-                end = np.where(square > 0.0, (half + root) / square, whole)
+                begin = np.where(square > 0.0, (b - root) / square, -unlimited)
+                end = np.where(square > 0.0, (b + root) / square, unlimited)
             begin, end = np.maximum(begin, 0.0), np.minimum(end, 1.0)
-            inside = (half * half >= square * rest) & (begin <= end)
-            heights = starts[inside, 1] + np.stack([begin, end])[:, inside] * steps[inside, 1] - center[1]
-            found[number] = np.abs(heights).max(initial=0.0)
-    return found
+            is_within = (b * b >= square * c) & (begin <= end)
+            heights = starts[is_within, 1] + np.stack([begin, end])[:, is_within] * steps[is_within, 1] - center[1]
+            climb[number] = np.abs(heights).max(initial=0.0)
+    return climb

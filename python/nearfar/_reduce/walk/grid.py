@@ -44,7 +44,7 @@ class Grid:
         angles = self.turn + np.arange(3) * (math.pi / 3.0)
         return np.column_stack([np.cos(angles), np.sin(angles)])
 
-    def places(self, cells: Cells) -> Floats:
+    def centers(self, cells: Cells) -> Floats:
         """Centres (K, 2) of cells (K, 2)."""
         first, second, _ = self._normals
         return np.asarray(self.origin + self.spacing * (cells[:, :1] * first + cells[:, 1:] * second))
@@ -57,61 +57,61 @@ class Grid:
         exact = (points - self.origin) @ basis.T
         exact = np.column_stack([exact, -exact.sum(axis=1)])
         rounded = np.rint(exact)
-        most = np.abs(rounded - exact).argmax(axis=1)
+        column = np.abs(rounded - exact).argmax(axis=1)
         rows = np.arange(len(points))
-        rounded[rows, most] -= rounded.sum(axis=1)
+        rounded[rows, column] -= rounded.sum(axis=1)
         return np.asarray(rounded[:, :2], np.int64)
 
-    def clipped(self, cells: Cells, starts: Floats, ends: Floats) -> tuple[Floats, Floats]:
+    def clip_segments(self, cells: Cells, starts: Floats, ends: Floats) -> tuple[Floats, Floats]:
         """Clip segments (N, 2) to their cells (N, 2): parameters of start and end of each part, empty if start > end.
 
         A cell is a hexagon: the points nearer to its centre than to any other.
         """
-        places, half = self.places(cells), self.spacing * (0.5 + _SLACK)
+        centers, half_width = self.centers(cells), self.spacing * (0.5 + _SLACK)
         begin, end = np.zeros(len(cells)), np.ones(len(cells))
         for normal in self._normals:
-            at, step = (starts - places) @ normal, (ends - starts) @ normal
+            distances, step = (starts - centers) @ normal, (ends - starts) @ normal
             with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-                low, high = (-half - at) / step, (half - at) / step
-            inside = np.abs(at) <= half
-            still = step == 0.0
-            enter = np.where(still, np.where(inside, 0.0, 2.0), np.minimum(low, high))
-            leave = np.where(still, 1.0, np.maximum(low, high))
+                low, high = (-half_width - distances) / step, (half_width - distances) / step
+            is_within = np.abs(distances) <= half_width
+            is_parallel = step == 0.0
+            enter = np.where(is_parallel, np.where(is_within, 0.0, 2.0), np.minimum(low, high))
+            leave = np.where(is_parallel, 1.0, np.maximum(low, high))
             begin, end = np.maximum(begin, enter), np.minimum(end, leave)
         return begin, end
 
-    def visited(self, path: Floats) -> tuple[Cells, Floats]:
+    def cells_of_path(self, path: Floats) -> tuple[Cells, Floats]:
         """Cells (K, 2) visited by the straight pieces of a path, in order of first visit, and values (K, 3).
 
         `path` is (N, 3) as x, height, z. The values are the path's least and greatest height in the cell, and the
         number of the piece that visits it first plus the parameter along it.
         """
         starts, ends = (path[:-1], path[1:]) if len(path) > 1 else (path, path)
-        found: list[tuple[Cells, Floats]] = []
-        for first, shares in _samples(starts, ends, _STEP * self.spacing):
-            flat = (starts[first] + shares[:, None] * (ends[first] - starts[first]))[:, [0, 2]]
-            cells = (self.nearest(flat)[:, None] + _SIX).reshape(-1, 2)
-            piece = np.repeat(first, len(_SIX))
-            begin, end = self.clipped(cells, starts[piece][:, [0, 2]], ends[piece][:, [0, 2]])
-            kept = begin <= end
-            piece, begin, end = piece[kept], begin[kept], end[kept]
+        visits: list[tuple[Cells, Floats]] = []
+        for pieces, parameters in _samples(starts, ends, _STEP * self.spacing):
+            samples = (starts[pieces] + parameters[:, None] * (ends[pieces] - starts[pieces]))[:, [0, 2]]
+            cells = (self.nearest(samples)[:, None] + _SIX).reshape(-1, 2)
+            piece = np.repeat(pieces, len(_SIX))
+            begin, end = self.clip_segments(cells, starts[piece][:, [0, 2]], ends[piece][:, [0, 2]])
+            is_inside = begin <= end
+            piece, begin, end = piece[is_inside], begin[is_inside], end[is_inside]
             low, high = starts[piece, 1], ends[piece, 1]
             heights = np.sort(np.column_stack([low + begin * (high - low), low + end * (high - low)]), axis=1)
-            found.append(_merged(cells[kept], np.column_stack([heights, piece + begin])))
-        cells, facts = _merged(*(np.concatenate(parts) for parts in zip(*found, strict=True)))
+            visits.append(_merge(cells[is_inside], np.column_stack([heights, piece + begin])))
+        cells, facts = _merge(*(np.concatenate(parts) for parts in zip(*visits, strict=True)))
         order = np.argsort(facts[:, 2], kind="stable")
         return cells[order], facts[order]
 
-    def touched(self, corners: Floats) -> Cells:
+    def cells_of_area(self, corners: Floats) -> Cells:
         """Cells (K, 2) that intersect a polygon with corners (N, 2), N ≥ 3."""
         closed = np.insert(np.concatenate([corners, corners[:1]]), 1, 0.0, axis=1)
-        border, _ = self.visited(closed)
+        border, _ = self.cells_of_path(closed)
         # Rows and columns of the grid are slanted, so that all four corners of the bounds count.
         low, high = corners.min(axis=0), corners.max(axis=0)
         ends = self.nearest(np.array([[x, z] for x in (low[0], high[0]) for z in (low[1], high[1])]))
         rows, columns = (np.arange(a - 1, b + 2) for a, b in zip(ends.min(axis=0), ends.max(axis=0), strict=True))
         cells = np.stack(np.meshgrid(rows, columns, indexing="ij"), axis=-1).reshape(-1, 2)
-        return np.unique(np.concatenate([border, cells[_in_polygon(self.places(cells), corners)]]), axis=0)
+        return np.unique(np.concatenate([border, cells[_in_polygon(self.centers(cells), corners)]]), axis=0)
 
 
 def grids(outline: Floats, spacing: float) -> list[Grid]:
@@ -123,10 +123,13 @@ def grids(outline: Floats, spacing: float) -> list[Grid]:
     starts, ends = (outline[:-1], outline[1:]) if len(outline) > 1 else (outline, outline)
     lengths = np.hypot(*(ends - starts).T)
     middles = 0.5 * (starts + ends)
-    longest = np.argsort(-lengths, kind="stable")[:CANDIDATES]
-    listed = [(middles[k], ends[k] - starts[k]) for k in longest]
-    listed.append(_main_axis(starts, ends, lengths))
-    return [Grid((float(at[0]), float(at[1])), math.atan2(way[1], way[0]), spacing) for at, way in listed]
+    numbers = np.argsort(-lengths, kind="stable")[:CANDIDATES]
+    axes = [(middles[k], ends[k] - starts[k]) for k in numbers]
+    axes.append(_main_axis(starts, ends, lengths))
+    return [
+        Grid((float(origin[0]), float(origin[1])), math.atan2(direction[1], direction[0]), spacing)
+        for origin, direction in axes
+    ]
 
 
 def _main_axis(starts: Floats, ends: Floats, lengths: Floats) -> tuple[Floats, Floats]:
@@ -134,8 +137,8 @@ def _main_axis(starts: Floats, ends: Floats, lengths: Floats) -> tuple[Floats, F
     weights = lengths / lengths.sum() if lengths.any() else np.full(len(lengths), 1.0 / len(lengths))
     middles, steps = 0.5 * (starts + ends), ends - starts
     centroid = weights @ middles
-    away = middles - centroid
-    spread = (away * weights[:, None]).T @ away + (steps * weights[:, None]).T @ steps / 12.0
+    offsets = middles - centroid
+    spread = (offsets * weights[:, None]).T @ offsets + (steps * weights[:, None]).T @ steps / 12.0
     axis = np.linalg.eigh(spread)[1][:, 1]
     return centroid, axis
 
@@ -144,17 +147,17 @@ def _samples(starts: Floats, ends: Floats, step: float) -> list[tuple[NDArray[np
     """Piece number and parameter of samples at most `step` apart, in blocks."""
     counts = np.ceil(np.hypot(*(ends - starts)[:, [0, 2]].T) / step).astype(np.int64) + 1
     # A piece may have more samples than a block, and a block may have several pieces.
-    total, before = int(counts.sum()), np.concatenate([[0], np.cumsum(counts)])
+    total, first_numbers = int(counts.sum()), np.concatenate([[0], np.cumsum(counts)])
     blocks = []
     for low in range(0, total, _BLOCK):
         number = np.arange(low, min(low + _BLOCK, total))
-        piece = np.searchsorted(before, number, side="right") - 1
-        shares = (number - before[piece]) / np.maximum(counts[piece] - 1, 1)
-        blocks.append((piece, shares))
+        piece = np.searchsorted(first_numbers, number, side="right") - 1
+        parameters = (number - first_numbers[piece]) / np.maximum(counts[piece] - 1, 1)
+        blocks.append((piece, parameters))
     return blocks
 
 
-def _merged(cells: Cells, facts: Floats) -> tuple[Cells, Floats]:
+def _merge(cells: Cells, facts: Floats) -> tuple[Cells, Floats]:
     """Merge duplicate cells; of their values keep the minimum, the maximum and the minimum."""
     unique, which = np.unique(cells, axis=0, return_inverse=True)
     joined = np.tile([np.inf, -np.inf, np.inf], (len(unique), 1))

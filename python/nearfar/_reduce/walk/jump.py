@@ -8,9 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nearfar._camera.camera import Camera, CubeFace, Fov
-
-_FACES = ((1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1))
-"""Viewing directions of the faces of a cube map."""
+from nearfar._camera.rotation import rotation
 
 
 def focal_length(camera: Camera) -> float:
@@ -25,16 +23,16 @@ def focal_length(camera: Camera) -> float:
 def forward(camera: Camera) -> NDArray[np.float64]:
     """Unit vector of the viewing axis."""
     if isinstance(camera.fov, CubeFace):
-        return np.array(_FACES[camera.fov.face], np.float64)
-    x, y, z, w = camera.orientation
-    return -np.array([2.0 * (x * z + w * y), 2.0 * (y * z - w * x), 1.0 - 2.0 * (x * x + y * y)])
+        axis, is_negative = divmod(camera.fov.face, 2)
+        return np.asarray(np.eye(3)[axis] * (-1.0 if is_negative else 1.0))
+    return -rotation(camera.orientation)[:, 2]
 
 
-def predicted(step: ArrayLike, camera: Camera, distance: float) -> float:
+def predict_jump(step: ArrayLike, camera: Camera, distance: float) -> float:
     """Predict the jump f·|ΔO⊥|/ρ in pixels of a point straight ahead, ρ metres from the old centre.
 
     The map shows a far point P in the direction P − O. A step ΔO of the centre rotates it by |ΔO⊥|/ρ, where ΔO⊥ is the
     component perpendicular to the line of sight.
     """
-    across = np.cross(np.asarray(step, np.float64), forward(camera))
-    return focal_length(camera) * math.hypot(*across) / distance
+    perpendicular = np.cross(np.asarray(step, np.float64), forward(camera))
+    return focal_length(camera) * math.hypot(*perpendicular) / distance

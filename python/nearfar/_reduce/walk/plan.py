@@ -12,13 +12,13 @@ from nearfar._base import check
 from nearfar._base.settings import gather, split
 from nearfar._partition.load_curve import load_curve
 from nearfar._reduce.baking import MapKeywords, MapSettings
-from nearfar._reduce.choose_radii import Radii, RadiusKeywords, RadiusSettings, choose_radii
+from nearfar._reduce.choose_radii import Radii, RadiusKeywords, RadiusSettings, choose_radii, complete_settings
 from nearfar._reduce.drawing import MORPHS, MorphKind
-from nearfar._reduce.walk.folds import climbs, walkable
+from nearfar._reduce.walk.folds import height_differences, walkable_distance
 from nearfar._reduce.walk.grid import Grid, grids
-from nearfar._reduce.walk.ground import ground_heights
-from nearfar._reduce.walk.regions import Regions, checked_hysteresis, checked_keep, spacing_for
+from nearfar._reduce.walk.regions import Regions, check_hysteresis, check_keep, spacing_for
 from nearfar._scene.scene import Scene, core_of
+from nearfar._trace.rays import surface_heights
 
 Floats = NDArray[np.float64]
 
@@ -27,6 +27,9 @@ MAX_REGIONS = 100_000
 
 MAX_CORNERS = 1000
 """Maximum number of corners of an area."""
+
+_RINGS = ((6, 0.5), (12, 0.95))
+"""Number of rays around a centre, and their distance from it as a share of the cell's radius."""
 
 
 class RegionOptions(RadiusKeywords, MapKeywords, total=False):
@@ -98,15 +101,13 @@ def regions(
     if (path is None) == (area is None):
         raise ValueError(f"path: expected either path or area, got {'neither' if path is None else 'both'}")
     map_keywords, radius_keywords = split(RadiusSettings, keywords)
-    map_settings, radius_settings = (
-        gather(MapSettings, settings, map_keywords),
-        gather(RadiusSettings, radii, radius_keywords, argument="radii"),
-    )
+    map_settings = gather(MapSettings, settings, map_keywords)
+    radius_settings = complete_settings(gather(RadiusSettings, radii, radius_keywords, argument="radii"))
     reach = _check_length("reach", radius_settings.reach)
     eye_height = _check_length("eye_height", radius_settings.eye_height)
-    min_walk = checked_hysteresis(hysteresis, reach)
+    min_walk = check_hysteresis(hysteresis, reach)
     check.choice("morph", morph, MORPHS)
-    checked_keep(keep)
+    check_keep(keep)
     if radius_settings.r2 is not None and reach >= radius_settings.r2:
         raise ValueError(
             f"reach: expected less than r2 = {radius_settings.r2:g} m, beyond which all is in the map, got {reach:g}"
@@ -119,7 +120,7 @@ def regions(
         centers = _on_ground(scene, _corners(scene, area), spacing, eye_height)
     common_radii = _common_radii(scene, centers, radius_settings)
     if path is not None and np.ptp(eyes[:, 1]) > 0.0:
-        _check_heights(centers, climbs(eyes, centers, reach), common_radii, morph)
+        _check_heights(centers, height_differences(eyes, centers, reach), common_radii, morph)
     return Regions(scene, centers, radii=common_radii, hysteresis=min_walk, morph=morph, baking=map_settings, keep=keep)
 
 
@@ -157,12 +158,12 @@ def _corners(scene: Scene, area: ArrayLike | None) -> Floats:
 def _check_within(name: str, scene: Scene, points: Floats) -> None:
     """Raise ValueError for places (N, 2) beyond the scene's bounds."""
     low, high = scene.bounds[:, [0, 2]]
-    outside = np.flatnonzero(((points < low) | (points > high)).any(axis=1))
-    if len(outside):
-        x, z = points[outside[0]]
+    outside_points = np.flatnonzero(((points < low) | (points > high)).any(axis=1))
+    if len(outside_points):
+        x, z = points[outside_points[0]]
         raise ValueError(
             f"{name}: expected places within the scene, which has x from {low[0]:.6g} to {high[0]:.6g} and z from "
-            f"{low[1]:.6g} to {high[1]:.6g} m, got {len(outside)} outside, the first x = {x:.6g}, z = {z:.6g}"
+            f"{low[1]:.6g} to {high[1]:.6g} m, got {len(outside_points)} outside, the first x = {x:.6g}, z = {z:.6g}"
         )
 
 
@@ -170,9 +171,9 @@ def _on_path(eyes: Floats, spacing: float) -> Floats:
     """Centres (K, 3) in a path's order; the height is the mean of the path's least and greatest height in the cell."""
     ground_points = eyes[:, [0, 2]]
     _check_region_count(float(np.hypot(*np.diff(ground_points, axis=0).T).sum()) / spacing)
-    candidates = [(grid, *grid.visited(eyes)) for grid in grids(ground_points, spacing)]
+    candidates = [(grid, *grid.cells_of_path(eyes)) for grid in grids(ground_points, spacing)]
     grid, cells, cell_heights = min(candidates, key=lambda choice: len(choice[1]))
-    points, (low, high, _) = grid.places(cells), cell_heights.T
+    points, (low, high, _) = grid.centers(cells), cell_heights.T
     return np.column_stack([points[:, 0], 0.5 * (low + high), points[:, 1]])
 
 
@@ -181,10 +182,10 @@ def _on_ground(scene: Scene, corners: Floats, spacing: float, eye_height: float)
     extent = np.ptp(corners, axis=0) / spacing + 1.0
     _check_region_count(float(extent.prod()))
     candidates: list[tuple[Grid, NDArray[np.int64]]] = [
-        (grid, grid.touched(corners)) for grid in grids(np.concatenate([corners, corners[:1]]), spacing)
+        (grid, grid.cells_of_area(corners)) for grid in grids(np.concatenate([corners, corners[:1]]), spacing)
     ]
     grid, cells = min(candidates, key=lambda choice: len(choice[1]))
-    points = grid.places(cells)
+    points = grid.centers(cells)
     ground = ground_heights(scene, points, spacing / math.sqrt(3.0))
     return np.column_stack([points[:, 0], ground + eye_height, points[:, 1]])
 
@@ -213,10 +214,34 @@ def _common_radii(scene: Scene, centers: Floats, settings: RadiusSettings) -> Ra
 def _check_heights(centers: Floats, heights: Floats, radii: Radii, morph: str) -> None:
     """Raise ValueError if the path climbs so much within a region that its picture would fold."""
     steepest = int(np.argmax(heights))
-    if walkable(morph, radii.r1, radii.r2, float(heights[steepest])) < radii.reach:
+    if walkable_distance(morph, radii.r1, radii.r2, float(heights[steepest])) < radii.reach:
         x, y, z = centers[steepest]
         raise ValueError(
             f"path: expected eyes near the height of the centre, got a path that is {heights[steepest]:.3g} m above or "
             f"below the centre at ({x:.4g}, {y:.4g}, {z:.4g}) within {radii.reach:g} m of it, where the picture would "
             "fold; use a smaller reach or a larger r2"
         )
+
+
+def ground_heights(scene: Scene, centers: Floats, radius: float) -> Floats:
+    """Find the ground height (K,) in metres at the centres (K, 2) as x, z of cells with a radius.
+
+    The ground is the surface hit from above, unless it rises more steeply than 45° from surfaces hit by other rays in
+    the cell: then the centre is on a roof, a tree or a car, and the lowest of those surfaces is used. City models often
+    have no ground. If a ray in the cell misses, the lowest surface hit from below is used, such as the bottom of a
+    house; if all rays miss, the lowest height of the scene.
+    """
+    offsets = [np.zeros((1, 2))]
+    for count, share in _RINGS:
+        angles = np.arange(count) * (2.0 * np.pi / count)
+        offsets.append(share * radius * np.column_stack([np.cos(angles), np.sin(angles)]))
+    points = (centers[:, None] + np.concatenate(offsets)).reshape(-1, 2)
+    shape = (len(centers), -1)
+    top, bottom = (surface_heights(scene, points, from_above=above).reshape(shape) for above in (True, False))
+    lowest = np.min(bottom, axis=1, initial=np.inf, where=np.isfinite(bottom))
+    lowest = np.where(np.isfinite(lowest), lowest, scene.bounds[0, 1])
+    misses = ~np.isfinite(top)
+    heights = np.where(misses, lowest[:, None], top)
+    distances = np.hypot(*np.concatenate(offsets).T)
+    is_ground = ~misses[:, 0] & (heights[:, :1] - heights <= distances + 1e-3).all(axis=1)
+    return np.where(is_ground, heights[:, 0], np.where(misses.any(axis=1), lowest, heights.min(axis=1)))

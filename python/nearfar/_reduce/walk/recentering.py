@@ -3,25 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any, Generic, Protocol, Self, TypeVar
+from typing import Generic, Self, TypeVar
 
 from numpy.typing import ArrayLike
 
 from nearfar._base import background, check
-from nearfar._reduce.baking import MapSettings
-
-
-class Reduction(Protocol):
-    """Interface of `ReducedScene` for recentering; the class itself belongs to a later stage."""
-
-    _is_whole: bool
-    _baking: MapSettings
-
-    def _again(self, baking: MapSettings, **changed: Any) -> Self: ...
-
+from nearfar._reduce.data import ReducedData
 
 Made = TypeVar("Made")
-Source = TypeVar("Source", bound=Reduction)
 
 
 class Recentering(Generic[Made]):
@@ -60,10 +49,10 @@ class Recentering(Generic[Made]):
         return f"Recentering(({x:g}, {y:g}, {z:g}), {'ready' if self.ready else 'in the making'})"
 
 
-class Recenters:
+class Recenters(ReducedData):
     """Moves of a reduced scene to another centre; a base of `ReducedScene`."""
 
-    def recentered(self: Source, center: ArrayLike) -> Recentering[Source]:
+    def recentered(self, center: ArrayLike) -> Recentering[Self]:
         """Start reducing the same scene around another centre, in the background.
 
         Radii, morph, boundary, poses and all settings of the map stay. The scene is shared, with its meshes, search
@@ -84,10 +73,10 @@ class Recenters:
         ValueError, TypeError
             An invalid centre, or a loaded scene, whose far geometry was not saved.
         """
-        place = check.vector("center", center)
+        new_center = check.vector("center", center)
         if not self._is_whole:
             raise ValueError(
                 "center: expected the saved one for a loaded scene, whose far geometry was not saved; reduce the whole "
                 "scene for another centre"
             )
-        return Recentering(place, lambda: self._again(self._baking, center=place))
+        return Recentering(new_center, lambda: self._again(self._baking, center=new_center))

@@ -45,18 +45,19 @@ class Regions:
         keep: int = 3,
     ) -> None:
         core_of(scene)
-        places = check.array("centers", centers, dtype=np.float64, finite=True).copy()
-        if not len(places) or np.abs(places).max() > check.FARTHEST:
-            raise ValueError(f"centers: expected at least one, and numbers up to {check.FARTHEST:g}, got {len(places)}")
-        places.setflags(write=False)
-        self._scene, self._centers, self._radii = scene, places, check.instance("radii", radii, Radii)
-        self._hysteresis = checked_hysteresis(hysteresis, radii.reach)
+        positions = check.array("centers", centers, dtype=np.float64, finite=True).copy()
+        count = len(positions)
+        if not count or np.abs(positions).max() > check.FARTHEST:
+            raise ValueError(f"centers: expected at least one, and numbers up to {check.FARTHEST:g}, got {count}")
+        positions.setflags(write=False)
+        self._scene, self._centers, self._radii = scene, positions, check.instance("radii", radii, Radii)
+        self._hysteresis = check_hysteresis(hysteresis, radii.reach)
         self._morph = check.choice("morph", morph, MORPHS)
         self._baking = MapSettings() if baking is None else check.instance("baking", baking, MapSettings)
-        self._keep = checked_keep(keep)
-        self._kept: OrderedDict[int, ReducedScene] = OrderedDict()
-        self._ahead: tuple[int, Recentering[ReducedScene]] | None = None
-        self._bytes = np.zeros(len(places), np.int64)
+        self._keep = check_keep(keep)
+        self._cache: OrderedDict[int, ReducedScene] = OrderedDict()
+        self._prefetched: tuple[int, Recentering[ReducedScene]] | None = None
+        self._bytes = np.zeros(len(positions), np.int64)
 
     @property
     def centers(self) -> NDArray[np.float64]:
@@ -91,7 +92,7 @@ class Regions:
     @property
     def memory(self) -> int:
         """Bytes of the cached regions."""
-        return int(self._bytes[list(self._kept)].sum())
+        return int(self._bytes[list(self._cache)].sum())
 
     def __len__(self) -> int:
         """Return the number of regions."""
@@ -113,15 +114,15 @@ class Regions:
             `current`, or the region with the nearest centre. On the path or in the area that centre is within R − b, so
             that the next change is at least b metres away.
         """
-        place = check.vector("position", position)
-        here = None if current is None else self._number("current", current)
-        away = self._distances(place)
-        return here if here is not None and away[here] <= self.reach else int(np.argmin(away))
+        eye = check.vector("position", position)
+        region = None if current is None else self._number("current", current)
+        distances = self._distances(eye)
+        return region if region is not None and distances[region] <= self.reach else int(np.argmin(distances))
 
     def ready(self, i: int) -> bool:
         """Whether `reduced` returns region i at once."""
-        number = self._number("i", i)
-        return number in self._kept or (self._ahead is not None and self._ahead[0] == number and self._ahead[1].ready)
+        number, prefetched = self._number("i", i), self._prefetched
+        return number in self._cache or (prefetched is not None and prefetched[0] == number and prefetched[1].ready)
 
     def reduced(self, i: int) -> ReducedScene:
         """Return the reduced scene of a region.
@@ -139,19 +140,19 @@ class Regions:
             As in `reduce`.
         """
         number = self._number("i", i)
-        if number not in self._kept:
-            if self._ahead is not None and self._ahead[0] == number:
+        if number not in self._cache:
+            if self._prefetched is not None and self._prefetched[0] == number:
                 try:
-                    made = self._ahead[1].result()
+                    result = self._prefetched[1].result()
                 except Exception:
-                    self._ahead = None
+                    self._prefetched = None
                     raise
-                self._ahead = None
+                self._prefetched = None
             else:
-                made = self._make(number)
-            self._store(number, made)
-        self._kept.move_to_end(number)
-        return self._kept[number]
+                result = self._make(number)
+            self._store(number, result)
+        self._cache.move_to_end(number)
+        return self._cache[number]
 
     def prefetch(self, position: ArrayLike, velocity: ArrayLike, current: int | None = None) -> int | None:
         """Start making the region that a user walks towards, in the background.
@@ -169,13 +170,13 @@ class Regions:
             Region at the point where the user would leave the present one; None for a standing user, or if no other
             region follows. Only one region at a time is being made, so this one may have to wait for a later call.
         """
-        place, way = check.vector("position", position), check.vector("velocity", velocity)
-        here = self.index(place, current)
-        following = self._following(place, way, here)
-        self._collect(following)
-        if following is not None and following not in self._kept and self._ahead is None:
-            self._ahead = following, Recentering(self._centers[following], partial(self._make, following))
-        return following
+        eye, direction = check.vector("position", position), check.vector("velocity", velocity)
+        region = self.index(eye, current)
+        next_region = self._next_region(eye, direction, region)
+        self._collect(next_region)
+        if next_region is not None and next_region not in self._cache and self._prefetched is None:
+            self._prefetched = next_region, Recentering(self._centers[next_region], partial(self._make, next_region))
+        return next_region
 
     def jump(self, i: int, j: int, camera: Camera, distance: float | None = None) -> float:
         """Predict the picture's jump at a hard cut from region i to region j.
@@ -198,8 +199,8 @@ class Regions:
         """
         start, end = (self._centers[self._number(name, value)] for name, value in (("i", i), ("j", j)))
         check.instance("camera", camera, Camera)
-        far = self._radii.r2 if distance is None else check.positive("distance", distance)
-        return jump.predicted(end - start, camera, far)
+        range_m = self._radii.r2 if distance is None else check.positive("distance", distance)
+        return jump.predict_jump(end - start, camera, range_m)
 
     def walk(self, *, fade: float = 0.5, transition: str = "fade", ahead: bool = True) -> Walk:
         """Begin a walk, whose pictures come from the region that the user is in.
@@ -218,62 +219,62 @@ class Regions:
     def _number(self, name: str, value: int) -> int:
         return check.integer(name, value, 0, len(self._centers) - 1)
 
-    def _distances(self, place: tuple[float, float, float]) -> NDArray[np.float64]:
+    def _distances(self, eye: tuple[float, float, float]) -> NDArray[np.float64]:
         """Horizontal distances (K,) of the centres."""
         with np.errstate(over="ignore"):
-            return np.asarray(np.hypot(self._centers[:, 0] - place[0], self._centers[:, 2] - place[2]))
+            return np.asarray(np.hypot(self._centers[:, 0] - eye[0], self._centers[:, 2] - eye[2]))
 
-    def _following(
-        self, place: tuple[float, float, float], velocity: tuple[float, float, float], here: int
+    def _next_region(
+        self, eye: tuple[float, float, float], velocity: tuple[float, float, float], region: int
     ) -> int | None:
         """Region at the point where a straight line leaves the present region's reach."""
         speed = math.hypot(velocity[0], velocity[2])
         if not 0.0 < speed < math.inf:
             return None
         dx, dz = velocity[0] / speed, velocity[2] / speed
-        x, z = place[0] - self._centers[here, 0], place[2] - self._centers[here, 2]
-        along, across = x * dx + z * dz, x * dz - z * dx
+        x, z = eye[0] - self._centers[region, 0], eye[2] - self._centers[region, 2]
+        advance, offset = x * dx + z * dz, x * dz - z * dx
         # A user outside the reach is handed over at once.
-        way = math.sqrt(self.reach**2 - across**2) - along if abs(across) < self.reach else 0.0
-        way = max(way, 0.0)
-        following = int(np.argmin(self._distances((place[0] + way * dx, place[1], place[2] + way * dz))))
-        return None if following == here else following
+        distance = math.sqrt(self.reach**2 - offset**2) - advance if abs(offset) < self.reach else 0.0
+        distance = max(distance, 0.0)
+        next_region = int(np.argmin(self._distances((eye[0] + distance * dx, eye[1], eye[2] + distance * dz))))
+        return None if next_region == region else next_region
 
     def _make(self, number: int) -> ReducedScene:
         center, r1, r2 = self._centers[number], self._radii.r1, self._radii.r2
         return reduce(self._scene, center=center, r1=r1, r2=r2, morph=self._morph, settings=self._baking)
 
-    def _collect(self, following: int | None) -> None:
+    def _collect(self, next_region: int | None) -> None:
         """Store a region made in the background.
 
         A failed one is kept for `reduced`, which raises its error, while it is the next region: it is not retried for
         each picture.
         """
-        if self._ahead is not None and self._ahead[1].ready:
-            number, made = self._ahead
+        if self._prefetched is not None and self._prefetched[1].ready:
+            number, recentering = self._prefetched
             try:
-                self._store(number, made.result())
+                self._store(number, recentering.result())
             except Exception:
-                if number == following:
+                if number == next_region:
                     return
-            self._ahead = None
+            self._prefetched = None
 
-    def _store(self, number: int, made: ReducedScene) -> None:
-        stats = made.stats
+    def _store(self, number: int, reduced: ReducedScene) -> None:
+        stats = reduced.stats
         self._bytes[number] = stats["map_bytes"] + stats["near_bytes"]
-        self._kept[number] = made
-        self._kept.move_to_end(number)
-        while len(self._kept) > self._keep:
-            self._kept.popitem(last=False)
+        self._cache[number] = reduced
+        self._cache.move_to_end(number)
+        while len(self._cache) > self._keep:
+            self._cache.popitem(last=False)
 
     def __repr__(self) -> str:
         return (
             f"Regions({len(self)} within {self.reach:g} m of their centres, r1={self._radii.r1:.3g}, "
-            f"r2={self._radii.r2:.3g}: {len(self._kept)} kept, {self.memory:,} bytes)"
+            f"r2={self._radii.r2:.3g}: {len(self._cache)} kept, {self.memory:,} bytes)"
         )
 
 
-def checked_hysteresis(hysteresis: SupportsFloat, reach: float) -> float:
+def check_hysteresis(hysteresis: SupportsFloat, reach: float) -> float:
     """Return the hysteresis b in metres, 0 ≤ b < reach; ValueError or TypeError otherwise."""
     band = check.at_least_zero("hysteresis", hysteresis)
     if band >= reach:
@@ -281,7 +282,7 @@ def checked_hysteresis(hysteresis: SupportsFloat, reach: float) -> float:
     return band
 
 
-def checked_keep(keep: int) -> int:
+def check_keep(keep: int) -> int:
     """Check the number of cached reduced scenes: at least the present, the previous and the next one."""
     return check.integer("keep", keep, 3, MAX_CACHED)
 

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -14,36 +13,21 @@ from numpy.typing import ArrayLike
 from nearfar._base import check
 from nearfar._camera.camera import Camera
 from nearfar._reduce.reduced_scene import ReducedScene
-from nearfar._reduce.walk.folds import walkable
+from nearfar._reduce.walk.folds import walkable_distance
 from nearfar._render.blend import blend
 from nearfar._render.frame import Frame
 
 TRANSITIONS = ("fade", "cut")
 """Names of transitions between regions."""
 
-LONGEST_FADE = 60.0
+MAX_FADE = 60.0
 """Greatest duration of a cross-fade, seconds."""
 
 Point = tuple[float, float, float]
 
 
-class Source(Protocol):
-    """Interface of `Regions` for walks; the class itself belongs to a later stage."""
-
-    @property
-    def index(self) -> Callable[..., int]: ...
-    @property
-    def ready(self) -> Callable[[int], bool]: ...
-    @property
-    def reduced(self) -> Callable[[int], ReducedScene]: ...
-    @property
-    def prefetch(self) -> Callable[..., int | None]: ...
-    @property
-    def jump(self) -> Callable[..., float]: ...
-
-
 @dataclass(frozen=True)
-class _Shown:
+class _ShownRegion:
     """A region in the picture."""
 
     number: int
@@ -52,7 +36,7 @@ class _Shown:
     def margin(self, user: Point) -> float:
         """Metres that the user can still walk before its picture folds."""
         reduced, (x, y, z) = self.reduced, np.subtract(user, self.reduced.center)
-        return walkable(reduced.morph, reduced.r1, reduced.r2, abs(y)) - math.hypot(x, z)
+        return walkable_distance(reduced.morph, reduced.r1, reduced.r2, abs(y)) - math.hypot(x, z)
 
 
 class Walk:
@@ -61,23 +45,23 @@ class Walk:
     It stores the present region, and the previous one during a cross-fade.
     """
 
-    def __init__(self, regions: Source, *, fade: float = 0.5, transition: str = "fade", ahead: bool = True) -> None:
+    def __init__(self, regions: Any, *, fade: float = 0.5, transition: str = "fade", ahead: bool = True) -> None:
         for name in ("index", "ready", "reduced", "prefetch", "jump"):
             if not callable(getattr(regions, name, None)):
                 raise TypeError(f"regions: expected Regions, got {check.type_and_value(regions)}")
-        self._regions, self._fade = regions, check.in_range("fade", fade, 0.0, LONGEST_FADE)
+        self._regions, self._fade = regions, check.in_range("fade", fade, 0.0, MAX_FADE)
         self._transition = check.choice("transition", transition, TRANSITIONS)
         self._ahead = check.flag("ahead", ahead)
-        self._now: _Shown | None = None
-        self._before: _Shown | None = None
-        self._changed = -math.inf
-        self._seen: tuple[Point, float] | None = None
+        self._current: _ShownRegion | None = None
+        self._previous: _ShownRegion | None = None
+        self._change_time = -math.inf
+        self._last_position: tuple[Point, float] | None = None
         self._velocity = (0.0, 0.0, 0.0)
 
     @property
     def region(self) -> int | None:
         """Number of the region that the user is in; None before the first picture."""
-        return None if self._now is None else self._now.number
+        return None if self._current is None else self._current.number
 
     def render(self, camera: Camera, seconds: float, **options: Any) -> Frame:
         """Render the picture for the user at a time.
@@ -107,28 +91,29 @@ class Walk:
         ValueError, TypeError, DeviceError
             As in `ReducedScene.render` and `Regions.reduced`.
         """
-        view, now = check.instance("camera", camera, Camera), check.number("seconds", seconds)
-        given: ArrayLike | None = options.get("user")
-        user = view.position if given is None else check.vector("user", given)
-        start = self._now
-        waited = self._step(user, now)
-        shown = self._now
-        assert shown is not None
+        view, time_s = check.instance("camera", camera, Camera), check.number("seconds", seconds)
+        user_position: ArrayLike | None = options.get("user")
+        user = view.position if user_position is None else check.vector("user", user_position)
+        start = self._current
+        waited = self._step(user, time_s)
+        current = self._current
+        assert current is not None
         if self._ahead:
-            self._regions.prefetch(user, self._velocity, shown.number)
-        frame = shown.reduced.render(view, **options)
-        old, share = self._before, self._share(now)
+            self._regions.prefetch(user, self._velocity, current.number)
+        frame = current.reduced.render(view, **options)
+        old, weight = self._previous, self._fade_weight(time_s)
         if old is not None and frame.color is not None:
             older = old.reduced.render(view, **{**options, "channels": ("color",)})
-            frame = blend(older, frame, share)
-        left = old if old is not None else start
-        is_change = left is not None and (old is not None or left.number != shown.number)
+            frame = blend(older, frame, weight)
+        jump, previous = 0.0, start if old is None else old
+        if previous is not None and (old is not None or previous.number != current.number):
+            jump = self._regions.jump(previous.number, current.number, view)
         facts = {
-            "region": shown.number,
-            "fade": share,
-            "jump": self._regions.jump(left.number, shown.number, view) if left is not None and is_change else 0.0,
+            "region": current.number,
+            "fade": weight,
+            "jump": jump,
             "waited": waited,
-            "fold_margin": min(part.margin(user) for part in (shown, old) if part is not None),
+            "fold_margin": min(region.margin(user) for region in (current, old) if region is not None),
         }
         return replace(frame, stats={**frame.stats, **facts})
 
@@ -140,28 +125,28 @@ class Walk:
             started, was_ready = time.perf_counter(), self._regions.ready(number)
             reduced = self._regions.reduced(number)
             waited = 0.0 if was_ready else time.perf_counter() - started
-            self._before = self._now if self._transition == "fade" else None
-            self._now, self._changed = _Shown(number, reduced), now
-        if self._before is not None and (self._share(now) >= 1.0 or self._before.margin(user) <= 0.0):
-            self._before = None
+            self._previous = self._current if self._transition == "fade" else None
+            self._current, self._change_time = _ShownRegion(number, reduced), now
+        if self._previous is not None and (self._fade_weight(now) >= 1.0 or self._previous.margin(user) <= 0.0):
+            self._previous = None
         self._measure_velocity(user, now)
         return waited
 
     def _measure_velocity(self, user: Point, now: float) -> None:
-        if self._seen is not None and now != self._seen[1]:
+        if self._last_position is not None and now != self._last_position[1]:
             with np.errstate(all="ignore"):
-                velocity = np.subtract(user, self._seen[0]) / (now - self._seen[1])
+                velocity = np.subtract(user, self._last_position[0]) / (now - self._last_position[1])
             # Nearly equal times give no velocity.
             if np.isfinite(velocity).all():
                 self._velocity = (float(velocity[0]), float(velocity[1]), float(velocity[2]))
-        if self._seen is None or now != self._seen[1]:
-            self._seen = user, now
+        if self._last_position is None or now != self._last_position[1]:
+            self._last_position = user, now
 
-    def _share(self, now: float) -> float:
+    def _fade_weight(self, now: float) -> float:
         """Share of the newer region's colour."""
-        if self._before is None or self._fade == 0.0:
+        if self._previous is None or self._fade == 0.0:
             return 1.0
-        return min(max((now - self._changed) / self._fade, 0.0), 1.0)
+        return min(max((now - self._change_time) / self._fade, 0.0), 1.0)
 
     def __repr__(self) -> str:
         return f"Walk({self._transition!r}, {self._fade:g} s, region {self.region})"

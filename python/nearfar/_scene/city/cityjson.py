@@ -14,10 +14,11 @@ from nearfar._base.errors import UnusableError
 from nearfar._scene.city import crs
 from nearfar._scene.city.appearance import Appearance
 from nearfar._scene.city.collector import Collector, Part
-from nearfar._scene.city.entries import check_range, document, entry, flattened, numbers, typed
 from nearfar._scene.city.levels import Levels
-from nearfar._scene.content import Content, Nodes, Shape
+from nearfar._scene.content import Content, Nodes, translation
+from nearfar._scene.entries import check_range, document, entry, flattened, numbers, typed
 from nearfar._scene.report import count
+from nearfar._scene.tileset.frames import Z_UP_TO_SCENE
 
 _DEPTHS = {"MultiSurface": 0, "CompositeSurface": 0, "Solid": 1, "MultiSolid": 2, "CompositeSolid": 2}
 """Depth of nested lists above the surfaces, by geometry type."""
@@ -25,23 +26,12 @@ _DEPTHS = {"MultiSurface": 0, "CompositeSurface": 0, "Solid": 1, "MultiSolid": 2
 _INSTANCE = "GeometryInstance"
 DRAWN = (*_DEPTHS, _INSTANCE)
 
-_TURN = np.array([[1.0, 0, 0, 0], [0, 0, 1, 0], [0, -1, 0, 0], [0, 0, 0, 1]])
-"""Rotation from z up to y up."""
-
 
 def read(label: str, header: dict[str, Any], lod: float | None, *, drop: bool) -> Content:
-    """Convert a document whose type is CityJSON.
+    """Convert a document whose type is CityJSON; `label` is the name of its file.
 
-    Parameters
-    ----------
-    label
-        Name of the file.
-    header
-        The document.
-    lod
-        Greatest level of detail to draw; None draws the highest one of each object.
-    drop
-        Whether unusable surfaces are left out instead of raising an error.
+    `lod` is the greatest level of detail to draw; None draws the highest one of each object. With `drop`, unusable
+    surfaces are left out instead of raising an error.
     """
     return _Reader(label, header, lod, drop).content([header])
 
@@ -71,102 +61,100 @@ class _Reader:
         self._collector, self._templates = Collector(), Collector()
         self._template_names: list[str | None] = []
         self._placed: list[tuple[str, NDArray[np.float64], str]] = []
-        self._left = Counter[tuple[str, str]]()
+        self._omissions = Counter[tuple[str, str]]()
 
     def content(self, parts: Iterable[dict[str, Any]]) -> Content:
         self._read_templates()
         for part in parts:
             self._read_part(part)
         shapes, nodes = {}, []
-        own, lost = self._collector.shapes(drop=self._drop)
-        templates, lost_too = self._templates.shapes(drop=self._drop)
-        for name, (shape, base) in own.items():
-            nodes.append((name, _translation(base), name))
+        objects, object_losses = self._collector.shapes(drop=self._drop)
+        templates, template_losses = self._templates.shapes(drop=self._drop)
+        for name, (shape, base) in objects.items():
+            nodes.append((name, translation(base), name))
             shapes[name] = shape
-        for owner, (shape, base) in templates.items():
-            key = f"{owner} of geometry-templates"
+        for template, (shape, base) in templates.items():
+            key = f"{template} of geometry-templates"
             shapes[key] = shape
-            nodes += [(name, matrix @ _translation(base), key) for name, matrix, used in self._placed if used == owner]
-        if lost + lost_too:
-            self._left["surface", "with rings of fewer than three corners left out"] += lost + lost_too
+            nodes += [(name, matrix @ translation(base), key) for name, matrix, of in self._placed if of == template]
+        if losses := object_losses + template_losses:
+            self._omissions["surface", "with rings of fewer than three corners left out"] += losses
+        shapes = {name: shape for name, shape in shapes.items() if len(shape.faces)}
         used = [f"CityJSON {self._header['version']}", *self._system]
-        return Content(self._label, _unique_names(shapes), _nodes(nodes), self._notes(), used)
+        notes = [f"{count(number, noun)} {ending}" for (noun, ending), number in self._omissions.items()]
+        return Content(self._label, shapes, Nodes.from_rows(nodes), self._levels.notes() + notes, used)
 
     def _read_part(self, part: dict[str, Any]) -> None:
-        place = "" if part is self._header else f"feature {check.shortened(part.get('id', ''))}: "
-        vertices = self._placed_vertices(numbers(entry(part, "vertices", list, place), f"{place}vertices", 3), place)
+        prefix = "" if part is self._header else f"feature {check.shortened(part.get('id', ''))}: "
+        vertices = self._placed_vertices(numbers(entry(part, "vertices", list, prefix), f"{prefix}vertices", 3), prefix)
         self._collector.vertices(vertices)
         objects = {
-            name: typed(item, dict, f"{place}CityObjects {check.shortened(name)}")
-            for name, item in entry(part, "CityObjects", dict, place).items()
+            name: typed(item, dict, f"{prefix}CityObjects {check.shortened(name)}")
+            for name, item in entry(part, "CityObjects", dict, prefix).items()
         }
         appearance = Appearance(part if "appearance" in part else self._header)
         for name, (number, geometry) in self._levels.select_geometries(objects, DRAWN):
-            place_of = f"CityObjects {check.shortened(name)}: geometry[{number}]"
-            kind = geometry["type"]
-            if kind == _INSTANCE:
-                self._place(name, geometry, vertices, place_of)
-                continue
-            self._add(self._collector, Part(name, place_of), geometry, str(objects[name].get("type")), appearance)
-        self._left.update(appearance.notes)
+            json_path = f"CityObjects {check.shortened(name)}: geometry[{number}]"
+            if geometry["type"] == _INSTANCE:
+                self._place(name, geometry, vertices, json_path)
+            else:
+                self._add(self._collector, Part(name, json_path), geometry, str(objects[name].get("type")), appearance)
+        self._omissions.update(appearance.notes)
 
     def _add(self, to: Collector, part: Part, geometry: dict[str, Any], kind: str, appearance: Appearance) -> None:
-        boundaries = entry(geometry, "boundaries", list, f"{part.place}.")
+        boundaries = entry(geometry, "boundaries", list, f"{part.json_path}.")
         depth = _DEPTHS[geometry["type"]]
-        surfaces = flattened(boundaries, depth, f"{part.place}.boundaries")
-        colors = appearance.colors(geometry, boundaries, depth, kind, f"{part.place}.")
-        to.add(Part(part.owner, f"{part.place}.boundaries"), surfaces, colors)
+        surfaces = flattened(boundaries, depth, f"{part.json_path}.boundaries")
+        colors = appearance.colors(geometry, boundaries, depth, kind, f"{part.json_path}.")
+        to.add(Part(part.owner, f"{part.json_path}.boundaries"), surfaces, colors)
 
-    def _placed_vertices(self, vertices: NDArray[np.float64], place: str) -> NDArray[np.float64]:
+    def _placed_vertices(self, vertices: NDArray[np.float64], prefix: str) -> NDArray[np.float64]:
         transform = entry(self._header, "transform", dict, "", {})
         for key in ("scale", "translate") if transform else ():
             row = numbers(entry(transform, key, list, "transform."), f"transform.{key}", None)
-            if row.shape != (3,):
+            if len(row) != 3:
                 raise UnusableError(f"transform.{key}: expected three numbers, got {len(row)}")
             vertices = vertices * row if key == "scale" else vertices + row
-        check_range(vertices, f"{place}vertices")
+        check_range(vertices, f"{prefix}vertices")
         return vertices
 
     def _read_templates(self) -> None:
         templates = entry(self._header, "geometry-templates", dict, "", {})
         if not templates:
             return
-        place = "geometry-templates."
+        prefix = "geometry-templates."
         self._templates.vertices(
-            numbers(entry(templates, "vertices-templates", list, place), f"{place}vertices-templates", 3)
+            numbers(entry(templates, "vertices-templates", list, prefix), f"{prefix}vertices-templates", 3)
         )
         appearance = Appearance(self._header)
-        for number, item in enumerate(entry(templates, "templates", list, place)):
-            geometry = typed(item, dict, f"{place}templates[{number}]")
-            part = Part(f"template {number}", f"{place}templates[{number}]")
+        for number, item in enumerate(entry(templates, "templates", list, prefix)):
+            geometry = typed(item, dict, f"{prefix}templates[{number}]")
+            part = Part(f"template {number}", f"{prefix}templates[{number}]")
             drawn = geometry.get("type") in _DEPTHS
             self._template_names.append(part.owner if drawn else None)
             if drawn:
                 self._add(self._templates, part, geometry, "", appearance)
 
-    def _place(self, name: str, geometry: dict[str, Any], vertices: NDArray[np.float64], place: str) -> None:
-        number = entry(geometry, "template", int, f"{place}.")
+    def _place(self, name: str, geometry: dict[str, Any], vertices: NDArray[np.float64], json_path: str) -> None:
+        number = entry(geometry, "template", int, f"{json_path}.")
         if not 0 <= number < len(self._template_names):
-            raise UnusableError(f"{place}.template: it names template {number} of {len(self._template_names)}")
-        boundaries = entry(geometry, "boundaries", list, f"{place}.")
-        vertex = typed(boundaries[0] if len(boundaries) == 1 else None, int, f"{place}.boundaries[0]")
+            raise UnusableError(f"{json_path}.template: it names template {number} of {len(self._template_names)}")
+        boundaries = entry(geometry, "boundaries", list, f"{json_path}.")
+        vertex = typed(boundaries[0] if len(boundaries) == 1 else None, int, f"{json_path}.boundaries[0]")
         if not 0 <= vertex < len(vertices):
-            raise UnusableError(f"{place}.boundaries: it names vertex {vertex} of {len(vertices)}")
+            raise UnusableError(f"{json_path}.boundaries: it names vertex {vertex} of {len(vertices)}")
         rows = numbers(
-            entry(geometry, "transformationMatrix", list, f"{place}."), f"{place}.transformationMatrix", None
+            entry(geometry, "transformationMatrix", list, f"{json_path}."), f"{json_path}.transformationMatrix", None
         )
         if rows.shape != (16,):
-            raise UnusableError(f"{place}.transformationMatrix: expected 16 numbers, got {len(rows)}")
+            raise UnusableError(f"{json_path}.transformationMatrix: expected 16 numbers, got {len(rows)}")
         matrix = rows.reshape(4, 4)
         owner = self._template_names[number]
         if owner is None:
-            self._left["instance", "of points or lines ignored"] += 1
+            self._omissions["instance", "of points or lines ignored"] += 1
             return
         matrix[:3, 3] += vertices[vertex]
-        self._placed.append((name, _TURN @ matrix @ _TURN.T, owner))
-
-    def _notes(self) -> list[str]:
-        return self._levels.notes() + [f"{count(number, noun)} {rest}" for (noun, rest), number in self._left.items()]
+        self._placed.append((name, Z_UP_TO_SCENE @ matrix @ Z_UP_TO_SCENE.T, owner))
 
 
 def _system(header: dict[str, Any]) -> list[str]:
@@ -186,20 +174,3 @@ def _system(header: dict[str, Any]) -> list[str]:
         sides = (f"{low:,.0f} to {high:,.0f}" for low, high in zip(extent[:3], extent[3:], strict=True))
         notes.append("stated extent " + ", ".join(f"{axis} {side}" for axis, side in zip("xyz", sides, strict=True)))
     return notes
-
-
-def _translation(base: NDArray[np.float64]) -> NDArray[np.float64]:
-    matrix = np.eye(4)
-    matrix[:3, 3] = base
-    return matrix
-
-
-def _unique_names(shapes: dict[str, Shape]) -> dict[str, Shape]:
-    return {name: shape for name, shape in shapes.items() if len(shape.faces)}
-
-
-def _nodes(nodes: list[tuple[str, NDArray[np.float64], str]]) -> Nodes:
-    if not nodes:
-        return Nodes([], np.zeros((0, 4, 4)), [])
-    names, matrices, shapes = zip(*nodes, strict=True)
-    return Nodes(list(names), np.stack(matrices), list(shapes))

@@ -9,9 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nearfar._base.errors import UnusableError
-from nearfar._scene.city.entries import flattened
 from nearfar._scene.city.surfaces import Surfaces, offsets, rows_of
 from nearfar._scene.content import Shape
+from nearfar._scene.entries import flattened
 from nearfar._scene.materials import BaseColor
 
 
@@ -20,13 +20,13 @@ class Part:
     """Owner of a geometry's surfaces, and its place in the document for messages."""
 
     owner: str
-    place: str
+    json_path: str
 
 
 class Collector:
     """Collects surfaces whose corners are vertex indices.
 
-    `vertices` adds the vertices that indices of the following parts refer to; `add` adds the surfaces of a geometry.
+    Call `vertices` with the vertices that the following geometries refer to, then `add` with each geometry's surfaces.
     """
 
     def __init__(self) -> None:
@@ -47,14 +47,13 @@ class Collector:
 
     def add(self, part: Part, surfaces: list[Any], colors: list[BaseColor]) -> None:
         """Add surfaces, lists of rings of vertex indices, each with a colour; UnusableError for anything else."""
-        rings = flattened(surfaces, 1, part.place)
-        corners = flattened(rings, 1, part.place)
-        if set(map(type, corners)) - {int}:
-            wrong = next(corner for corner in corners if type(corner) is not int)
-            raise UnusableError(f"{part.place}: expected numbers of vertices, got {type(wrong).__name__} among them")
+        rings = flattened(surfaces, 1, part.json_path)
+        corners = flattened(rings, 1, part.json_path)
+        if wrong_types := sorted(kind.__name__ for kind in set(map(type, corners)) - {int}):
+            raise UnusableError(f"{part.json_path}: expected numbers of vertices, got {wrong_types[0]} among them")
         if corners and not (min(corners) >= 0 and max(corners) < self._count):
-            wrong = next(corner for corner in corners if not 0 <= corner < self._count)
-            raise UnusableError(f"{part.place}: it names vertex {wrong} of {self._count}")
+            unknown = next(corner for corner in corners if not 0 <= corner < self._count)
+            raise UnusableError(f"{part.json_path}: it names vertex {unknown} of {self._count}")
         self._indices.append(np.array(corners, np.int64) + self._base)
         self._ring_sizes += map(len, rings)
         self._surface_rings += map(len, surfaces)
@@ -68,39 +67,38 @@ class Collector:
         Axes are turned from z up to y up. Surfaces with rings of fewer than three corners are left out with `drop`,
         else an UnusableError names the first one.
         """
-        surfaces, kept, lost = self._usable_surfaces(drop)
-        faces, of_surface = surfaces.triangles()
+        surfaces, numbers, unusable_count = self._usable_surfaces(drop)
+        faces, face_offsets = surfaces.triangles()
         colors = {id(color): color for color in self._colors}
-        numbers = {key: number for number, key in enumerate(colors)}
-        color = np.array([numbers[id(self._colors[row])] for row in kept.tolist()], np.int32)
-        part_of = np.arange(len(self._parts)).repeat(self._part_surfaces)[kept]
+        color_numbers = {key: number for number, key in enumerate(colors)}
+        color = np.array([color_numbers[id(self._colors[row])] for row in numbers.tolist()], np.int32)
+        part_of = np.arange(len(self._parts)).repeat(self._part_surfaces)[numbers]
         starts = np.searchsorted(part_of, np.arange(len(self._parts) + 1))
-        palette = list(colors.values())
-        pieces: dict[str, list[tuple[int, int]]] = {}
-        for number, part in enumerate(self._parts):
-            pieces.setdefault(part.owner, []).append((int(starts[number]), int(starts[number + 1])))
-        shapes = {}
-        for owner, ranges in pieces.items():
-            chosen = np.concatenate([np.arange(start, end) for start, end in ranges])
-            shapes[owner] = _shape(surfaces, faces, of_surface, chosen, color, palette)
-        return shapes, lost
+        rows: dict[str, list[NDArray[np.int64]]] = {}
+        for part, start, end in zip(self._parts, starts[:-1], starts[1:], strict=True):
+            rows.setdefault(part.owner, []).append(np.arange(start, end))
+        shapes = {
+            owner: _shape(surfaces, faces, face_offsets, np.concatenate(ranges), color, list(colors.values()))
+            for owner, ranges in rows.items()
+        }
+        return shapes, unusable_count
 
     def _usable_surfaces(self, drop: bool) -> tuple[Surfaces, NDArray[np.int64], int]:
         """Usable surfaces, their numbers, and the number of unusable ones."""
         ring_sizes = np.array(self._ring_sizes, np.int64)
         surface_rings = np.array(self._surface_rings, np.int64)
-        good = surface_rings > 0
+        is_usable = surface_rings > 0
         owner = np.arange(len(surface_rings)).repeat(surface_rings)
-        good[owner[ring_sizes < 3]] = False
-        if not drop and not good.all():
-            self._raise_for(int(np.argmin(good)), surface_rings, ring_sizes)
-        kept = np.flatnonzero(good)
-        rings = rows_of(offsets(surface_rings)[:-1][kept], surface_rings[kept])
+        is_usable[owner[ring_sizes < 3]] = False
+        if not drop and not is_usable.all():
+            self._raise_for(int(np.argmin(is_usable)), surface_rings, ring_sizes)
+        numbers = np.flatnonzero(is_usable)
+        rings = rows_of(offsets(surface_rings)[:-1][numbers], surface_rings[numbers])
         corners = rows_of(offsets(ring_sizes)[:-1][rings], ring_sizes[rings])
         indices = np.concatenate([np.zeros(0, np.int64), *self._indices])[corners]
         vertices = np.concatenate(self._vertices)
-        surfaces = Surfaces(vertices[indices], offsets(ring_sizes[rings]), offsets(surface_rings[kept]))
-        return surfaces, kept, len(good) - len(kept)
+        surfaces = Surfaces(vertices[indices], offsets(ring_sizes[rings]), offsets(surface_rings[numbers]))
+        return surfaces, numbers, len(is_usable) - len(numbers)
 
     def _raise_for(self, surface: int, surface_rings: NDArray[np.int64], ring_sizes: NDArray[np.int64]) -> None:
         ends = np.cumsum(self._part_surfaces)
@@ -109,32 +107,31 @@ class Collector:
         sizes = ring_sizes[offsets(surface_rings)[surface] :][: surface_rings[surface]]
         flaw = f"a ring of {sizes.min()} corners" if len(sizes) else "no rings"
         raise UnusableError(
-            f"{self._parts[part].place}: surface {number} has {flaw}; on_invalid='drop' leaves such surfaces out"
+            f"{self._parts[part].json_path}: surface {number} has {flaw}; on_invalid='drop' leaves such surfaces out"
         )
 
 
 def _shape(
     surfaces: Surfaces,
     faces: NDArray[np.uint32],
-    of_surface: NDArray[np.int64],
-    chosen: NDArray[np.int64],
+    face_offsets: NDArray[np.int64],
+    numbers: NDArray[np.int64],
     color: NDArray[np.int32],
     palette: list[BaseColor],
 ) -> tuple[Shape, NDArray[np.float64]]:
-    """Shape of some surfaces, relative to a point, with only the materials that it uses."""
+    """Shape of the surfaces with these numbers, relative to a point, with only the materials that it uses."""
     first = surfaces.rings[surfaces.surfaces]
-    lengths = np.diff(first)[chosen]
-    rows = rows_of(first[chosen], lengths)
-    counts = np.diff(of_surface)[chosen]
-    own = faces[rows_of(of_surface[chosen], counts)].astype(np.int64)
-    # Indices shrink by the number of corners before the surface that are left out.
-    own -= (first[chosen] - offsets(lengths)[:-1]).repeat(counts)[:, None]
-    corners = surfaces.corners[rows]
+    lengths = np.diff(first)[numbers]
+    corners = surfaces.corners[rows_of(first[numbers], lengths)]
+    counts = np.diff(face_offsets)[numbers]
+    triangles = faces[rows_of(face_offsets[numbers], counts)].astype(np.int64)
+    # Each surface's indices shrink by the number of omitted corners before it.
+    triangles -= (first[numbers] - offsets(lengths)[:-1]).repeat(counts)[:, None]
     base = np.rint(corners.min(axis=0) / 2 + corners.max(axis=0) / 2) if len(corners) else np.zeros(3)
-    used, face_material = np.unique(color[chosen].repeat(counts), return_inverse=True)
+    used, face_material = np.unique(color[numbers].repeat(counts), return_inverse=True)
     shape = Shape(
         z_up_to_y_up(corners - base),
-        own,
+        triangles,
         materials=[palette[number] for number in used.tolist()],
         face_material=face_material.astype(np.int32) if len(used) > 1 else None,
     )

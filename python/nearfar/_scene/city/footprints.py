@@ -8,12 +8,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nearfar import _core
-from nearfar._scene.arrays import ORIGIN_LIMIT
+from nearfar._scene.arrays import origin_for, touching
 from nearfar._scene.city import heights
-from nearfar._scene.city.ground import Geodetic, Ground, Projected
-from nearfar._scene.city.index import BoxIndex
-from nearfar._scene.city.table import Table
-from nearfar._scene.content import Content, Nodes, Shape
+from nearfar._scene.city.crs import Geodetic, Ground, Projected
+from nearfar._scene.city.outlines import Table
+from nearfar._scene.content import Content, Nodes, Shape, translation
 from nearfar._scene.names import distinct
 from nearfar._scene.options import LoadOptions
 from nearfar._scene.report import count
@@ -24,42 +23,39 @@ _POINTS_AT_ONCE = 1 << 19
 
 _KEY = "footprints"
 
+_BLOCK = 256
+"""Number of consecutive boxes in a block."""
+
+_BITS = 10
+"""Bits per axis of the curve's cells."""
+
 
 class Footprints:
     """Features of a file with their heights, stored as outlines; triangles are made on request.
 
-    Parameters
-    ----------
-    label
-        Name of the file.
-    table
-        Features of the file.
-    options
-        Their origin and height, and whether unusable polygons are left out.
+    `label` is the name of the file; `options` state origin and height, and whether unusable polygons are left out.
     """
 
     def __init__(self, label: str, table: Table, options: LoadOptions) -> None:
         self.label = label
-        self._outlines, lost = table.outlines.validate(drop=options.drops, degrees=table.degrees)
+        self._outlines, invalid_count = table.outlines.validate(drop=options.drops, degrees=table.degrees)
         self.count = len(self._outlines.features) - 1
         """Number of features, including those without polygons."""
         self.ground = _ground(table, self._outlines.points, checked_origin(options.origin))
-        self._low, self._high, unknown = _extents(table, options.height, self.count)
+        self._low, self._high, unknown_count = _extents(table, options.height, self.count)
         names = table.columns.texts(None)
         self.names: Sequence[str] | int = self.count if names is None else distinct(names)
         """Names of the features, or their number if they have none: feature n is then called ``object_n``."""
         self.boxes = self._boxes()
         """World boxes (F, 2, 3) of the features; inverted and infinite for features without polygons."""
         # The same for all features, so that a triangle's float32 corners do not depend on the selection.
-        self._base = _base(self.boxes)
+        self._base = origin_for(self.bounds)
+        """Point that vertices are relative to."""
         self._index = BoxIndex(self.boxes)
         self.format = table.format
         self._system = [self.ground.note] if self.ground.is_kept else []
-        self.notes = [
-            *([] if self._system else [self.ground.note]),
-            *table.notes,
-            *_notes(table.skipped, lost, unknown),
-        ]
+        own_frame = [] if self._system else [self.ground.note]
+        self.notes = [*own_frame, *table.notes, *_notes(table.skipped, invalid_count, unknown_count)]
 
     @property
     def bounds(self) -> NDArray[np.float64]:
@@ -74,10 +70,10 @@ class Footprints:
     def content(self, rows: NDArray[np.int64] | None = None) -> Content:
         """Triangulate some features, or all; the selection may be empty. Features keep their names."""
         outlines = self._outlines if rows is None else self._outlines.select(rows)
-        chosen = np.arange(self.count) if rows is None else rows
-        owner = np.arange(len(chosen)).repeat(np.diff(outlines.point_starts))
-        polygon_owner = np.arange(len(chosen)).repeat(np.diff(outlines.features))
-        low, high = self._low[chosen], self._high[chosen]
+        numbers = np.arange(self.count) if rows is None else rows
+        owner = np.arange(len(numbers)).repeat(np.diff(outlines.point_starts))
+        polygon_owner = np.arange(len(numbers)).repeat(np.diff(outlines.features))
+        low, high = self._low[numbers], self._high[numbers]
         vertices = np.empty((2, len(owner), 3), np.float32)
         plan = np.empty((len(owner), 2))
         for start in range(0, len(owner), _POINTS_AT_ONCE):
@@ -90,11 +86,9 @@ class Footprints:
         floors = (low > 0)[polygon_owner]
         faces, offsets = _core.polygon_prisms(plan, outlines.rings, outlines.polygons, floors)
         face_object = polygon_owner.astype(np.int32).repeat(np.diff(offsets))
-        transform = np.eye(4)
-        transform[:3, 3] = self._base
         shape = Shape(vertices.reshape(-1, 3), faces, face_object=face_object)
-        nodes = Nodes([""], transform[None], [_KEY])
-        used = [f"{self.format}: {count(len(chosen), 'feature')} extruded", *self._system]
+        nodes = Nodes([""], translation(self._base)[None], [_KEY])
+        used = [f"{self.format}: {count(len(numbers), 'feature')} extruded", *self._system]
         return Content(self.label, {_KEY: shape}, nodes, list(self.notes), used, names=self._names_of(rows))
 
     def _names_of(self, rows: NDArray[np.int64] | None) -> Sequence[str] | int:
@@ -131,25 +125,45 @@ def _extents(table: Table, height: str | None, number: int) -> tuple[NDArray[np.
     """Lower and upper ends of the features in metres above the ground, and the number of unknown heights."""
     high = heights.stated(table.columns, heights.HEIGHTS, number, height)
     low = np.nan_to_num(heights.stated(table.columns, heights.BASES, number, None))
-    unknown = ~(high > low)
-    return low, np.where(unknown, low + heights.DEFAULT_HEIGHT, high), int(unknown.sum())
+    is_unknown = ~(high > low)
+    return low, np.where(is_unknown, low + heights.DEFAULT_HEIGHT, high), int(is_unknown.sum())
 
 
-def _base(boxes: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Point that vertices are relative to: the one that a scene would choose as its origin."""
-    least, greatest = boxes[:, 0].min(axis=0, initial=np.inf), boxes[:, 1].max(axis=0, initial=-np.inf)
-    if not (least <= greatest).all() or max(-least.min(), greatest.max()) < ORIGIN_LIMIT:
-        return np.zeros(3)
-    base: NDArray[np.float64] = np.rint((least + greatest) / 2)
-    return base
+def _notes(skipped_count: int, invalid_count: int, unknown_count: int) -> list[str]:
+    notes = {
+        f"{count(skipped_count, 'geometry', 'geometries')} of points or lines ignored": skipped_count,
+        f"{count(invalid_count, 'polygon')} left out": invalid_count,
+        f"{count(unknown_count, 'feature')} of unknown height drawn {heights.DEFAULT_HEIGHT:g} m high": unknown_count,
+    }
+    return [note for note, number in notes.items() if number]
 
 
-def _notes(skipped: int, lost: int, unknown: int) -> list[str]:
-    notes = []
-    if skipped:
-        notes.append(f"{count(skipped, 'geometry', 'geometries')} of points or lines ignored")
-    if lost:
-        notes.append(f"{count(lost, 'polygon')} left out")
-    if unknown:
-        notes.append(f"{count(unknown, 'feature')} of unknown height drawn {heights.DEFAULT_HEIGHT:g} m high")
-    return notes
+class BoxIndex:
+    """Index of world boxes (N, 2, 3), least and greatest corners; inverted boxes touch nothing."""
+
+    def __init__(self, boxes: NDArray[np.float64]) -> None:
+        rows = np.flatnonzero((boxes[:, 0] <= boxes[:, 1]).all(axis=1))
+        middle = boxes[rows][:, :, ::2].mean(axis=1)
+        low = middle.min(axis=0, initial=np.inf)
+        width = np.maximum(middle.max(axis=0, initial=-np.inf) - low, 1e-300)
+        cells = ((middle - low) / width * ((1 << _BITS) - 1)).astype(np.int64)
+        self._rows = rows[np.argsort(_interleaved(cells), kind="stable")]
+        self._boxes = boxes[self._rows]
+        blocks = [self._boxes[start : start + _BLOCK] for start in range(0, len(rows), _BLOCK)]
+        self._blocks = np.array([(block[:, 0].min(0), block[:, 1].max(0)) for block in blocks]).reshape(-1, 2, 3)
+
+    def touching(self, box: NDArray[np.float64]) -> NDArray[np.int64]:
+        """Numbers of the boxes that touch a box (2, 3), borders included, ascending."""
+        blocks = np.flatnonzero(touching(self._blocks, box))
+        indices = (blocks[:, None] * _BLOCK + np.arange(_BLOCK)).ravel()
+        indices = indices[indices < len(self._rows)]
+        return np.sort(self._rows[indices[touching(self._boxes[indices], box)]])
+
+
+def _interleaved(cells: NDArray[np.int64]) -> NDArray[np.int64]:
+    """Morton codes of cells (N, 2)."""
+    code = np.zeros(len(cells), np.int64)
+    for bit in range(_BITS):
+        for axis in (0, 1):
+            code |= (cells[:, axis] >> bit & 1) << (2 * bit + axis)
+    return code

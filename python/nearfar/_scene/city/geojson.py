@@ -11,10 +11,9 @@ from numpy.typing import NDArray
 from nearfar._base import check
 from nearfar._base.errors import UnusableError
 from nearfar._scene.city import crs, heights
-from nearfar._scene.city.entries import entry, flattened, typed
-from nearfar._scene.city.outlines import Outlines
+from nearfar._scene.city.outlines import Outlines, Table
 from nearfar._scene.city.surfaces import offsets
-from nearfar._scene.city.table import Table
+from nearfar._scene.entries import entry, flattened, typed
 
 _MAX_NESTING = 16
 """Maximum nesting depth of geometry collections."""
@@ -51,9 +50,8 @@ def _polygon_list(root: list[Any]) -> Table:
     rows = [typed(item, dict, f"[{number}]") for number, item in enumerate(root)]
     for number, row in enumerate(rows):
         polygon = entry(row, "polygon", list, f"[{number}].")
-        is_ring = (
-            bool(polygon) and isinstance(polygon[0], list) and bool(polygon[0]) and not isinstance(polygon[0][0], list)
-        )
+        start = polygon[0] if polygon else None
+        is_ring = isinstance(start, list) and bool(start) and not isinstance(start[0], list)
         collector.polygons([[polygon] if is_ring else polygon], f"[{number}].polygon")
     return Table(collector.outlines(), "WGS84", True, _Columns(rows, []), format="list of polygons")
 
@@ -128,13 +126,9 @@ class _Collector:
         rings = flattened(polygons, 1, json_path)
         points = flattened(rings, 1, json_path)
         sizes = set(map(len, points)) if set(map(type, points)) <= {list} else {0}
-        if points and (
-            min(sizes) < 2 or set(map(type, flattened([p[:2] for p in points], 1, json_path))) - {int, float}
-        ):
-            bad_position = next((p for p in points if not _is_position(p)), points[0])
-            raise UnusableError(
-                f"{json_path}: expected positions of two or three numbers, got {check.shortened(bad_position)}"
-            )
+        if points and (min(sizes) < 2 or {type(value) for point in points for value in point[:2]} - {int, float}):
+            flaw = check.shortened(next((point for point in points if not _is_position(point)), points[0]))
+            raise UnusableError(f"{json_path}: expected positions of two or three numbers, got {flaw}")
         self._points += points if sizes <= {2} else [point[:2] for point in points]
         self._ring_sizes += map(len, rings)
         self._polygon_rings += map(len, polygons)

@@ -14,16 +14,13 @@ from nearfar._base import check
 from nearfar._base.errors import SceneError, UnusableError
 from nearfar._scene.budget import Budget
 from nearfar._scene.city import crs, heights
-from nearfar._scene.city.outlines import Outlines, concatenate
-from nearfar._scene.city.table import Table
+from nearfar._scene.city.outlines import Outlines, Table, concatenate
 
 _BATCH = 1 << 16
 """Number of rows decoded at once."""
 
-_POINT = 16
-"""Bytes of a point."""
-
-_ROW = 96
+_POINT_BYTES = 16
+_FEATURE_BYTES = 96
 """Bytes of a feature's offset, heights and box."""
 
 
@@ -43,7 +40,7 @@ def read(data: bytes, budget: Budget) -> Table:
         columns = _Columns(file)
     except (pa.ArrowException, OSError) as error:
         raise UnusableError(f"it is no Parquet file, or damaged: {check.one_line(str(error), 120)}") from None
-    system, degrees, metres = _system(column)
+    system, degrees, metres = crs.of_projjson(column["crs"]) if "crs" in column else ("WGS84", True, 1.0)
     note = () if column.get("crs", "") is not None else ("no coordinate system stated, taken as metres",)
     return Table(outlines, system, degrees, columns, metres, skipped, note, "GeoParquet")
 
@@ -66,24 +63,19 @@ def _geometry(metadata: dict[bytes, bytes]) -> tuple[str, dict[str, Any]]:
     return name, column
 
 
-def _system(column: dict[str, Any]) -> tuple[str, bool, float]:
-    """Name of the coordinate system, whether it is in degrees, and metres per unit; WGS84 if absent."""
-    return crs.of_projjson(column["crs"]) if "crs" in column else ("WGS84", True, 1.0)
-
-
 def _outlines(file: Any, name: str, budget: Budget) -> tuple[Outlines, int]:
-    parts, skipped, before = [], 0, 0
+    parts, skipped, row_count = [], 0, 0
     for batch in file.iter_batches(_BATCH, columns=[name]):
-        outlines, lost = _batch(batch.column(0), before)
-        before += batch.num_rows
-        skipped += lost
+        outlines, skipped_in_batch = _batch(batch.column(0), row_count)
+        row_count += batch.num_rows
+        skipped += skipped_in_batch
         # A page of equal rows compresses to a few bytes, however many rows it has.
-        budget.hold(len(outlines.points) * _POINT + batch.num_rows * _ROW)
+        budget.hold(len(outlines.points) * _POINT_BYTES + batch.num_rows * _FEATURE_BYTES)
         parts.append(outlines)
     return concatenate(parts), skipped
 
 
-def _batch(column: Any, before: int) -> tuple[Outlines, int]:
+def _batch(column: Any, first_row: int) -> tuple[Outlines, int]:
     import pyarrow as pa
 
     if not (pa.types.is_binary(column.type) or pa.types.is_large_binary(column.type)):
@@ -91,15 +83,14 @@ def _batch(column: Any, before: int) -> tuple[Outlines, int]:
     rows = column.fill_null(b"").cast(pa.large_binary())
     _, ends, values = rows.buffers()
     bounds = np.frombuffer(ends, np.int64)[rows.offset : rows.offset + len(rows) + 1]
-    data = np.frombuffer(values, np.uint8) if values is not None else np.zeros(0, np.uint8)
-    start, end = (int(bounds[0]), int(bounds[-1])) if len(bounds) else (0, 0)
-    shifted = bounds - start if len(bounds) else np.zeros(1, np.int64)
+    bounds = bounds if len(bounds) else np.zeros(1, np.int64)
+    data = np.frombuffer(values or b"", np.uint8)[bounds[0] : bounds[-1]]
     try:
-        points, rings, polygons, features, skipped = _core.read_wkb(data[start:end], shifted)
+        points, rings, polygons, features, skipped = _core.read_wkb(data, bounds - bounds[0])
     except SceneError as error:
         words = str(error).split(" ", 2)
-        place = f"row {before + int(words[1].rstrip(':'))}: {words[2]}" if len(words) == 3 else str(error)
-        raise UnusableError(f"geometry of {place}") from None
+        message = f"row {first_row + int(words[1].rstrip(':'))}: {words[2]}" if len(words) == 3 else str(error)
+        raise UnusableError(f"geometry of {message}") from None
     return Outlines(points, rings, polygons, features), skipped
 
 
@@ -116,8 +107,7 @@ class _Columns:
         if column is None:
             return None
         if pa.types.is_integer(column.type) or pa.types.is_floating(column.type):
-            values: NDArray[np.float64] = column.cast(pa.float64(), safe=False).to_numpy()
-            return values
+            return column.cast(pa.float64(), safe=False).to_numpy()  # type: ignore[no-any-return]
         return heights.numbers(column.to_pylist()) if pa.types.is_string(column.type) else None
 
     def texts(self, name: str | None) -> list[str] | None:

@@ -21,27 +21,15 @@ TALLEST = 10_000.0
 """Height in metres beyond which a value is a marker for unknown."""
 
 HEIGHTS = (
-    ("height", 1.0),
-    ("building:height", 1.0),
-    ("measuredHeight", 1.0),
-    ("measured_height", 1.0),
-    ("render_height", 1.0),
+    *((name, 1.0) for name in ("height", "building:height", "measuredHeight", "measured_height", "render_height")),
     ("building_height", 1.0),
-    ("building:levels", STOREY),
-    ("building_levels", STOREY),
-    ("levels", STOREY),
-    ("num_floors", STOREY),
-    ("storeysAboveGround", STOREY),
+    *((name, STOREY) for name in ("building:levels", "building_levels", "levels", "num_floors", "storeysAboveGround")),
 )
 """Properties that state heights, in order of precedence, with metres per unit."""
 
 BASES = (
-    ("min_height", 1.0),
-    ("building:min_height", 1.0),
-    ("render_min_height", 1.0),
-    ("base_height", 1.0),
-    ("building:min_level", STOREY),
-    ("min_floor", STOREY),
+    *((name, 1.0) for name in ("min_height", "building:min_height", "render_min_height", "base_height")),
+    *((name, STOREY) for name in ("building:min_level", "min_floor")),
 )
 """Properties that state the height of the lower end, with metres per unit."""
 
@@ -53,28 +41,19 @@ Column = Callable[[str], NDArray[np.float64] | None]
 """Returns a property's numbers for all features, NaN where missing; None if no feature has the property."""
 
 
-def stated(column: Column, known: Iterable[tuple[str, float]], count: int, name: str | None) -> NDArray[np.float64]:
-    """Heights in metres that properties state for each feature (N,), NaN where none does.
+def stated(column: Column, keys: Iterable[tuple[str, float]], count: int, name: str | None) -> NDArray[np.float64]:
+    """Heights in metres that properties state for each of `count` features (N,), NaN where none does.
 
-    Parameters
-    ----------
-    column
-        Returns a property.
-    known
-        Properties in order of precedence, with metres per unit.
-    count
-        Number of features.
-    name
-        The only property to use, in metres; None for the known ones.
+    The properties are the `keys` in order of precedence, with metres per unit, or only the `name`, in metres.
     """
     values = np.full(count, np.nan)
-    for key, metres in known if name is None else [(name, 1.0)]:
+    for key, metres in keys if name is None else [(name, 1.0)]:
         missing = np.isnan(values)
         if not missing.any():
             break
-        found = column(key)
-        if found is not None:
-            values[missing] = found[missing] * metres
+        numbers = column(key)
+        if numbers is not None:
+            values[missing] = numbers[missing] * metres
     values[~(np.abs(values) <= TALLEST)] = np.nan
     return values
 
@@ -91,5 +70,5 @@ def number(value: Any) -> float:
 
 def numbers(values: Iterable[Any]) -> NDArray[np.float64] | None:
     """Parse properties of any type as numbers; None if all fail."""
-    found = np.array([number(value) for value in values], np.float64)
-    return found if len(found) and not np.isnan(found).all() else None
+    parsed = np.array([number(value) for value in values], np.float64)
+    return None if np.isnan(parsed).all() else parsed

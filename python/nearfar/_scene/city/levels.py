@@ -9,17 +9,17 @@ from typing import Any
 
 from nearfar._base import check
 from nearfar._base.errors import UnusableError
-from nearfar._scene.city.entries import entry, typed
+from nearfar._scene.entries import entry, typed
 from nearfar._scene.report import count
 
 _LARGEST = 9.0
 """Greatest valid level."""
 
 _NEXT = 0.999
-"""Added to a whole level: level 2 includes 2.0 to 2.3."""
+"""Added to an integer level: level 2 includes 2.0 to 2.3."""
 
 
-def level_of(value: Any, place: str) -> float:
+def level_of(value: Any, json_path: str) -> float:
     """Parse a level of detail, a number or text such as "2.2"; UnusableError for anything else."""
     if isinstance(value, str | int | float) and not isinstance(value, bool):
         try:
@@ -28,7 +28,7 @@ def level_of(value: Any, place: str) -> float:
             number = math.nan
         if 0 <= number <= _LARGEST:
             return number
-    raise UnusableError(f"{place}: expected a level of detail such as '2.2', got {check.shortened(value)}")
+    raise UnusableError(f"{json_path}: expected a level of detail such as '2.2', got {check.shortened(value)}")
 
 
 def greatest(lod: str | float) -> float:
@@ -43,18 +43,12 @@ def greatest(lod: str | float) -> float:
 
 
 class Levels:
-    """Chooses the geometries of each object to draw.
+    """Chooses the geometries of each object to draw, up to a level; None chooses the highest of each object."""
 
-    Parameters
-    ----------
-    most
-        Greatest level to draw; None for the highest of each object.
-    """
-
-    def __init__(self, most: float | None) -> None:
-        self._most = math.inf if most is None else most
-        self._known = Counter[str]()
-        self._left = Counter[tuple[str, str]]()
+    def __init__(self, max_level: float | None) -> None:
+        self._max_level = math.inf if max_level is None else max_level
+        self._level_names = set[str]()
+        self._omissions = Counter[tuple[str, str]]()
 
     def select_geometries(
         self, objects: dict[str, dict[str, Any]], drawn: Collection[str]
@@ -63,41 +57,38 @@ class Levels:
         best: dict[str, float] = {}
         usable: dict[str, list[tuple[float, int, dict[str, Any]]]] = {}
         for name, item in objects.items():
-            place = f"CityObjects {check.shortened(name)}: "
-            found = usable[name] = list(self._usable(entry(item, "geometry", list, place, []), drawn, place))
-            within = [level for level, _, _ in found if level <= self._most]
-            if within:
-                best[name] = max(within)
-            elif found:
-                self._left["object", "without a level so low left out"] += 1
+            prefix = f"CityObjects {check.shortened(name)}: "
+            usable[name] = list(self._usable(entry(item, "geometry", list, prefix, []), drawn, prefix))
+            if levels := [level for level, _, _ in usable[name] if level <= self._max_level]:
+                best[name] = max(levels)
+            elif usable[name]:
+                self._omissions["object", "without a level so low left out"] += 1
         for name, item in objects.items():
             if name not in best:
                 continue
             if any(best.get(part, -1) > best[name] for part in _parts(item, objects)):
-                self._left["object", "drawn by its parts, which have more detail"] += 1
+                self._omissions["object", "drawn by its parts, which have more detail"] += 1
                 continue
-            for level, number, geometry in usable[name]:
-                if level == best[name]:
-                    yield name, (number, geometry)
+            yield from ((name, (number, geometry)) for level, number, geometry in usable[name] if level == best[name])
 
     def _usable(
-        self, geometries: list[Any], drawn: Collection[str], place: str
+        self, geometries: list[Any], drawn: Collection[str], prefix: str
     ) -> Iterator[tuple[float, int, dict[str, Any]]]:
         for number, item in enumerate(geometries):
-            geometry = typed(item, dict, f"{place}geometry[{number}]")
+            geometry = typed(item, dict, f"{prefix}geometry[{number}]")
             if geometry.get("type") not in drawn:
-                self._left["geometry", "of points, lines or an unknown type ignored"] += 1
+                self._omissions["geometry", "of points, lines or an unknown type ignored"] += 1
                 continue
-            level = level_of(geometry.get("lod", 0), f"{place}geometry[{number}].lod")
-            self._known[f"{level:g}"] += 1
+            level = level_of(geometry.get("lod", 0), f"{prefix}geometry[{number}].lod")
+            self._level_names.add(f"{level:g}")
             yield level, number, geometry
 
     def notes(self) -> list[str]:
         """Notes on parts left out, and on the levels if there are several."""
         plurals = {"geometry": "geometries"}
-        notes = [f"{count(n, noun, plurals.get(noun, ''))} {rest}" for (noun, rest), n in self._left.items()]
-        if len(self._known) > 1:
-            listed = ", ".join(sorted(self._known))
+        notes = [f"{count(n, noun, plurals.get(noun, ''))} {ending}" for (noun, ending), n in self._omissions.items()]
+        if len(self._level_names) > 1:
+            listed = ", ".join(sorted(self._level_names))
             notes.append(f"levels of detail {listed}: the highest of each object is drawn, lod chooses a lower one")
         return notes
 

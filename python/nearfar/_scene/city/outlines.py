@@ -1,9 +1,10 @@
-"""Polygons of many features in flat arrays."""
+"""Features of a file: their polygons in flat arrays, coordinate system and properties."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -31,10 +32,10 @@ class Outlines:
         """Offsets (F + 1,) of the features into the points."""
         return self.rings[self.polygons[self.features]]
 
-    def select(self, rows: NDArray[np.int64]) -> Outlines:
-        """Select some features."""
+    def select(self, rows: NDArray[np.int64 | np.bool_]) -> Outlines:
+        """Select some features, by number or by a mask."""
         polygon_counts = np.diff(self.features)[rows]
-        polygons = rows_of(self.features[rows], polygon_counts)
+        polygons = rows_of(self.features[:-1][rows], polygon_counts)
         ring_counts = np.diff(self.polygons)[polygons]
         rings = rows_of(self.polygons[polygons], ring_counts)
         sizes = np.diff(self.rings)[rings]
@@ -50,7 +51,7 @@ class Outlines:
         keep = np.ones(len(self.points), bool)
         keep[last] = False
         before = np.concatenate([[0], np.cumsum(keep)])
-        return Outlines(self.points[keep], before[self.rings], self.polygons, self.features)
+        return replace(self, points=self.points[keep], rings=before[self.rings])
 
     def validate(self, *, drop: bool, degrees: bool) -> tuple[Outlines, int]:
         """Reject rings of fewer than three points, and points out of range.
@@ -59,33 +60,30 @@ class Outlines:
         """
         # NaN fails each comparison.
         limit = np.array([360.0, 90.0]) if degrees else check.FARTHEST
-        good = np.asarray((np.abs(self.points) <= limit).all(axis=1))
-        sizes = np.diff(self.rings)
-        short = sizes < 3
-        if good.all() and not short.any():
+        is_in_range = np.asarray((np.abs(self.points) <= limit).all(axis=1))
+        is_unusable = np.diff(self.rings) < 3
+        if is_in_range.all() and not is_unusable.any():
             return self, 0
         if not drop:
-            self._raise_for(good, short, degrees)
-        bad = short.copy()
-        bad[np.searchsorted(self.rings, np.flatnonzero(~good), side="right") - 1] = True
+            self._raise_for(is_in_range, is_unusable, degrees)
+        is_unusable[np.searchsorted(self.rings, np.flatnonzero(~is_in_range), side="right") - 1] = True
         polygon_of = np.arange(len(self.polygons) - 1).repeat(np.diff(self.polygons))
-        lost = np.zeros(len(self.polygons) - 1, bool)
-        lost[polygon_of[bad]] = True
-        kept = np.flatnonzero(~lost)
-        whole = Outlines(self.points, self.rings, self.polygons, np.arange(len(self.polygons))).select(kept)
-        before = np.concatenate([[0], np.cumsum(~lost)])
-        return Outlines(whole.points, whole.rings, whole.polygons, before[self.features]), int(lost.sum())
+        is_invalid = np.zeros(len(self.polygons) - 1, bool)
+        is_invalid[polygon_of[is_unusable]] = True
+        usable = Outlines(self.points, self.rings, self.polygons, np.arange(len(self.polygons))).select(~is_invalid)
+        before = np.concatenate([[0], np.cumsum(~is_invalid)])
+        return replace(usable, features=before[self.features]), int(is_invalid.sum())
 
-    def _raise_for(self, good: NDArray[np.bool_], short: NDArray[np.bool_], degrees: bool) -> None:
-        if not good.all():
-            point = int(np.argmin(good))
+    def _raise_for(self, is_in_range: NDArray[np.bool_], is_short: NDArray[np.bool_], degrees: bool) -> None:
+        if not is_in_range.all():
+            point = int(np.argmin(is_in_range))
             ring = int(np.searchsorted(self.rings, point, side="right")) - 1
             x, y = self.points[point].tolist()
             expected = "longitude and latitude in degrees" if degrees else f"numbers up to {check.FARTHEST:g}"
             hint = "; a member 'crs' names a system in metres" if degrees and max(abs(x), abs(y)) < 1e9 else ""
             flaw = f"expected {expected}, got ({x:g}, {y:g}){hint}"
         else:
-            ring = int(np.argmax(short))
+            ring = int(np.argmax(is_short))
             flaw = f"a ring of {np.diff(self.rings)[ring]} points"
         feature = int(np.searchsorted(self.polygons[self.features], ring, side="right")) - 1
         raise UnusableError(f"feature {feature}: {flaw}; on_invalid='drop' leaves such polygons out")
@@ -98,3 +96,31 @@ def concatenate(parts: Sequence[Outlines]) -> Outlines:
         for name in ("rings", "polygons", "features")
     ]
     return Outlines(np.concatenate([np.zeros((0, 2)), *(part.points for part in parts)]), *levels)
+
+
+class Columns(Protocol):
+    """Properties of all features."""
+
+    def __call__(self, name: str) -> NDArray[np.float64] | None:
+        """Numbers of a property (F,), NaN where missing; None if no feature has it."""
+
+    def texts(self, name: str | None) -> list[str] | None:
+        """Names by a property, or by the features' identifiers; None if any feature lacks one."""
+
+
+@dataclass(frozen=True)
+class Table:
+    """Features of a file."""
+
+    outlines: Outlines
+    system: str
+    """Name of the coordinate system."""
+    degrees: bool
+    """Whether its coordinates are longitudes and latitudes."""
+    columns: Columns
+    metres: float = 1.0
+    """Metres per unit of projected coordinates."""
+    skipped: int = 0
+    """Number of geometries that are not polygons."""
+    notes: tuple[str, ...] = ()
+    format: str = "GeoJSON"

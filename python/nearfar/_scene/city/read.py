@@ -9,10 +9,10 @@ from typing import Any
 from nearfar._base.errors import UnusableError
 from nearfar._scene.budget import Budget, read_file
 from nearfar._scene.city import cityjson, geojson, geoparquet
-from nearfar._scene.city.entries import document
 from nearfar._scene.city.footprints import Footprints
-from nearfar._scene.city.table import Table
+from nearfar._scene.city.outlines import Table
 from nearfar._scene.content import Content
+from nearfar._scene.entries import document
 from nearfar._scene.options import LoadOptions
 from nearfar._scene.reasons import explained
 
@@ -55,8 +55,7 @@ def open_footprints(path: Path, options: LoadOptions) -> Footprints:
     with explained(label, passed=OSError):
         data = read_file(path, budget)
     with explained(label):
-        table = _table(_root(kind, data), data, budget)
-        return Footprints(label, table, options)
+        return Footprints(label, _table(_root(kind, data), data, budget), options)
 
 
 def _root(kind: str, data: bytes) -> Any:
@@ -73,8 +72,7 @@ def _table(root: Any, data: bytes, budget: Budget) -> Table:
     """Read the features of parsed JSON, or of Parquet data if there is no JSON."""
     if root is None:
         return geoparquet.read(data, budget)
-    if geojson.is_polygon_list(root):
-        return geojson.read(root)
-    if isinstance(root, dict) and root.get("type") in ("FeatureCollection", "Feature", *geojson.GEOMETRIES):
+    kinds = ("FeatureCollection", "Feature", *geojson.GEOMETRIES)
+    if geojson.is_polygon_list(root) or (isinstance(root, dict) and root.get("type") in kinds):
         return geojson.read(root)
     raise UnusableError(_UNKNOWN)

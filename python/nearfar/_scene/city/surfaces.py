@@ -28,10 +28,10 @@ class Surfaces:
         """Newell's normals (R, 3) of the rings, with the area as length."""
         if not len(self.corners):
             return np.zeros((len(self.rings) - 1, 3))
-        here = self.local()
-        following = np.arange(1, len(here) + 1)
-        following[self.rings[1:] - 1] = self.rings[:-1]
-        return np.add.reduceat(np.cross(here, here[following]), self.rings[:-1]) / 2
+        corners = self.local()
+        next_numbers = np.arange(1, len(corners) + 1)
+        next_numbers[self.rings[1:] - 1] = self.rings[:-1]
+        return np.add.reduceat(np.cross(corners, corners[next_numbers]), self.rings[:-1]) / 2
 
     def local(self) -> NDArray[np.float64]:
         """Corners relative to the first one of their polygon."""
@@ -49,13 +49,13 @@ class Surfaces:
         local, first = self.local(), self.rings[self.surfaces]
         area = np.linalg.norm(normals, axis=1)
         extent = np.maximum.reduceat(np.abs(local).max(axis=1), first[:-1])
-        flat = area > _THIN * extent**2
-        unit = np.divide(normals, area[:, None], out=np.zeros_like(normals), where=flat[:, None])
-        across = np.cross(np.eye(3)[np.abs(unit).argmin(axis=1)], unit)
-        across /= np.maximum(np.linalg.norm(across, axis=1, keepdims=True), 0.5)
+        has_area = area > _THIN * extent**2
+        unit = np.divide(normals, area[:, None], out=np.zeros_like(normals), where=has_area[:, None])
+        axis_u = np.cross(np.eye(3)[np.abs(unit).argmin(axis=1)], unit)
+        axis_u /= np.maximum(np.linalg.norm(axis_u, axis=1, keepdims=True), 0.5)
         counts = np.diff(first)
         planar = [
-            np.einsum("ij,ij->i", local, axis.repeat(counts, axis=0)) for axis in (across, np.cross(unit, across))
+            np.einsum("ij,ij->i", local, axis.repeat(counts, axis=0)) for axis in (axis_u, np.cross(unit, axis_u))
         ]
         return _core.triangulate_polygons(np.stack(planar, axis=-1), self.rings, self.surfaces)
 

@@ -1,4 +1,4 @@
-"""Reads a glTF file's buffers and images, and the arrays that its accessors describe."""
+"""Reads a glTF file's buffers, compressed by meshoptimizer or not, its images, and the arrays of its accessors."""
 
 from __future__ import annotations
 
@@ -11,11 +11,12 @@ from urllib.parse import unquote, unquote_to_bytes
 import numpy as np
 from numpy.typing import NDArray
 
+from nearfar import _core
 from nearfar._base import check
-from nearfar._base.errors import UnusableError
+from nearfar._base.errors import SceneError, UnusableError
 from nearfar._base.glb import entry
 from nearfar._scene.budget import Budget, TooLargeError
-from nearfar._scene.gltf import ktx2, meshopt
+from nearfar._scene.gltf import ktx2
 from nearfar._scene.undrawn import EncodedImage, TextureSource
 
 COMPONENTS: dict[int, type[np.generic]] = {
@@ -32,43 +33,39 @@ IMAGE_EXTENSIONS = {"EXT_texture_webp": "webp", "EXT_texture_avif": "avif"}
 """Extensions that provide alternative images for a texture, by the Pillow feature that decodes them."""
 
 _SIGNATURES = {
-    b"\x89PNG\r\n\x1a\n": "image/png",
-    b"\xff\xd8\xff": "image/jpeg",
-    ktx2.SIGNATURE: ktx2.KIND,
+    (b"\x89PNG\r\n\x1a\n", b""): "image/png",
+    (b"\xff\xd8\xff", b""): "image/jpeg",
+    (ktx2.SIGNATURE, b""): ktx2.KIND,
+    (b"RIFF", b"WEBP"): "image/webp",
+    (b"\0\0\0", b"ftyp"): "image/avif",
 }
-_CONTAINERS = {(b"RIFF", b"WEBP"): "image/webp", (b"\0\0\0", b"ftyp"): "image/avif"}
+"""Media types of images by their first bytes, and bytes within bytes 4 to 12."""
+
+MESHOPT = ("EXT_meshopt_compression", "KHR_meshopt_compression")
+"""Extensions that compress buffer views; the second one adds a filter and a codec version to the first one."""
 
 _SAMPLER = ("magFilter", "minFilter", "wrapS", "wrapT")
 
 
 def name_files(header: dict[str, Any], resolver: Any) -> None:
     """Decode percent escapes in the file names that a document refers to."""
-    for described in [*header.get("buffers", []), *header.get("images", [])]:
-        uri = described.get("uri", "")
+    for item in [*header.get("buffers", []), *header.get("images", [])]:
+        uri = item.get("uri", "")
         if "%" in uri and not uri.startswith("data:") and not os.path.exists(os.path.join(resolver.parent, uri)):
-            described["uri"] = unquote(uri)
+            item["uri"] = unquote(uri)
 
 
 def _kind(data: bytes) -> str:
     """Media type of an image file; empty if unknown."""
-    kinds = [kind for start, kind in _SIGNATURES.items() if data.startswith(start)]
-    kinds += [kind for (start, name), kind in _CONTAINERS.items() if data.startswith(start) and name in data[4:12]]
-    return kinds[0] if kinds else ""
+    kinds = (kind for (start, name), kind in _SIGNATURES.items() if data.startswith(start) and name in data[4:12])
+    return next(kinds, "")
 
 
 class Buffers:
-    """Reads the data that a glTF document refers to.
+    """Reads the data that a glTF document, the `header`, refers to.
 
-    Parameters
-    ----------
-    header
-        The document.
-    binary
-        Content of a GLB's binary chunk; empty for none.
-    resolver
-        Trimesh's resolver, which reads files beside the document.
-    budget
-        Counts copied bytes: many parts may refer to the same data.
+    `binary` is the content of a GLB's binary chunk, empty for none. Trimesh's `resolver` reads files beside the
+    document. The `budget` counts copied bytes, because many parts may refer to the same data.
     """
 
     def __init__(self, header: dict[str, Any], binary: bytes | memoryview, resolver: Any, budget: Budget) -> None:
@@ -96,8 +93,8 @@ class Buffers:
         data = self.picture(number)
         if data is None:
             return None
-        described = entry(self._header, "textures", number)
-        sampler = entry(self._header, "samplers", described["sampler"]) if "sampler" in described else {}
+        texture = entry(self._header, "textures", number)
+        sampler = entry(self._header, "samplers", texture["sampler"]) if "sampler" in texture else {}
         settings = {key: sampler[key] for key in _SAMPLER if isinstance(sampler.get(key), int)}
         # Equal images share one object, which caches its hash.
         if data not in self._encoded:
@@ -108,10 +105,9 @@ class Buffers:
     def picture(self, number: Any) -> bytes | None:
         """Bytes of a texture's image; None if there are none."""
         try:
-            described = entry(self._header, "textures", number)
-            others = [content["source"] for content in described.get("extensions", {}).values() if "source" in content]
-            sources = [described["source"]] if "source" in described else others
-            return self._image(sources[0]) if sources else None
+            texture = entry(self._header, "textures", number)
+            candidates = (texture, *texture.get("extensions", {}).values())
+            return next((self._image(item["source"]) for item in candidates if "source" in item), None)
         except TooLargeError:
             raise
         except Exception:  # textures are optional, and resolvers may raise any type
@@ -120,8 +116,8 @@ class Buffers:
     def _image(self, number: int) -> bytes:
         if number not in self._images:
             image = entry(self._header, "images", number)
-            data = self.blob(image["bufferView"]) if "bufferView" in image else self._file(image["uri"])
-            self._images[number] = data
+            is_inside = "bufferView" in image
+            self._images[number] = self.blob(image["bufferView"]) if is_inside else self._file(image["uri"])
         return self._images[number]
 
     def _file(self, uri: str) -> bytes:
@@ -133,8 +129,8 @@ class Buffers:
 
     def blob(self, view: int) -> bytes:
         """Bytes of a buffer view; each range is copied once."""
-        described = entry(self._header, "bufferViews", view)
-        key = _range(meshopt.stream(described) or described)
+        view_entry = entry(self._header, "bufferViews", view)
+        key = _range(_stream(view_entry) or view_entry)
         if key not in self._blobs:
             data = self.view(view)
             self._budget.hold(len(data))
@@ -143,23 +139,23 @@ class Buffers:
 
     def view(self, number: int) -> memoryview:
         """Bytes of a buffer view; uncompressed data are preferred to a compressed copy."""
-        described = entry(self._header, "bufferViews", number)
-        stream = meshopt.stream(described)
+        view_entry = entry(self._header, "bufferViews", number)
+        stream = _stream(view_entry)
         if stream is None or not self.is_packed(number):
-            return self._bytes(*_range(described))
+            return self._bytes(*_range(view_entry))
         if number not in self._decoded:
             data = self._bytes(*_range(stream))
-            self._decoded[number] = meshopt.decoded(number, described, stream, data, self._budget)
+            self._decoded[number] = _decoded(number, view_entry, stream, data, self._budget)
         return self._decoded[number]
 
     def is_packed(self, view: int) -> bool:
         """Whether a view's data must be decoded."""
-        described = entry(self._header, "bufferViews", view)
-        if meshopt.stream(described) is None:
+        view_entry = entry(self._header, "bufferViews", view)
+        if _stream(view_entry) is None:
             return False
-        number = described["buffer"]
+        number = view_entry["buffer"]
         buffer = entry(self._header, "buffers", number)
-        return meshopt.is_placeholder(buffer, number, has_binary=bool(self._binary))
+        return _is_placeholder(buffer, number, has_binary=bool(self._binary))
 
     def _bytes(self, buffer: int, start: int, length: int) -> memoryview:
         data = self.whole(buffer)
@@ -170,8 +166,8 @@ class Buffers:
     def whole(self, buffer: int) -> memoryview:
         """Bytes of a buffer."""
         if buffer not in self._buffers:
-            described = entry(self._header, "buffers", buffer)
-            self._buffers[buffer] = memoryview(self._file(described["uri"]) if "uri" in described else self._binary)
+            source = entry(self._header, "buffers", buffer)
+            self._buffers[buffer] = memoryview(self._file(source["uri"]) if "uri" in source else self._binary)
         return self._buffers[buffer]
 
     def replace(self, number: int, rows: NDArray[Any]) -> None:
@@ -193,23 +189,22 @@ class Buffers:
         return fractions.astype(np.float32)
 
     def _read(self, number: int) -> NDArray[Any]:
-        described = entry(self._header, "accessors", number)
-        kind, width = component(described), WIDTHS[described["type"]]
-        count = int(described["count"])
-        if "bufferView" in described:
-            rows = self._rows(described["bufferView"], described.get("byteOffset", 0), kind, count, width)
+        accessor = entry(self._header, "accessors", number)
+        kind, width, count = component(accessor), WIDTHS[accessor["type"]], int(accessor["count"])
+        if "bufferView" in accessor:
+            rows = self._rows(accessor["bufferView"], accessor.get("byteOffset", 0), kind, count, width)
         else:
             if count < 0:
                 raise IndexError(f"{count} rows")
             self._budget.hold(count * width * kind.itemsize)
             rows = np.zeros((count, width), kind)
-        sparse = described.get("sparse")
+        sparse = accessor.get("sparse")
         return self._changed(rows, sparse) if sparse else rows
 
     def _changed(self, rows: NDArray[Any], sparse: dict[str, Any]) -> NDArray[Any]:
-        places, values, count = sparse["indices"], sparse["values"], int(sparse["count"])
-        kind = component(places)
-        where = self._rows(places["bufferView"], places.get("byteOffset", 0), kind, count, 1)[:, 0]
+        indices, values, count = sparse["indices"], sparse["values"], int(sparse["count"])
+        kind = component(indices)
+        where = self._rows(indices["bufferView"], indices.get("byteOffset", 0), kind, count, 1)[:, 0]
         new = self._rows(values["bufferView"], values.get("byteOffset", 0), rows.dtype, count, rows.shape[1])
         if len(where) and not 0 <= int(where.min()) <= int(where.max()) < len(rows):
             raise UnusableError(f"a sparse accessor changes a row that is none of its {len(rows)}")
@@ -228,13 +223,45 @@ class Buffers:
         return np.ndarray(shape, kind, data, start, strides) if count else np.zeros(shape, kind)
 
 
-def _range(described: dict[str, Any]) -> tuple[int, int, int]:
+def _range(view: dict[str, Any]) -> tuple[int, int, int]:
     """Buffer, first byte and length of a view or of its compressed stream."""
-    return described["buffer"], described.get("byteOffset", 0), described["byteLength"]
+    return view["buffer"], view.get("byteOffset", 0), view["byteLength"]
 
 
-def component(described: dict[str, Any]) -> np.dtype[Any]:
+def component(accessor: dict[str, Any]) -> np.dtype[Any]:
     """Component type of an accessor."""
-    if described["componentType"] not in COMPONENTS:
-        raise UnusableError(f"its accessors have the unknown type {check.shortened(described['componentType'])}")
-    return np.dtype(COMPONENTS[described["componentType"]])
+    if accessor["componentType"] not in COMPONENTS:
+        raise UnusableError(f"its accessors have the unknown type {check.shortened(accessor['componentType'])}")
+    return np.dtype(COMPONENTS[accessor["componentType"]])
+
+
+def _stream(view: dict[str, Any]) -> dict[str, Any] | None:
+    """The extension's entry of a view, with place and layout of the compressed bytes; None without the extension."""
+    extensions = view.get("extensions", {})
+    return next((extensions[name] for name in MESHOPT if name in extensions), None)
+
+
+def _is_placeholder(buffer: dict[str, Any], number: int, *, has_binary: bool) -> bool:
+    """Whether a buffer is only a placeholder for decoded bytes."""
+    is_fallback = any(buffer.get("extensions", {}).get(name, {}).get("fallback") for name in MESHOPT)
+    return "uri" not in buffer and (is_fallback or number > 0 or not has_binary)
+
+
+def _decoded(number: int, view: dict[str, Any], stream: dict[str, Any], data: memoryview, budget: Budget) -> memoryview:
+    """Decode a view's compressed bytes, whose layout the extension's entry, `stream`, states.
+
+    The view and its number are for error messages; `budget` counts the decoded bytes before they are allocated.
+    """
+    count, stride = int(stream["count"]), int(stream["byteStride"])
+    if count < 0 or stride < 0:
+        raise UnusableError(f"its buffer view {number} has {count} rows of {stride} bytes")
+    if view.get("byteStride", stride) != stride:
+        raise UnusableError(f"its buffer view {number} has rows of {view['byteStride']} bytes, and {stride} compressed")
+    budget.take(count * stride)
+    try:
+        words = _core.decode_meshopt(
+            np.frombuffer(data, np.uint8), count, stride, stream["mode"], stream.get("filter", "NONE")
+        )
+    except (SceneError, ValueError) as error:
+        raise UnusableError(f"its buffer view {number} cannot be decoded: {error}") from None
+    return words.view(np.uint8)[: count * stride].data

@@ -36,8 +36,7 @@ def faces(kind: int, corners: NDArray[Any], *, is_indexed: bool) -> NDArray[Any]
     triangles = _of_strip(corners) if kind == STRIP else _of_fan(corners)
     first, second, third = triangles.T
     # Strips are joined by degenerate triangles.
-    kept: NDArray[Any] = triangles[(first != second) & (second != third) & (third != first)]
-    return kept
+    return np.asarray(triangles[(first != second) & (second != third) & (third != first)])
 
 
 def _of_strip(corners: NDArray[Any]) -> NDArray[Any]:

@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable
 from dataclasses import replace
 from typing import Any
 
-from nearfar._base import glb
+from nearfar._base import check, glb
 from nearfar._base.errors import UnusableError
 from nearfar._scene.budget import Budget
 from nearfar._scene.content import Content, Shape
-from nearfar._scene.gltf import extensions, instances, inventory, nodes, stored
+from nearfar._scene.gltf import extensions, nodes, stored
 from nearfar._scene.gltf.buffers import Buffers, name_files
 from nearfar._scene.gltf.corners import MODES, OTHERS, mode
 from nearfar._scene.gltf.material_reader import MaterialReader
@@ -20,21 +19,11 @@ from nearfar._scene.materials import Materials
 from nearfar._scene.names import distinct
 from nearfar._scene.report import count
 
-_PLURALS = {
-    "set of tangents": "sets of tangents",
-    "primitive of an unknown mode": "primitives of unknown modes",
-}
+_PLURALS = {"set of tangents": "sets of tangents", "primitive of an unknown mode": "primitives of unknown modes"}
 
 
 def read(
-    label: str,
-    data: bytes,
-    kind: str,
-    resolver: Any,
-    materials: Materials,
-    budget: Budget,
-    *,
-    stores: bool = True,
+    label: str, data: bytes, kind: str, resolver: Any, materials: Materials, budget: Budget, *, stores: bool = True
 ) -> Content:
     """Read a GLB or the JSON of a glTF; the resolver loads its buffers and images.
 
@@ -53,28 +42,27 @@ def read(
     reader = MaterialReader(header, buffers, materials, budget)
     reader.decode(_materials(header))
     primitives = Primitives(header, buffers, reader, budget)
-    kept, whole = stored.stored(header, reader, buffers, budget) if stores else (None, [])
-    names = _names(header, whole)
-    others = set(names).difference(whole)
-    shapes = _shapes(header, primitives, {number: own for number, own in names.items() if number in others})
-    if kept is not None:
-        kept = replace(kept, names=[names[number][0] for number in whole])
-    placed = nodes.place_nodes(header, names, instances.transforms(header, buffers, budget))
-    return Content(label, shapes, placed, notes, used=inventory.used(header), stored=kept)
+    stored_meshes, numbers = stored.stored(header, reader, buffers, budget) if stores else (None, [])
+    is_stored = set(numbers)
+    names = _names(header, is_stored)
+    shapes = _shapes(header, primitives, {number: names[number] for number in names if number not in is_stored})
+    if stored_meshes is not None:
+        stored_meshes = replace(stored_meshes, names=[names[number][0] for number in numbers])
+    placed = nodes.place_nodes(header, names, nodes.instance_transforms(header, buffers, budget))
+    return Content(label, shapes, placed, notes, used=_features(header), stored=stored_meshes)
 
 
-def _names(header: dict[str, Any], stored: Iterable[int]) -> dict[int, list[str]]:
+def _names(header: dict[str, Any], stored_numbers: set[int]) -> dict[int, list[str]]:
     """Shape names for each mesh: one if the mesh is stored, else one for each primitive."""
-    whole = set(stored)
-    read = [
+    rows = [
         (number, str(mesh.get("name") or "mesh"))
         for number, mesh in enumerate(header.get("meshes", []))
-        for _ in ([mesh] if number in whole else _primitives(mesh))
+        for _ in ([mesh] if number in stored_numbers else _primitives(mesh))
     ]
-    of_mesh: dict[int, list[str]] = {}
-    for (number, _), name in zip(read, distinct([name for _, name in read]), strict=True):
-        of_mesh.setdefault(number, []).append(name)
-    return of_mesh
+    names_by_mesh: dict[int, list[str]] = {}
+    for (number, _), name in zip(rows, distinct([name for _, name in rows]), strict=True):
+        names_by_mesh.setdefault(number, []).append(name)
+    return names_by_mesh
 
 
 def _shapes(header: dict[str, Any], primitives: Primitives, names: dict[int, list[str]]) -> dict[str, Shape]:
@@ -82,8 +70,8 @@ def _shapes(header: dict[str, Any], primitives: Primitives, names: dict[int, lis
     uses = Counter(_positions(primitive) for mesh in header.get("meshes", []) for primitive in _primitives(mesh))
     return {
         name: primitives.shape(primitive, is_shared=uses[_positions(primitive)] > 1)
-        for number, own in names.items()
-        for name, primitive in zip(own, _primitives(header["meshes"][number]), strict=True)
+        for number, mesh_names in names.items()
+        for name, primitive in zip(mesh_names, _primitives(header["meshes"][number]), strict=True)
     }
 
 
@@ -94,9 +82,9 @@ def _primitives(mesh: dict[str, Any]) -> list[dict[str, Any]]:
 
 def _materials(header: dict[str, Any]) -> list[int]:
     """Unique indices of the materials in use; invalid indices are left out."""
-    numbers = [primitive.get("material") for mesh in header.get("meshes", []) for primitive in _primitives(mesh)]
-    whole = {number for number in numbers if type(number) is int}
-    return sorted(whole.intersection(range(len(header.get("materials", [])))))
+    numbers = (primitive.get("material") for mesh in header.get("meshes", []) for primitive in _primitives(mesh))
+    valid = range(len(header.get("materials", [])))
+    return sorted({number for number in numbers if type(number) is int and number in valid})
 
 
 def _positions(primitive: dict[str, Any]) -> Any:
@@ -106,14 +94,25 @@ def _positions(primitive: dict[str, Any]) -> Any:
 def _notes(header: dict[str, Any]) -> list[str]:
     """Notes on ignored features of a glTF file."""
     primitives = [primitive for mesh in header.get("meshes", []) for primitive in mesh["primitives"]]
-    ignored = {name: len(header.get(f"{name}s", [])) for name in ("animation", "skin", "camera")}
-    kinds = Counter(mode(p) for p in primitives if mode(p) not in MODES)
-    for kind, number in kinds.items():
-        name = OTHERS.get(kind, "primitive of an unknown mode")
-        ignored[name] = ignored.get(name, 0) + number
+    ignored = Counter({name: len(header.get(f"{name}s", [])) for name in ("animation", "skin", "camera")})
+    ignored.update(OTHERS.get(mode(p), "primitive of an unknown mode") for p in primitives if mode(p) not in MODES)
     ignored["morphed primitive"] = sum("targets" in p for p in primitives)
     ignored["set of tangents"] = sum("TANGENT" in p.get("attributes", {}) for p in primitives)
     notes = [
         f"{count(number, feature, _PLURALS.get(feature, ''))} ignored" for feature, number in ignored.items() if number
     ]
     return notes + extensions.ignored(header)
+
+
+def _features(header: dict[str, Any]) -> list[str]:
+    """The format, counts of supported parts, and the extensions, one phrase each."""
+    made_by = header.get("asset", {}).get("generator")
+    placing = sum("mesh" in node for node in header.get("nodes", []))
+    primitives = sum(mode(primitive) in MODES for mesh in header.get("meshes", []) for primitive in mesh["primitives"])
+    return [
+        "glTF 2.0" + (f", made by {check.shortened(str(made_by))}" if made_by else ""),
+        f"{count(placing, 'node')} with meshes",
+        f"{count(primitives, 'primitive')} of triangles",
+        *(count(len(header[f"{part}s"]), part) for part in ("material", "texture", "image") if header.get(f"{part}s")),
+        *extensions.used(header),
+    ]

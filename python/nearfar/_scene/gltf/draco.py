@@ -23,10 +23,10 @@ DRACO = "KHR_draco_mesh_compression"
 _READ = re.compile("POSITION|NORMAL|TEXCOORD_[0-9]+|COLOR_0")
 """Names of supported attributes."""
 
-_CORNERS, _ROW = 3, 12
+_CORNERS, _FACE_BYTES = 3, 12
 """Corners and bytes of a face."""
 
-_SPARE = 2
+_DECODER_FACTOR = 2
 """Bytes to count per decoded byte: Draco uses up to six while it decodes."""
 
 _VERSION, _MESH, _SEQUENTIAL, _EDGEBREAKER = (2, 2), 1, 0, 1
@@ -58,30 +58,27 @@ def decoded(header: dict[str, Any], primitive: dict[str, Any], data: bytes, budg
     COLLADA2GLTF states fewer vertices than its streams have, so the vertex count comes from the stream.
     """
     identities = primitive["extensions"][DRACO]["attributes"]
-    numbers = {
-        name: number
-        for name, number in primitive.get("attributes", {}).items()
-        if name in identities and _READ.fullmatch(name)
-    }
+    attributes = primitive.get("attributes", {}).items()
+    numbers = {name: number for name, number in attributes if name in identities and _READ.fullmatch(name)}
     if "POSITION" not in numbers:
         raise _flaw("has no POSITION")
     accessors = {name: entry(header, "accessors", number) for name, number in numbers.items()}
     face_count = _face_count(header, primitive, data)
     count = min(max(0, int(accessors["POSITION"]["count"])), _CORNERS * face_count)
     width = sum(component(item).itemsize * WIDTHS[item["type"]] for item in accessors.values())
-    size = _ROW * face_count + width * count
-    budget.take(_SPARE * size)
+    size = _FACE_BYTES * face_count + width * count
+    budget.take(_DECODER_FACTOR * size)
     mesh = draco_client.decode(data, size, face_count)
     if len(mesh.faces) != face_count:
         raise _flaw(f"has {len(mesh.faces)} triangles, and {face_count} are stated")
     rows = {}
     for name, number in numbers.items():
-        found = mesh.attributes.get(identities[name])
-        if found is None:
+        column = mesh.attributes.get(identities[name])
+        if column is None:
             raise _flaw(f"lacks the attribute {identities[name]}, its {name}")
-        if found.ndim not in (1, 2) or len(found) != len(mesh.attributes[identities["POSITION"]]):
-            raise _flaw(f"has {len(found)} rows of {name}, and others of POSITION")
-        rows[number] = _typed(name, found.reshape(len(found), -1), accessors[name])
+        if column.ndim not in (1, 2) or len(column) != len(mesh.attributes[identities["POSITION"]]):
+            raise _flaw(f"has {len(column)} rows of {name}, and others of POSITION")
+        rows[number] = _typed(name, column.reshape(len(column), -1), accessors[name])
     budget.hold(max(0, sum(item.nbytes for item in rows.values()) - width * count))
     return Decoded(mesh.faces, rows)
 
@@ -94,14 +91,14 @@ def _face_count(header: dict[str, Any], primitive: dict[str, Any], data: bytes) 
     """Expected number of triangles: the primitive's; the stream's header must agree with it."""
     if not data.startswith(b"DRACO") or len(data) < 12:
         raise _flaw("does not begin like one")
-    stated = _stated_faces(data)
+    stated_count = _stated_faces(data)
     if "indices" not in primitive or mode(primitive) != TRIANGLES:
-        if stated is None:
+        if stated_count is None:
             raise _flaw("states no number of triangles")
-        return stated
+        return stated_count
     corners = int(entry(header, "accessors", primitive["indices"])["count"])
-    if corners < 0 or corners % 3 or stated not in (None, corners // 3):
-        raise _flaw(f"has {stated} triangles, and {corners / 3:g} are stated")
+    if corners < 0 or corners % 3 or stated_count not in (None, corners // 3):
+        raise _flaw(f"has {stated_count} triangles, and {corners / 3:g} are stated")
     return corners // 3
 
 
@@ -112,22 +109,22 @@ def _stated_faces(data: bytes) -> int | None:
         raise _flaw("holds no mesh")
     if version != _VERSION or flags & _HAS_METADATA:
         return None
-    place = 11
+    offset = 11
     if method == _EDGEBREAKER:
-        _, place = _varint(data, place + 1)  # skip the number of vertices, after the kind of traversal
-    return _varint(data, place)[0]
+        _, offset = _varint(data, offset + 1)  # skip the number of vertices, after the kind of traversal
+    return _varint(data, offset)[0]
 
 
-def _varint(data: bytes, place: int) -> tuple[int, int]:
+def _varint(data: bytes, offset: int) -> tuple[int, int]:
     """Decode a variable-length integer of 7 bits a byte; also return the place after it."""
     value = 0
     for shift in range(0, 35, 7):
-        if place >= len(data):
+        if offset >= len(data):
             raise _flaw("is cut off")
-        value |= (data[place] & 0x7F) << shift
-        place += 1
-        if not data[place - 1] & 0x80:
-            return value, place
+        value |= (data[offset] & 0x7F) << shift
+        offset += 1
+        if not data[offset - 1] & 0x80:
+            return value, offset
     raise _flaw("states a number of more than 32 bits")
 
 

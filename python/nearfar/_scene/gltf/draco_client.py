@@ -11,6 +11,7 @@ import subprocess
 import sys
 import threading
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -28,7 +29,7 @@ _SECONDS, _SECONDS_PER_FACE = 1.0, 1e-5
 _MEMORY, _MEMORY_PER_BYTE = 64 << 20, 12
 """Bytes that a stream may take beside the program's own. Valid streams take up to 6 per decoded byte."""
 
-_PATIENCE = 20.0
+_WALL_CLOCK_FACTOR = 20.0
 """Wall-clock limit as a multiple of the CPU time limit, for busy machines."""
 
 
@@ -51,19 +52,13 @@ def start() -> None:
 def decode(data: bytes, size: int, face_count: int) -> Mesh:
     """Decode a stream; UnusableError if it is damaged or exceeds a limit.
 
-    Parameters
-    ----------
-    data
-        The stream.
-    size, face_count
-        Expected bytes and triangles; they set the limits of memory and time.
+    The expected bytes (`size`) and triangles (`face_count`) set the limits of memory and time.
     """
     seconds = _SECONDS + _SECONDS_PER_FACE * face_count
     request = {"bytes": len(data), "seconds": seconds, "memory": _MEMORY + _MEMORY_PER_BYTE * size}
     with _lock:
-        answer = _running().ask(request, data)
-        if answer is None:  # it had just ended after its idle timeout
-            answer = _running().ask(request, data)
+        # The process may just have ended after its idle timeout; then another one is asked.
+        answer = _running().ask(request, data) or _running().ask(request, data)
     if answer is None:
         raise UnusableError("a process that decodes its Draco streams cannot be started")
     return answer
@@ -85,14 +80,14 @@ class _Process:
 
     @property
     def is_running(self) -> bool:
-        """Whether the process runs and belongs to this process: a fork must not share it."""
+        """Whether the process runs and was started by this one: a fork must not share it."""
         return self.owner == os.getpid() and self._child.poll() is None
 
     def ask(self, request: dict[str, Any], data: bytes) -> Mesh | None:
         """Send a request and return the mesh; None if the process had ended before."""
         # On systems that cannot limit CPU time, the wall clock does.
-        patience = _PATIENCE if hasattr(signal, "setitimer") else 2.0
-        watch = threading.Timer(patience * request["seconds"], self._child.kill)
+        factor = _WALL_CLOCK_FACTOR if hasattr(signal, "setitimer") else 2.0
+        watch = threading.Timer(factor * request["seconds"], self._child.kill)
         watch.daemon = True
         watch.start()
         try:
@@ -112,8 +107,7 @@ class _Process:
         assert answers is not None
         requests.write(json.dumps(request).encode() + b"\n" + data)
         requests.flush()
-        line = answers.readline()
-        if not line:
+        if not (line := answers.readline()):
             raise EOFError
         answer = json.loads(line)
         if "error" in answer:
@@ -121,13 +115,13 @@ class _Process:
         arrays = {number: (np.dtype(kind), tuple(shape)) for number, kind, shape in answer["attributes"]}
 
         def rows(kind: np.dtype[Any], shape: tuple[int, ...]) -> NDArray[Any]:
-            data = answers.read(kind.itemsize * math.prod(shape))
-            if len(data) != kind.itemsize * math.prod(shape):
+            size = kind.itemsize * math.prod(shape)
+            if len(data := answers.read(size)) != size:
                 raise EOFError
             return np.frombuffer(data, kind).reshape(shape)
 
         faces = rows(np.dtype(np.uint32), (answer["faces"], 3))
-        return Mesh(faces, {number: rows(*described) for number, described in arrays.items()})
+        return Mesh(faces, {number: rows(*type_and_shape) for number, type_and_shape in arrays.items()})
 
     def end(self) -> None:
         """Kill the process and close its pipes."""
@@ -136,10 +130,8 @@ class _Process:
         self._child.kill()
         for stream in (self._child.stdin, self._child.stdout):
             assert stream is not None
-            try:
+            with suppress(OSError):  # data not written yet is not needed
                 stream.close()
-            except OSError:
-                continue  # data not written yet is not needed
         self._child.wait()
 
 

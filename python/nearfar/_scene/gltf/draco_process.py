@@ -25,8 +25,7 @@ def main() -> None:
 
     requests, answers = sys.stdin.buffer, sys.stdout.buffer
     while _is_ready(requests):
-        line = requests.readline()
-        if not line:
+        if not (line := requests.readline()):
             return
         request = json.loads(line)
         data = requests.read(request["bytes"])
@@ -82,8 +81,8 @@ class _Limits:
 
             with open("/proc/self/statm") as file:
                 used = int(file.read().split()[0]) * resource.getpagesize()
-            most = resource.getrlimit(resource.RLIMIT_AS)[1]
-            resource.setrlimit(resource.RLIMIT_AS, (most if memory is None else used + memory, most))
+            max_bytes = resource.getrlimit(resource.RLIMIT_AS)[1]
+            resource.setrlimit(resource.RLIMIT_AS, (max_bytes if memory is None else used + memory, max_bytes))
         except (ImportError, OSError, ValueError):
             return  # not Linux, or the system's own limit is lower
 
@@ -93,8 +92,8 @@ def _header_and_arrays(mesh: Any) -> tuple[dict[str, Any], list[Any]]:
 
     faces = np.ascontiguousarray(getattr(mesh, "faces", np.zeros((0, 3))), np.uint32)
     arrays = {item["unique_id"]: np.ascontiguousarray(item["data"]) for item in mesh.attributes}
-    described = [[number, rows.dtype.str, list(rows.shape)] for number, rows in arrays.items()]
-    return {"faces": len(faces), "attributes": described}, [faces, *arrays.values()]
+    descriptions = [[number, rows.dtype.str, list(rows.shape)] for number, rows in arrays.items()]
+    return {"faces": len(faces), "attributes": descriptions}, [faces, *arrays.values()]
 
 
 if __name__ == "__main__":

@@ -8,18 +8,15 @@ from nearfar._base.errors import UnusableError
 from nearfar._base.glb import entry
 from nearfar._scene.coordinates import TRANSFORM
 from nearfar._scene.gltf import draco
-from nearfar._scene.gltf.buffers import IMAGE_EXTENSIONS
-from nearfar._scene.gltf.instances import INSTANCING
+from nearfar._scene.gltf.buffers import IMAGE_EXTENSIONS, MESHOPT
 from nearfar._scene.gltf.ktx2 import BASISU
-from nearfar._scene.gltf.meshopt import MESHOPT
+from nearfar._scene.gltf.nodes import INSTANCING
 from nearfar._scene.undrawn import EXTENSIONS
 
 _READ = {draco.DRACO, "KHR_mesh_quantization", INSTANCING, *MESHOPT}
 """Supported extensions of shapes."""
 
-_REMEDIES = {
-    "MSFT_texture_dds": "which is not read: save its textures as PNG or JPEG",
-}
+_REMEDIES = {"MSFT_texture_dds": "which is not read: save its textures as PNG or JPEG"}
 
 _DISPENSABLE = {
     *(TRANSFORM, "KHR_lights_punctual", "EXT_lights_image_based", "KHR_materials_variants", "KHR_animation_pointer"),
@@ -50,31 +47,25 @@ def _check_image_support(name: str) -> None:
     from PIL import features
 
     if not features.check(IMAGE_EXTENSIONS[name]):
-        raise UnusableError(
-            f"it needs the extension {name}, which the Python package Pillow decodes if it was built "
-            f"with {IMAGE_EXTENSIONS[name]}: save its textures as PNG or JPEG"
-        )
+        condition = f"which the Python package Pillow decodes if it was built with {IMAGE_EXTENSIONS[name]}"
+        raise UnusableError(f"it needs the extension {name}, {condition}: save its textures as PNG or JPEG")
 
 
 def needs_draco(primitive: dict[str, Any], header: dict[str, Any]) -> bool:
     """Whether an attribute of a primitive, or its indices, exist only in Draco's compressed form."""
     if draco.DRACO not in primitive.get("extensions", {}):
         return False
-    numbers = [*primitive.get("attributes", {}).values()]
-    numbers += [primitive["indices"]] if "indices" in primitive else []
+    numbers = [*primitive.get("attributes", {}).values(), *([primitive["indices"]] if "indices" in primitive else [])]
     return any("bufferView" not in entry(header, "accessors", number) for number in numbers)
 
 
-def choose_images(header: dict[str, Any]) -> bool:
-    """Make an extension's image the plain source of textures without one; return whether there were any."""
-    changed = False
+def choose_images(header: dict[str, Any]) -> None:
+    """Make an extension's image the plain source of textures without one."""
     for texture in header.get("textures", []):
         if "source" not in texture:
             for name in (*IMAGE_EXTENSIONS, BASISU):
                 if name in texture.get("extensions", {}):
                     texture["source"] = texture["extensions"][name]["source"]
-                    changed = True
-    return changed
 
 
 def ignored(header: dict[str, Any]) -> list[str]:
@@ -84,11 +75,8 @@ def ignored(header: dict[str, Any]) -> list[str]:
 
 def used(header: dict[str, Any]) -> list[str]:
     """Supported extensions, for the list of features that a scene uses."""
-    return [
-        f"extension {name}"
-        for name in _extension_names(header)
-        if name in {*_READ, *IMAGE_EXTENSIONS, BASISU, TRANSFORM}
-    ]
+    supported = {*_READ, *IMAGE_EXTENSIONS, BASISU, TRANSFORM}
+    return [f"extension {name}" for name in _extension_names(header) if name in supported]
 
 
 def _extension_names(header: dict[str, Any]) -> list[str]:

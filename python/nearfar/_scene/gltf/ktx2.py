@@ -33,19 +33,19 @@ _MODELS = {_ETC1S: "ETC1S", _UASTC: "UASTC"}
 _NO_SCHEME, _BASIS_LZ, _ZSTANDARD, _ZLIB = range(4)
 _BLOCK, _BLOCK_BYTES = 4, 16
 
-_HALF, _FULL = np.dtype("<f2"), np.dtype("<f4")
-_BYTE, _SHORT = np.dtype("u1"), np.dtype("<u2")
+_FLOAT16, _FLOAT32 = np.dtype("<f2"), np.dtype("<f4")
+_UINT8, _UINT16 = np.dtype("u1"), np.dtype("<u2")
 _PIXELS: dict[int, tuple[np.dtype[Any], str]] = {
-    **dict.fromkeys((23, 29), (_BYTE, "RGB")),
-    **dict.fromkeys((30, 36), (_BYTE, "BGR")),
-    **dict.fromkeys((37, 43), (_BYTE, "RGBA")),
-    **dict.fromkeys((44, 50), (_BYTE, "BGRA")),
-    84: (_SHORT, "RGB"),
-    91: (_SHORT, "RGBA"),
-    90: (_HALF, "RGB"),
-    97: (_HALF, "RGBA"),
-    106: (_FULL, "RGB"),
-    109: (_FULL, "RGBA"),
+    **dict.fromkeys((23, 29), (_UINT8, "RGB")),
+    **dict.fromkeys((30, 36), (_UINT8, "BGR")),
+    **dict.fromkeys((37, 43), (_UINT8, "RGBA")),
+    **dict.fromkeys((44, 50), (_UINT8, "BGRA")),
+    84: (_UINT16, "RGB"),
+    91: (_UINT16, "RGBA"),
+    90: (_FLOAT16, "RGB"),
+    97: (_FLOAT16, "RGBA"),
+    106: (_FLOAT32, "RGB"),
+    109: (_FLOAT32, "RGBA"),
 }
 """Types and channels of supported pixel formats, by Vulkan format number."""
 
@@ -83,7 +83,7 @@ def decode(data: bytes, budget: Budget) -> NDArray[np.uint8]:
 def _header(data: bytes) -> _Header:
     if len(data) < _START.size:
         raise UnusableError("is cut off")
-    (_, kind, _, width, height, depth, layers, faces, levels, scheme, *places) = _START.unpack_from(data)
+    (_, kind, _, width, height, depth, layers, faces, levels, scheme, *ranges) = _START.unpack_from(data)
     if not (width and height) or depth or layers or faces != 1:
         raise UnusableError("is no single picture of two dimensions")
     if width * height > MAX_TEXELS:
@@ -91,14 +91,13 @@ def _header(data: bytes) -> _Header:
     if levels > _MAX_LEVELS or len(data) < _START.size + max(levels, 1) * _LEVEL.size:
         raise UnusableError(f"is cut off before its {levels} levels, or they are too many")
     start, length, unpacked = _LEVEL.unpack_from(data, _START.size)
-    described = _part(data, places[0], places[1])
-    if start + length > len(data) or len(described) < 16:
+    descriptor = _part(data, ranges[0], ranges[1])
+    if start + length > len(data) or len(descriptor) < 16:
         raise UnusableError("is cut off")
-    notes = _part(data, places[2], places[3])
     if scheme in (_NO_SCHEME, _BASIS_LZ):
         unpacked = 0 if scheme else length
-    is_flipped = b"KTXorientation\0ru" in notes
-    return _Header(kind, width, height, scheme, described[12], start, length, unpacked, is_flipped)
+    is_flipped = b"KTXorientation\0ru" in _part(data, ranges[2], ranges[3])
+    return _Header(kind, width, height, scheme, descriptor[12], start, length, unpacked, is_flipped)
 
 
 def _part(data: bytes, start: int, length: int) -> bytes:
@@ -136,41 +135,33 @@ def _basis(data: bytes, header: _Header) -> NDArray[np.uint8]:
 def _plain(data: bytes, header: _Header) -> NDArray[np.uint8]:
     """Decode pixels that are not block-compressed."""
     if header.format not in _PIXELS:
-        raise UnusableError(_unread(header.format, header.model))
+        families = (name for first, last, name in _BLOCKS if first <= header.format <= last)
+        format_name = f"{next(families, f'colour model {header.model}')} (Vulkan's format {header.format})"
+        raise UnusableError(f"has {format_name}, which is not read: save it as PNG, JPEG or by Basis Universal")
     kind, channels = _PIXELS[header.format]
     size = header.width * header.height * len(channels) * kind.itemsize
     level = data[header.start : header.start + header.length]
     if header.scheme == _ZLIB:
-        level = _inflated(level, size)
+        try:
+            level = zlib.decompressobj().decompress(level, size + 1)
+        except zlib.error as error:
+            raise UnusableError(f"cannot be unpacked: {error}") from None
     elif header.scheme != _NO_SCHEME:
         raise UnusableError("is packed by Zstandard, which is read for Basis Universal only: save it unpacked")
     if len(level) != size:
         raise UnusableError(f"has a level of {len(level)} bytes for {header.width} × {header.height} texels")
     values = np.frombuffer(level, kind).reshape(header.height, header.width, len(channels))
     texels = np.full((header.height, header.width, 4), 255, np.uint8)
-    for place, channel in enumerate("RGBA"):
+    for index, channel in enumerate("RGBA"):
         if channel in channels:
-            texels[:, :, place] = _bytes(values[:, :, channels.index(channel)], is_alpha=channel == "A")
+            texels[:, :, index] = _bytes(values[:, :, channels.index(channel)], is_alpha=channel == "A")
     return texels
 
 
-def _inflated(level: bytes, size: int) -> bytes:
-    try:
-        return zlib.decompressobj().decompress(level, size + 1)
-    except zlib.error as error:
-        raise UnusableError(f"cannot be unpacked: {error}") from None
-
-
 def _bytes(values: NDArray[Any], *, is_alpha: bool) -> NDArray[np.uint8]:
-    if values.dtype == _SHORT:
+    if values.dtype == _UINT16:
         return (values >> 8).astype(np.uint8)
-    if values.dtype == _BYTE:
+    if values.dtype == _UINT8:
         return values
     light = np.clip(np.nan_to_num(values.astype(np.float32)), 0, 1)
-    levels: NDArray[np.uint8] = np.rint((light if is_alpha else to_srgb(light)) * 255).astype(np.uint8)
-    return levels
-
-
-def _unread(number: int, model: int) -> str:
-    kind = next((name for first, last, name in _BLOCKS if first <= number <= last), f"colour model {model}")
-    return f"has {kind} (Vulkan's format {number}), which is not read: save it as PNG, JPEG or by Basis Universal"
+    return np.asarray(np.rint((light if is_alpha else to_srgb(light)) * 255).astype(np.uint8))

@@ -11,7 +11,7 @@ from nearfar._base.errors import UnusableError
 from nearfar._base.glb import entry
 from nearfar._scene import coordinates
 from nearfar._scene.budget import Budget, TooLargeError
-from nearfar._scene.coordinates import Coordinates
+from nearfar._scene.coordinates import SPECULAR_GLOSSINESS, Coordinates
 from nearfar._scene.emission import DARK, emission_of
 from nearfar._scene.gltf import ktx2
 from nearfar._scene.gltf.buffers import Buffers
@@ -20,9 +20,8 @@ from nearfar._scene.materials import BaseColor, Described, Materials
 NONE = -1
 """Index that means no material."""
 
-_GLOSS = "KHR_materials_pbrSpecularGlossiness"
 _GLOSS_BYTES = 128
-"""Bytes per texel of an image while trimesh converts a material of that extension: four images, float64 RGBA."""
+"""Bytes per texel of an image while trimesh converts specular–glossiness: four images, float64 RGBA."""
 
 _GLOSS_TEXTURES = ("diffuseTexture", "specularGlossinessTexture")
 
@@ -39,18 +38,9 @@ class _Drawn:
 
 
 class MaterialReader:
-    """Reads the materials of one document; each image is decoded once and only if it is drawn.
+    """Reads the materials of one document, the `header`; each image is decoded once and only if it is drawn.
 
-    Parameters
-    ----------
-    header
-        The document.
-    buffers
-        Reads the document's images.
-    materials
-        Converts materials to base colours.
-    budget
-        Counts decoded bytes of images.
+    `buffers` reads the images, `materials` converts materials to base colours, and `budget` counts decoded bytes.
     """
 
     def __init__(self, header: dict[str, Any], buffers: Buffers, materials: Materials, budget: Budget) -> None:
@@ -61,21 +51,20 @@ class MaterialReader:
 
     def material(self, number: int) -> list[BaseColor]:
         """Return the material of an index, in a list."""
-        described = entry(self._header, "materials", number)
-        return self._materials.base_colors(
-            self._material_with_images(number, described), described=Described(described, self._buffers.texture)
-        )
+        material_entry = entry(self._header, "materials", number)
+        material = self._material_with_images(number, material_entry)
+        return self._materials.base_colors(material, described=Described(material_entry, self._buffers.texture))
 
     def decode(self, numbers: Iterable[int]) -> None:
         """Decode in parallel the images that materials draw, before `material` requests them one by one."""
         self._materials.decode(image for number in numbers for image in self._images(number))
 
     def _images(self, number: int) -> list[Any]:
-        described = entry(self._header, "materials", number)
-        if _GLOSS in (described.get("extensions") or ()):
+        material_entry = entry(self._header, "materials", number)
+        if SPECULAR_GLOSSINESS in (material_entry.get("extensions") or ()):
             return []
-        opened = self._material_with_images(number, described)
-        images = [opened.baseColorTexture] + ([] if emission_of(described) == DARK else [opened.emissiveTexture])
+        opened = self._material_with_images(number, material_entry)
+        images = [opened.baseColorTexture] + ([] if emission_of(material_entry) == DARK else [opened.emissiveTexture])
         return [image for image in images if image is not None]
 
     def coordinates(self, number: int) -> Coordinates | None:
@@ -84,24 +73,24 @@ class MaterialReader:
             self._coordinates[number] = coordinates.drawn_texture_coordinates(entry(self._header, "materials", number))
         return self._coordinates[number]
 
-    def _material_with_images(self, number: int, described: dict[str, Any]) -> Any:
+    def _material_with_images(self, number: int, material_entry: dict[str, Any]) -> Any:
         """Material whose images are open, but not decoded."""
         if number not in self._surfaces:
-            self._surfaces[number] = self._surface(described)
+            self._surfaces[number] = self._surface(material_entry)
         return self._surfaces[number]
 
-    def _surface(self, described: dict[str, Any]) -> Any:
-        surface = described.get("pbrMetallicRoughness", {})
-        if _GLOSS in (described.get("extensions") or ()):
-            read = self._converted(described)
+    def _surface(self, material_entry: dict[str, Any]) -> Any:
+        surface = material_entry.get("pbrMetallicRoughness", {})
+        if SPECULAR_GLOSSINESS in (material_entry.get("extensions") or ()):
+            material = self._converted(material_entry)
         else:
-            read = _Drawn(alphaMode=described.get("alphaMode"), alphaCutoff=described.get("alphaCutoff"))
-        for owner, key in ((surface, "baseColorTexture"), (described, "emissiveTexture")):
+            material = _Drawn(alphaMode=material_entry.get("alphaMode"), alphaCutoff=material_entry.get("alphaCutoff"))
+        for owner, key in ((surface, "baseColorTexture"), (material_entry, "emissiveTexture")):
             if coordinates.is_texture(key, owner.get(key)):
                 picture = self._picture(owner[key]["index"])
                 if picture is not None:
-                    setattr(read, key, picture)
-        return read
+                    setattr(material, key, picture)
+        return material
 
     def _picture(self, number: Any) -> Any:
         """Image of a texture; None if it cannot be read."""
@@ -112,10 +101,8 @@ class MaterialReader:
             return None
         if data not in self._pictures:
             try:
-                is_packed = data.startswith(ktx2.SIGNATURE)
-                picture = (
-                    Image.fromarray(ktx2.decode(data, self._budget)) if is_packed else Image.open(io.BytesIO(data))
-                )
+                is_ktx2 = data.startswith(ktx2.SIGNATURE)
+                picture = Image.fromarray(ktx2.decode(data, self._budget)) if is_ktx2 else Image.open(io.BytesIO(data))
             except TooLargeError:
                 raise
             except UnusableError as error:
@@ -125,18 +112,18 @@ class MaterialReader:
             self._pictures[data] = picture
         return self._pictures[data]
 
-    def _converted(self, described: dict[str, Any]) -> Any:
+    def _converted(self, material_entry: dict[str, Any]) -> Any:
         """Material of the extension specular–glossiness as trimesh converts it."""
         from trimesh.visual.gloss import specular_to_pbr
         from trimesh.visual.material import PBRMaterial
 
-        gloss = dict(described["extensions"][_GLOSS])
+        gloss = dict(material_entry["extensions"][SPECULAR_GLOSSINESS])
         for key in _GLOSS_TEXTURES:
             if key in gloss:
                 gloss[key] = self._picture(gloss[key]["index"])
                 if gloss[key] is not None:
                     self._budget.take(_GLOSS_BYTES * gloss[key].size[0] * gloss[key].size[1])
-        stated = described | described.get("pbrMetallicRoughness", {})
+        stated = material_entry | material_entry.get("pbrMetallicRoughness", {})
         drawn = {key: stated[key] for key in ("baseColorFactor", "alphaMode", "alphaCutoff") if key in stated}
         try:
             converted = specular_to_pbr(**gloss)

@@ -1,4 +1,4 @@
-"""Nodes of glTF files: check of their trees, their transforms, and the placements of their meshes."""
+"""Nodes of glTF files: check of their trees, their transforms, the placements of their meshes, and their instances."""
 
 from __future__ import annotations
 
@@ -11,8 +11,18 @@ from numpy.typing import NDArray
 
 from nearfar._base.errors import UnusableError
 from nearfar._base.glb import entry
+from nearfar._scene.budget import Budget
 from nearfar._scene.content import Nodes
+from nearfar._scene.gltf.buffers import Buffers
 from nearfar._scene.names import distinct
+
+INSTANCING = "EXT_mesh_gpu_instancing"
+
+_INSTANCE_DEFAULTS = {"TRANSLATION": (0.0, 0.0, 0.0), "ROTATION": (0.0, 0.0, 0.0, 1.0), "SCALE": (1.0, 1.0, 1.0)}
+"""Defaults of the transform's parts that a file omits."""
+
+INSTANCE_BYTES = 512
+"""Bytes of memory per instance: some copies of its transform, its name and its place in the scene."""
 
 Floats = NDArray[np.float64]
 
@@ -34,49 +44,41 @@ def check_trees(header: dict[str, Any]) -> None:
                 raise UnusableError(f"its node {child} is a child of node {parents[child]} and again of node {number}")
             parents[child] = number
     for number, scene in enumerate(header.get("scenes", [])):
-        below = next((root for root in scene.get("nodes", []) if root in parents), None)
-        if below is not None:
-            raise UnusableError(f"its scene {number} lists node {below}, which is a child of node {parents[below]}")
+        child = next((root for root in scene.get("nodes", []) if root in parents), None)
+        if child is not None:
+            raise UnusableError(f"its scene {number} lists node {child}, which is a child of node {parents[child]}")
 
 
 def place_nodes(header: dict[str, Any], shapes: Mapping[int, Sequence[str]], instances: Mapping[int, Floats]) -> Nodes:
     """Return the placed shapes in the file's order, children before their parents.
 
-    Parameters
-    ----------
-    header
-        The document.
-    shapes
-        Names of each mesh's shapes, by mesh index.
-    instances
-        Transforms instance→node (N, 4, 4) of nodes that place their mesh many times, by node index. Each instance is an
-        object.
+    `shapes` are the names of each mesh's shapes, by mesh index. `instances` are the transforms instance→node (N, 4, 4)
+    of nodes that place their mesh many times, by node index; each instance is an object.
     """
     nodes = header.get("nodes", [])
-    order, above = _traversed(header)
-    world = _world(_local([nodes[number] for number in order]), above)
+    order, parents = _traversed(header)
+    world = _world(_local([nodes[number] for number in order]), parents)
     names = _object_names(nodes, instances)
     objects: list[str] = []
-    chosen: list[str] = []
+    shape_names: list[str] = []
     rows: list[int] = []
     # For each node with instances: its first row, its index, and the number of its mesh's shapes.
     spans: list[tuple[int, int, int]] = []
-    for row in range(len(order) - 1, -1, -1):
-        number = order[row]
+    for row, number in reversed([*enumerate(order)]):
         if "mesh" not in nodes[number]:
             continue
         entry(header, "meshes", nodes[number]["mesh"])
-        of_mesh = shapes.get(nodes[number]["mesh"], ())[::-1]
+        mesh_shapes = shapes.get(nodes[number]["mesh"], ())[::-1]
         if number in instances:
-            spans.append((len(rows), number, len(of_mesh)))
-        objects += [name for name in names[number] for _ in of_mesh]
-        chosen += [*of_mesh] * len(names[number])
-        rows += [row] * len(of_mesh) * len(names[number])
+            spans.append((len(rows), number, len(mesh_shapes)))
+        objects += [name for name in names[number] for _ in mesh_shapes]
+        shape_names += [*mesh_shapes] * len(names[number])
+        rows += [row] * len(mesh_shapes) * len(names[number])
     transforms = world[rows]
     for start, number, width in spans:
         local = np.repeat(instances[number], width, axis=0)
         transforms[start : start + len(local)] = transforms[start : start + len(local)] @ local
-    return Nodes(objects, transforms, chosen)
+    return Nodes(objects, transforms, shape_names)
 
 
 def _object_names(nodes: list[dict[str, Any]], instances: Mapping[int, Floats]) -> list[list[str]]:
@@ -94,7 +96,7 @@ def _traversed(header: dict[str, Any]) -> tuple[list[int], list[int]]:
     """
     listed = entry(header, "scenes", header.get("scene", 0)).get("nodes", []) if "scenes" in header else []
     order: list[int] = []
-    above: list[int] = []
+    parents: list[int] = []
     for root in listed:
         entry(header, "nodes", root)
     nodes = header.get("nodes", [])
@@ -102,11 +104,10 @@ def _traversed(header: dict[str, Any]) -> tuple[list[int], list[int]]:
     pending = [(root, -1) for root in dict.fromkeys(listed)]
     while pending:
         number, parent = pending.pop()
-        row = len(order)
+        pending += [(child, len(order)) for child in nodes[number].get("children", ())]
         order.append(number)
-        above.append(parent)
-        pending += [(child, row) for child in nodes[number].get("children", ())]
-    return order, above
+        parents.append(parent)
+    return order, parents
 
 
 def _local(nodes: list[dict[str, Any]]) -> Floats:
@@ -120,9 +121,9 @@ def _local(nodes: list[dict[str, Any]]) -> Floats:
     )
     has_parts = np.array([not _PARTS.isdisjoint(node) for node in nodes], bool)
     has_matrix = np.array(["matrix" in node for node in nodes], bool)
-    both = has_parts & has_matrix
+    both, only_parts = has_parts & has_matrix, has_parts & ~has_matrix
     matrix[both] = matrix[both] @ parts[both]
-    matrix[has_parts & ~has_matrix] = parts[has_parts & ~has_matrix]
+    matrix[only_parts] = parts[only_parts]
     return matrix
 
 
@@ -139,16 +140,16 @@ _PARTS = {"translation", "rotation", "scale"}
 
 def _values_or_default(nodes: list[dict[str, Any]], key: str, default: Floats) -> Floats:
     """Values (N, K) that nodes state, else the default."""
-    stated = [row for row, node in enumerate(nodes) if key in node]
+    rows_with_key = [row for row, node in enumerate(nodes) if key in node]
     values = np.tile(default, (len(nodes), 1))
-    if stated:
+    if rows_with_key:
         try:
-            given = np.array([nodes[row][key] for row in stated], np.float64)
+            listed_values = np.array([nodes[row][key] for row in rows_with_key], np.float64)
         except (ValueError, TypeError, OverflowError):
-            given = np.zeros(0)
-        if given.shape != (len(stated), len(default)):
+            listed_values = np.zeros(0)
+        if listed_values.shape != (len(rows_with_key), len(default)):
             raise UnusableError(f"expected {len(default)} numbers as {key} of each node, got others")
-        values[stated] = given
+        values[rows_with_key] = listed_values
     return values
 
 
@@ -168,16 +169,47 @@ def _rotations(quaternions: Floats) -> Floats:
     return matrices
 
 
-def _world(local: Floats, above: list[int]) -> Floats:
+def _world(local: Floats, parents: list[int]) -> Floats:
     """Multiply transforms along trees, one generation at a time; parents come before their children."""
-    parents = np.array(above, np.int64)
-    generation = [0] * len(above)
-    for row, parent in enumerate(above):
-        if parent >= 0:
-            generation[row] = generation[parent] + 1
-    depth = np.array(generation, np.int64)
-    order = np.argsort(depth, kind="stable")
-    world = local.copy()
-    for rows in np.split(order, np.flatnonzero(np.diff(depth[order])) + 1)[1:]:
-        world[rows] = world[parents[rows]] @ local[rows]
+    depths: list[int] = []
+    for parent in parents:
+        depths.append(depths[parent] + 1 if parent >= 0 else 0)
+    order = np.argsort(depths, kind="stable")
+    world, parent_rows = local.copy(), np.array(parents, np.int64)
+    for rows in np.split(order, np.flatnonzero(np.diff(np.array(depths, np.int64)[order])) + 1)[1:]:
+        world[rows] = world[parent_rows[rows]] @ local[rows]
     return world
+
+
+def instance_transforms(header: dict[str, Any], buffers: Buffers, budget: Budget) -> dict[int, Floats]:
+    """Transforms instance→node (N, 4, 4), by the index of each node with instances."""
+    return {
+        number: _of_node(header, number, node["extensions"][INSTANCING]["attributes"], buffers, budget)
+        for number, node in enumerate(header.get("nodes", []))
+        if "mesh" in node and INSTANCING in node.get("extensions", {})
+    }
+
+
+def _of_node(
+    header: dict[str, Any], number: int, attributes: dict[str, Any], buffers: Buffers, budget: Budget
+) -> Floats:
+    counts = {name: int(entry(header, "accessors", accessor)["count"]) for name, accessor in attributes.items()}
+    if len(set(counts.values())) != 1:
+        listed = ", ".join(f"{count} of {name}" for name, count in counts.items()) or "none"
+        raise UnusableError(f"expected as many rows of each attribute of the instances of node {number}, got {listed}")
+    (count,) = set(counts.values())
+    # Many nodes may use the same arrays. A mesh of several primitives is placed once for each of them.
+    primitives = entry(header, "meshes", header["nodes"][number]["mesh"])["primitives"]
+    budget.hold(max(0, count) * len(primitives) * INSTANCE_BYTES)
+    return composed(*(_instance_rows(name, count, attributes, buffers) for name in _INSTANCE_DEFAULTS))
+
+
+def _instance_rows(name: str, count: int, attributes: dict[str, Any], buffers: Buffers) -> Floats:
+    """Rows (N, K) of one part of the transforms."""
+    default = np.array(_INSTANCE_DEFAULTS[name])
+    if name not in attributes:
+        return np.tile(default, (count, 1))
+    rows = buffers.fractions(attributes[name], buffers.raw(attributes[name])).astype(np.float64)
+    if rows.shape[1] != len(default):
+        raise UnusableError(f"expected {len(default)} numbers in each row of {name}, got {rows.shape[1]}")
+    return rows

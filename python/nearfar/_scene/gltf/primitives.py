@@ -19,24 +19,11 @@ from nearfar._scene.gltf.extensions import needs_draco
 from nearfar._scene.gltf.material_reader import MaterialReader
 from nearfar._scene.materials import colors_of
 
-_WIDTHS = {"POSITION": 3, "NORMAL": 3}
 _UV_WIDTH = 2
 
 
 class Primitives:
-    """Reads the primitives of one document.
-
-    Parameters
-    ----------
-    header
-        The document.
-    buffers
-        Reads the document's arrays.
-    materials
-        Reads the document's materials.
-    budget
-        Counts the bytes of new arrays.
-    """
+    """Reads the primitives of one document, the `header`; `budget` counts the bytes of new arrays."""
 
     def __init__(self, header: dict[str, Any], buffers: Buffers, materials: MaterialReader, budget: Budget) -> None:
         self._header, self._buffers, self._materials, self._budget = header, buffers, materials, budget
@@ -60,24 +47,20 @@ class Primitives:
             rows = self._buffers.raw(number)
             return rows[used] if len(rows) == count else rows
 
-        rows = {
-            name: self._attribute(name, width, numbers[name], used_rows(numbers[name]))
-            for name, width in _WIDTHS.items()
-            if name in numbers
-        }
-        vertices = rows["POSITION"]
+        def attribute(name: str, width: int) -> NDArray[Any]:
+            return self._attribute(name, width, numbers[name], used_rows(numbers[name]))
+
+        vertices = attribute("POSITION", 3)
         shape = Shape(vertices, triangles)
-        normals = rows.get("NORMAL")
-        if normals is not None and normals.shape == vertices.shape:
+        if "NORMAL" in numbers and (normals := attribute("NORMAL", 3)).shape == vertices.shape:
             shape.normals = normals
         if "material" in primitive:
             shape.materials = self._materials.material(primitive["material"])
-            shown = self._materials.coordinates(primitive["material"])
-            name = "" if shown is None else f"TEXCOORD_{shown.number}"
-            if shown is not None and name in numbers:
-                uvs = self._attribute(name, _UV_WIDTH, numbers[name], used_rows(numbers[name]))
+            uv_set = self._materials.coordinates(primitive["material"])
+            if uv_set is not None and (name := f"TEXCOORD_{uv_set.number}") in numbers:
+                uvs = attribute(name, _UV_WIDTH)
                 # v points down in files.
-                shape.uvs = np.column_stack([uvs[:, 0], 1 - uvs[:, 1]]) if shown.is_plain else shown.upwards(uvs)
+                shape.uvs = np.column_stack([uvs[:, 0], 1 - uvs[:, 1]]) if uv_set.is_plain else uv_set.upwards(uvs)
         if "COLOR_0" in numbers:
             # COLOR_0 is linear (glTF 2.0, 3.7.2.1).
             shape.colors = colors_of(used_rows(numbers["COLOR_0"]), len(vertices), linear=True)
@@ -121,5 +104,5 @@ def _used(faces: NDArray[Any], count: int) -> tuple[NDArray[np.int64] | slice, N
     """Indices of the vertices in use, and the faces renumbered to them; all vertices if faces are damaged."""
     if not faces.size or int(faces.min()) < 0 or int(faces.max()) >= count:
         return slice(None), faces
-    used, places = np.unique(faces, return_inverse=True)
-    return (slice(None), faces) if len(used) == count else (used.astype(np.int64), places.reshape(-1, 3))
+    used, indices = np.unique(faces, return_inverse=True)
+    return (slice(None), faces) if len(used) == count else (used.astype(np.int64), indices.reshape(-1, 3))

@@ -13,7 +13,8 @@ from nearfar._scene.gltf.buffers import Buffers
 from nearfar._scene.gltf.corners import MODES, TRIANGLES, mode
 from nearfar._scene.gltf.material_reader import NONE, MaterialReader
 from nearfar._scene.gltf.tables import Table, table
-from nearfar._scene.stored import Stored, Surface
+from nearfar._scene.report import Surface
+from nearfar._scene.stored import Stored
 
 _NONE = -1
 """Index that means no accessor."""
@@ -62,9 +63,9 @@ def _used(meshes: list[dict[str, Any]], materials: MaterialReader) -> set[int]:
     for primitive in (primitive for mesh in meshes for primitive in mesh["primitives"] if mode(primitive) in MODES):
         attributes, material = primitive.get("attributes", {}), primitive.get("material")
         numbers += [primitive.get("indices"), *(attributes.get(name) for name in _NAMES)]
-        shown = materials.coordinates(material) if type(material) is int and material >= 0 else None
-        if shown is not None:
-            numbers.append(attributes.get(f"TEXCOORD_{shown.number}"))
+        uv_set = materials.coordinates(material) if type(material) is int and material >= 0 else None
+        if uv_set is not None:
+            numbers.append(attributes.get(f"TEXCOORD_{uv_set.number}"))
     return {number for number in numbers if type(number) is int}
 
 
@@ -75,10 +76,10 @@ def _bytes(rows: Table, faces: Numbers) -> int:
     corners = int((counts * np.where(has_corners, rows.rows[faces[:, 5], 2], 4)).sum())
     sets, of_set = np.unique(faces[:, :5], axis=0, return_inverse=True)
     uses = np.bincount(sets[:, 1])[sets[:, 1]]
-    needed = np.bincount(of_set.ravel(), counts, minlength=len(sets)).astype(np.int64)
+    needed_counts = np.bincount(of_set.ravel(), counts, minlength=len(sets)).astype(np.int64)
     # For positions shared by meshes, each takes a range at most twice as long as its faces need.
-    taken = np.where(uses > 1, np.minimum(rows.counts[sets[:, 1]], 2 * needed), rows.counts[sets[:, 1]])
-    return corners + int((taken * (12 + (sets[:, 2:5] != _NONE) @ _ATTRIBUTES)).sum())
+    taken_counts = np.where(uses > 1, np.minimum(rows.counts[sets[:, 1]], 2 * needed_counts), rows.counts[sets[:, 1]])
+    return corners + int((taken_counts * (12 + (sets[:, 2:5] != _NONE) @ _ATTRIBUTES)).sum())
 
 
 class _Faces:
@@ -89,25 +90,16 @@ class _Faces:
         self._counts = rows.counts.tolist()
         corners = rows.allows((1,), _UNSIGNED) & rows.is_tight & (rows.counts % 3 == 0)
         self._corners: list[bool] = corners.tolist()
-        self._allowed: list[list[bool]] = [
-            rows.allows((3,), _COORDINATES).tolist(),
-            rows.allows((3,), _COORDINATES).tolist(),
-            rows.allows((3, 4), _COLORS).tolist(),
-        ]
+        coordinates: list[bool] = rows.allows((3,), _COORDINATES).tolist()
+        self._allowed: list[list[bool]] = [coordinates, coordinates, rows.allows((3, 4), _COLORS).tolist()]
         self._uvs: list[bool] = rows.allows((2,)).tolist()
         self._surfaces: dict[tuple[int, bool, bool, bool], int] = {}
         self.surfaces: list[Surface] = []
 
     def of_mesh(self, number: int, mesh: dict[str, Any]) -> list[tuple[int, ...]]:
         """Rows of a mesh; empty if one of its primitives cannot be read directly."""
-        found = []
-        for primitive in mesh["primitives"]:
-            if mode(primitive) in MODES:
-                row = self._row(primitive)
-                if row is None:
-                    return []
-                found.append((number, *row))
-        return found
+        rows = [self._row(primitive) for primitive in mesh["primitives"] if mode(primitive) in MODES]
+        return [] if None in rows else [(number, *row) for row in rows if row is not None]
 
     def _row(self, primitive: dict[str, Any]) -> tuple[int, ...] | None:
         """Row of a primitive without the mesh; None if it cannot be read directly."""
@@ -126,13 +118,13 @@ class _Faces:
         if count % 3 if "indices" not in primitive else not _is_one(corners, self._corners):
             return None
         positions, normals, colors = numbers
-        shown = self._materials.coordinates(material)
-        name = "" if shown is None else f"TEXCOORD_{shown.number}"
+        uv_set = self._materials.coordinates(material)
+        name = "" if uv_set is None else f"TEXCOORD_{uv_set.number}"
         surface = self._surface(material, normals != _NONE, name in attributes, colors != _NONE)
         uvs = _NONE
         if self.surfaces[surface].is_textured:
             uvs = attributes[name]
-            if shown is None or not shown.is_plain or not _is_one(uvs, self._uvs) or self._counts[uvs] != count:
+            if uv_set is None or not uv_set.is_plain or not _is_one(uvs, self._uvs) or self._counts[uvs] != count:
                 return None
         return positions, normals, uvs, colors, corners, surface
 

@@ -21,8 +21,9 @@ _SIZES = {code: np.dtype(kind).itemsize for code, kind in COMPONENTS.items()}
 _EMPTY_ROW = (0, 0, 4, 0, 1, _FLOAT, 0)
 """Row of an accessor that cannot be used unchanged."""
 
+_ACCESSOR_DEFAULTS = {"bufferView": _NONE, "byteOffset": 0, "componentType": 0, "count": _NONE}
 _VIEW_DEFAULTS = {"buffer": _NONE, "byteOffset": 0, "byteLength": _NONE, "byteStride": _NONE}
-"""Entries of a buffer view with their defaults."""
+"""Entries of an accessor and of a buffer view with their defaults."""
 
 _UNUSED_ROW = (_NONE, 0, 0, 0, 0, 0, 0)
 """Row of an accessor that is not in use."""
@@ -55,8 +56,7 @@ class Table:
     @property
     def is_tight(self) -> NDArray[np.bool_]:
         """Whether rows follow each other without gaps (A,)."""
-        tight: NDArray[np.bool_] = self.rows[:, 2] == _sizes(self.rows[:, 5]) * self.rows[:, 4]
-        return tight
+        return np.asarray(self.rows[:, 2] == _sizes(self.rows[:, 5]) * self.rows[:, 4])
 
 
 def _sizes(kinds: Numbers) -> Numbers:
@@ -92,32 +92,21 @@ def table(header: dict[str, Any], buffers: Buffers, accessor_numbers: Collection
 
 def _accessors(header: dict[str, Any], accessor_numbers: Collection[int]) -> Numbers:
     """Columns (A, 7): view, first byte, component type, count, width, whether normalised, whether sparse."""
-    return _numbers(
-        [
-            (
-                accessor.get("bufferView", _NONE),
-                accessor.get("byteOffset", 0),
-                accessor.get("componentType", 0),
-                accessor.get("count", _NONE),
-                WIDTHS.get(accessor.get("type"), 0),
-                int(accessor.get("normalized", False) is True),
-                int("sparse" in accessor),
-            )
-            if number in accessor_numbers
-            else _UNUSED_ROW
-            for number, accessor in enumerate(header.get("accessors", []))
-        ]
-    )
+    rows: list[tuple[Any, ...]] = []
+    for number, accessor in enumerate(header.get("accessors", [])):
+        if number not in accessor_numbers:
+            rows.append(_UNUSED_ROW)
+            continue
+        numbers = (accessor.get(key, default) for key, default in _ACCESSOR_DEFAULTS.items())
+        width, is_normalized = WIDTHS.get(accessor.get("type"), 0), accessor.get("normalized", False) is True
+        rows.append((*numbers, width, int(is_normalized), int("sparse" in accessor)))
+    return _numbers(rows)
 
 
 def _views(header: dict[str, Any]) -> Numbers:
     """Columns (V, 4): buffer, first byte, length and stride, −1 for none."""
-    return _numbers(
-        [
-            tuple(view.get(key, default) for key, default in _VIEW_DEFAULTS.items())
-            for view in header.get("bufferViews", [])
-        ]
-    )
+    views = header.get("bufferViews", [])
+    return _numbers([tuple(view.get(*item) for item in _VIEW_DEFAULTS.items()) for view in views])
 
 
 def _numbers(rows: list[tuple[Any, ...]]) -> Numbers:
@@ -140,17 +129,15 @@ def _blocks(
             is_packed = buffers.is_packed(number)
             if is_packed or buffer not in block_by_buffer:
                 content = buffers.view(number) if is_packed else buffers.whole(buffer)
+                blocks.append(np.frombuffer(content, np.uint8))
         except TooLargeError:
             raise
         except Exception:  # resolvers may raise any type; later reads of this view report the reason
             continue
         if is_packed:
-            block[number], length[number] = len(blocks), len(content)
-            blocks.append(np.frombuffer(content, np.uint8) if len(content) else np.zeros(0, np.uint8))
+            block[number], length[number] = len(blocks) - 1, len(blocks[-1])
             continue
-        if buffer not in block_by_buffer:
-            block_by_buffer[buffer] = len(blocks)
-            blocks.append(np.frombuffer(content, np.uint8) if len(content) else np.zeros(0, np.uint8))
-        if 0 <= first_byte <= first_byte + size <= len(blocks[block_by_buffer[buffer]]):
-            block[number], start[number], length[number] = block_by_buffer[buffer], first_byte, size
+        content_block = block_by_buffer.setdefault(buffer, len(blocks) - 1)
+        if 0 <= first_byte <= first_byte + size <= len(blocks[content_block]):
+            block[number], start[number], length[number] = content_block, first_byte, size
     return blocks, block, start, length

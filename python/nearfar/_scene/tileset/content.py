@@ -12,8 +12,9 @@ import numpy as np
 from nearfar._base import check, glb
 from nearfar._base.errors import UnusableError
 from nearfar._scene.budget import Budget
-from nearfar._scene.content import Content, Nodes, Shape
+from nearfar._scene.content import Content, Nodes, Shape, translation
 from nearfar._scene.gltf.document import read as read_gltf
+from nearfar._scene.gltf.nodes import INSTANCE_BYTES
 from nearfar._scene.materials import Materials
 from nearfar._scene.tileset import frames, instances, tables, values
 from nearfar._scene.tileset.files import Files
@@ -29,9 +30,6 @@ _RTC = "CESIUM_RTC"
 
 _MAX_NESTED = 32
 """Maximum nesting depth of composite tiles."""
-
-_INSTANCE_BYTES = 512
-"""Bytes of memory per instance: some copies of its transform, its name and its place in the scene."""
 
 
 @dataclass
@@ -60,37 +58,17 @@ class TileContent:
 
 @dataclass(frozen=True)
 class Reader:
-    """Reads files of tiles.
-
-    Parameters
-    ----------
-    files
-        Reads files that tiles refer to.
-    budget
-        Counts unpacked bytes.
-    materials
-        Converts materials.
-    """
+    """Reads files of tiles; `budget` counts unpacked bytes."""
 
     files: Files
     budget: Budget
     materials: Materials
 
     def read(self, name: str, data: bytes, up: str, to_earth: Floats, depth: int = 0) -> TileContent:
-        """Read a file; raises any exception if it is unusable.
+        """Read the data of the file with that path or URL; raises any exception if it is unusable.
 
-        Parameters
-        ----------
-        name
-            Path or URL of the file.
-        data
-            Content of the file.
-        up
-            Up axis of its glTF: X, Y or Z.
-        to_earth
-            Transform (4, 4) from the tile to the tileset.
-        depth
-            Number of composite tiles around it.
+        `up` is the up axis of its glTF: X, Y or Z. `to_earth` (4, 4) is the transform from the tile to the tileset,
+        `depth` the number of composite tiles around it.
         """
         if data.startswith(_GZIP):
             data = self.budget.unpacked(data)
@@ -105,10 +83,8 @@ class Reader:
                 return self._composite(name, data, up, to_earth, depth)
             case magic if magic in _OTHERS:
                 tables.framed(data)
-                return TileContent(_nothing(name, f"tile of {_OTHERS[magic]} ignored"))
-            case b"glTF":
-                return TileContent(self._gltf(name, data, up))
-            case _ if data.lstrip()[:1] == b"{":
+                return TileContent(Content(name, {}, Nodes.from_rows([]), [f"tile of {_OTHERS[magic]} ignored"]))
+            case magic if magic == b"glTF" or data.lstrip().startswith(b"{"):
                 return TileContent(self._gltf(name, data, up))
             case magic:
                 raise UnusableError(f"it begins with {check.shortened(magic)}, and is no b3dm, i3dm, cmpt or glTF")
@@ -134,10 +110,10 @@ class Reader:
         else:
             raise UnusableError(f"it states the format {parts.format} of its model, and 0 and 1 are known")
         nodes = model.nodes
-        self.budget.hold(len(placed) * len(nodes.objects) * _INSTANCE_BYTES)
+        self.budget.hold(len(placed) * len(nodes.objects) * INSTANCE_BYTES)
         transforms = (placed[:, None] @ nodes.transforms[None]).reshape(-1, 4, 4)
-        one = len(nodes.objects) == 1
-        objects = [str(n) if one else f"{n}/{node}" for n in range(len(placed)) for node in nodes.objects]
+        is_single = len(nodes.objects) == 1
+        objects = [str(n) if is_single else f"{n}/{node}" for n in range(len(placed)) for node in nodes.objects]
         content = replace(model, label=name, nodes=Nodes(objects, transforms, nodes.shapes * len(placed)))
         return TileContent(content, parts.has_properties, instances.rotations_depend_on_location(parts.features))
 
@@ -147,68 +123,60 @@ class Reader:
         inner = [self.read(name, part, up, to_earth, depth + 1) for part in _tiles(tables.framed(data))]
         content = join_contents(name, [(str(n), f"{n}/", part.content) for n, part in enumerate(inner)])
         return TileContent(
-            content,
-            any(part.has_properties for part in inner),
-            any(part.depends_on_place for part in inner),
+            content, any(part.has_properties for part in inner), any(part.depends_on_place for part in inner)
         )
 
     def _gltf(self, name: str, data: bytes, up: str) -> Content:
         kind = "glb" if data.startswith(b"glTF") else "gltf"
         if kind == "glb" and data[4:8] == b"\1\0\0\0":
             raise UnusableError("it holds glTF 1.0, and only glTF 2 is read; 3d-tiles-tools (upgrade) converts it")
-        beside = _Beside(self.files, name, self.budget)
+        resolver = _Resolver(self.files, name, self.budget)
         # Without stored meshes, since tiles are counted, turned and joined by their shapes.
-        content = read_gltf(name, data, kind, beside, self.materials, self.budget, stores=False)
+        content = read_gltf(name, data, kind, resolver, self.materials, self.budget, stores=False)
         _check_vertices(content)
-        shift = np.eye(4)
-        if (center := _center(data, kind)) is not None:
-            shift[:3, 3] = center
-        content.nodes = replace(content.nodes, transforms=shift @ frames.TO_Z_UP[up] @ content.nodes.transforms)
+        turn = translation(_center(data, kind)) @ frames.TO_Z_UP[up]
+        content.nodes = replace(content.nodes, transforms=turn @ content.nodes.transforms)
         note = f"extension {_RTC} ignored"
         content.notes = [other for other in content.notes if other != note]
         return content
 
 
-class _Beside:
-    """Resolver for the files that a tile's glTF refers to, for trimesh."""
+class _Resolver:
+    """Trimesh resolver for the files that a tile's glTF refers to."""
 
     def __init__(self, files: Files, name: str, budget: Budget) -> None:
         self._files, self._name, self._budget = files, name, budget
         self.parent = os.path.dirname(name)
-        self._known: dict[str, bytes] = {}
+        self._content: dict[str, bytes] = {}
 
     def get(self, uri: str) -> bytes:
         """Bytes of a file, by its URI relative to the tile."""
-        if uri not in self._known:
-            self._known[uri] = self._files.read(self._files.resolve(self._name, uri), self._budget)
-        return self._known[uri]
-
-
-def _nothing(name: str, note: str) -> Content:
-    return Content(name, {}, Nodes([], np.zeros((0, 4, 4)), []), [note])
+        if uri not in self._content:
+            self._content[uri] = self._files.read(self._files.resolve(self._name, uri), self._budget)
+        return self._content[uri]
 
 
 def _tiles(data: bytes) -> Iterator[bytes]:
     """Split a composite tile into its tiles."""
     if len(data) < 16:
         raise UnusableError("it ends within its header of 16 bytes")
-    number = int.from_bytes(data[12:16], "little")
-    start = 16
-    for index in range(number):
+    count, start = int.from_bytes(data[12:16], "little"), 16
+    for index in range(count):
         if start >= len(data):
-            raise UnusableError(f"it states {number:,} tiles, and ends after {index:,}")
+            raise UnusableError(f"it states {count:,} tiles, and ends after {index:,}")
         part = tables.framed(data[start:])
         yield part
         start += len(part)
 
 
-def _center(data: bytes, kind: str) -> Floats | None:
-    """Position of a glTF file's origin from the extension; None without it."""
-    if _RTC.encode() not in data:
-        return None
-    document = glb.header(data)[0] if kind == "glb" else glb.json_object(data)
-    stated = document.get("extensions", {}).get(_RTC)
-    return None if stated is None else values.numbers(f"extensions.{_RTC}.center", stated.get("center"), 3)
+def _center(data: bytes, kind: str) -> Floats:
+    """Position (3,) of a glTF file's origin from the extension; 0 without it."""
+    if _RTC.encode() in data:
+        document = glb.header(data)[0] if kind == "glb" else glb.json_object(data)
+        extension = document.get("extensions", {}).get(_RTC)
+        if extension is not None:
+            return values.numbers(f"extensions.{_RTC}.center", extension.get("center"), 3)
+    return np.zeros(3)
 
 
 def _check_vertices(content: Content) -> None:
@@ -227,15 +195,15 @@ def join_contents(label: str, parts: Sequence[tuple[str, str, Content]]) -> Cont
     """
     shapes: dict[str, Shape] = {}
     objects: list[str] = []
-    chosen: list[str] = []
-    notes: Counter[str] = Counter()
-    for named, shaped, content in parts:
+    shape_names: list[str] = []
+    note_counts = Counter[str]()
+    for object_prefix, shape_prefix, content in parts:
         for name, shape in content.shapes.items():
-            shapes.setdefault(f"{shaped}{name}", replace(shape))
+            shapes.setdefault(f"{shape_prefix}{name}", replace(shape))
         names = content.nodes.objects
-        objects += [named if len(names) == 1 else f"{named}/{name}" for name in names]
-        chosen += [f"{shaped}{name}" for name in content.nodes.shapes]
-        notes.update(content.notes)
-    transforms = [content.nodes.transforms for *_, content in parts] or [np.zeros((0, 4, 4))]
-    said = [note if number == 1 else f"{note} ({number:,} times)" for note, number in notes.items()]
-    return Content(label, shapes, Nodes(objects, np.concatenate(transforms), chosen), said)
+        objects += [object_prefix if len(names) == 1 else f"{object_prefix}/{name}" for name in names]
+        shape_names += [f"{shape_prefix}{name}" for name in content.nodes.shapes]
+        note_counts.update(content.notes)
+    transforms = np.concatenate([np.zeros((0, 4, 4)), *(content.nodes.transforms for *_, content in parts)])
+    notes = [note if number == 1 else f"{note} ({number:,} times)" for note, number in note_counts.items()]
+    return Content(label, shapes, Nodes(objects, transforms, shape_names), notes)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import contextmanager
+from dataclasses import replace
 from functools import partial
 from typing import Any
 from urllib.parse import urlsplit
@@ -13,7 +14,8 @@ import numpy as np
 from nearfar._base import check, glb
 from nearfar._base.errors import UnusableError
 from nearfar._scene.budget import Budget
-from nearfar._scene.reasons import MAX_SENTENCE_LENGTH, sentence
+from nearfar._scene.entries import typed
+from nearfar._scene.reasons import sentence
 from nearfar._scene.tileset import implicit, metadata, subtree, values, volumes
 from nearfar._scene.tileset.files import Files
 from nearfar._scene.tileset.frames import Floats
@@ -23,12 +25,7 @@ from nearfar._scene.tileset.tile import IDENTITY, Source, StatedTile, Tile
 VERSIONS = ("0.0", "1.0", "1.1")
 """Supported versions of 3D Tiles."""
 
-_SUPPORTED_EXTENSIONS = {
-    implicit.EXTENSION,
-    "3DTILES_content_gltf",
-    "3DTILES_multiple_contents",
-    "3DTILES_metadata",
-}
+_SUPPORTED_EXTENSIONS = {implicit.EXTENSION, "3DTILES_content_gltf", "3DTILES_multiple_contents", "3DTILES_metadata"}
 """Supported extensions that tilesets may require."""
 
 _GZIP = b"\x1f\x8b"
@@ -39,13 +36,7 @@ class NamedError(UnusableError):
 
 
 class Documents:
-    """Reads the documents of a tileset, each once.
-
-    Parameters
-    ----------
-    files
-        Reads the tileset's files.
-    """
+    """Reads the documents of a tileset, each once."""
 
     def __init__(self, files: Files) -> None:
         self._files = files
@@ -61,16 +52,15 @@ class Documents:
 
     def _root_of(self, source: Source, transform: Floats, *, replaces: bool) -> StatedTile:
         document = self._document(source.name)
-        asset = values.entries("asset", document.get("asset"))
+        asset = typed(document.get("asset"), dict, "asset")
         if str(asset.get("version")) not in VERSIONS:
             stated = check.shortened(asset.get("version"))
             raise UnusableError(f"it is 3D Tiles {stated}, and only 1.0 and 1.1 are read")
-        for name in values.items("extensionsRequired", document.get("extensionsRequired", [])):
+        for name in typed(document.get("extensionsRequired", []), list, "extensionsRequired"):
             if name not in _SUPPORTED_EXTENSIONS:
                 raise UnusableError(f"it needs the extension {check.shortened(name)}, which is not read")
         up = values.choice("asset.gltfUpAxis", asset.get("gltfUpAxis", "Y"), ("X", "Y", "Z"))
-        source = Source(source.name, up, source.referrers)
-        return self._tile("root", source, document.get("root"), transform, replaces)
+        return self._tile("root", replace(source, up=up), document.get("root"), transform, replaces)
 
     def _document(self, name: str) -> dict[str, Any]:
         if name not in self._parsed:
@@ -84,13 +74,15 @@ class Documents:
         return budget.unpacked(data) if data.startswith(_GZIP) else data
 
     def _tile(self, json_path: str, source: Source, entry: Any, parent_transform: Floats, replaces: bool) -> StatedTile:
-        entry = values.entries(json_path, entry)
+        entry = typed(entry, dict, json_path)
         if entry.get("refine") is not None:
             replaces = values.choice(f"{json_path}.refine", entry["refine"], ("ADD", "REPLACE")) == "REPLACE"
         tiling_entry = implicit.tiling_entry_of(entry)
         contents = tuple(_contents(json_path, entry))
-        tilesets = tuple(uri for uri in contents if tiling_entry is None and _is_tileset(uri))
-        children = values.items(f"{json_path}.children", entry.get("children", []))
+        tilesets = tuple(
+            uri for uri in contents if tiling_entry is None and urlsplit(uri).path.lower().endswith(".json")
+        )
+        children = typed(entry.get("children", []), list, f"{json_path}.children")
         tile = StatedTile(
             json_path,
             source,
@@ -116,13 +108,11 @@ class Documents:
 
     def _children(self, children: list[Any], tilesets: tuple[str, ...], tile: StatedTile) -> list[Tile]:
         with self._name_errors(tile.source.name):
-            tiles: list[Tile] = [
+            stated = [
                 self._tile(f"{tile.json_path}.children[{n}]", tile.source, child, tile.transform, tile.replaces)
                 for n, child in enumerate(children)
             ]
-            for uri in tilesets:
-                tiles += self._external(uri, tile)
-            return tiles
+            return [*stated, *(root for uri in tilesets for root in self._external(uri, tile))]
 
     def _external(self, uri: str, tile: StatedTile) -> list[Tile]:
         """Root tile of an external tileset; empty if its file is missing."""
@@ -141,25 +131,24 @@ class Documents:
 
     def _subtree(self, tiling: Implicit, uri: str) -> subtree.Subtree | None:
         """Subtree of an implicit tiling; None if its file is missing."""
-        key = (tiling.source.name, uri, tiling.axes, tiling.subtree_levels)
-        if key not in self._subtrees:
-            self._subtrees[key] = self._read_subtree(tiling, uri)
-        return self._subtrees[key]
+        key = (tiling.tile.source.name, uri, tiling.axes, tiling.subtree_levels)
+        if key in self._subtrees:
+            return self._subtrees[key]
+        name = self._files.resolve(tiling.tile.source.name, uri)
 
-    def _read_subtree(self, tiling: Implicit, uri: str) -> subtree.Subtree | None:
-        name = self._files.resolve(tiling.source.name, uri)
+        def read_relative(uri: str) -> bytes:
+            return self.read(self._files.resolve(name, uri))
+
         try:
             data = self.read(name)
         except FileNotFoundError:
             self.missing[name] = None
-            return None
-        with self._name_errors(name):
-            return subtree.read(
-                data, tiling.axes, tiling.subtree_levels, partial(self._read_relative, name), tiling.boxes
-            )
-
-    def _read_relative(self, name: str, uri: str) -> bytes:
-        return self.read(self._files.resolve(name, uri))
+            self._subtrees[key] = None
+        else:
+            with self._name_errors(name):
+                size = (tiling.axes, tiling.subtree_levels)
+                self._subtrees[key] = subtree.read(data, *size, read_relative, tiling.boxes)
+        return self._subtrees[key]
 
     @contextmanager
     def _name_errors(self, name: str) -> Iterator[None]:
@@ -169,33 +158,25 @@ class Documents:
         except (NamedError, OSError):
             raise
         except Exception as error:
-            reason = check.one_line(sentence(error), MAX_SENTENCE_LENGTH)
             prefix = "" if name == self._files.top else f"{self._files.display_name(name)}: "
-            raise NamedError(f"{prefix}{reason}") from error
+            raise NamedError(f"{prefix}{sentence(error)}") from error
 
 
 def _contents(json_path: str, tile: dict[str, Any]) -> Iterator[str]:
     """URIs of a tile's content."""
-    contents = values.items(f"{json_path}.contents", tile.get("contents", []))
+    contents = typed(tile.get("contents", []), list, f"{json_path}.contents")
     extensions = tile.get("extensions", {})
     if isinstance(extensions, dict) and "3DTILES_multiple_contents" in extensions:
         more_contents = extensions["3DTILES_multiple_contents"]
-        more_contents = (
-            more_contents.get("contents", more_contents.get("content"))
-            if isinstance(more_contents, dict)
-            else more_contents
-        )
-        contents = contents + values.items(f"{json_path}.contents", more_contents)
+        if isinstance(more_contents, dict):
+            more_contents = more_contents.get("contents", more_contents.get("content"))
+        contents = contents + typed(more_contents, list, f"{json_path}.contents")
     if tile.get("content") is not None:
         contents = [tile["content"], *contents]
     for content in contents:
-        entry = values.entries(f"{json_path}.content", content)
+        entry = typed(content, dict, f"{json_path}.content")
         # Tilesets before 1.0 use url.
-        yield values.text(f"{json_path}.content.uri", entry.get("uri", entry.get("url")))
-
-
-def _is_tileset(uri: str) -> bool:
-    return urlsplit(uri).path.lower().endswith(".json")
+        yield typed(entry.get("uri", entry.get("url")), str, f"{json_path}.content.uri")
 
 
 def _transform(json_path: str, numbers: Any, parent_transform: Floats) -> Floats:
@@ -205,5 +186,4 @@ def _transform(json_path: str, numbers: Any, parent_transform: Floats) -> Floats
     matrix = values.numbers(json_path, numbers, 16).reshape(4, 4).T
     if not np.array_equal(matrix[3], (0, 0, 0, 1)):
         raise UnusableError(f"{json_path}: expected an affine transform, got the last row {matrix[3].tolist()}")
-    transform: Floats = parent_transform @ matrix
-    return transform
+    return np.asarray(parent_transform @ matrix)

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from functools import partial
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any
 from urllib.parse import unquote, urljoin, urlsplit
 
 from nearfar._base import cache, check, files, remote
@@ -26,22 +26,6 @@ _VALIDATORS = ("ETag", "Content-MD5", "Digest", "Last-Modified", "mtime", "LastM
 
 class OutsideError(UnusableError):
     """Error: a file refers to one outside its tileset's folder, or at another origin."""
-
-
-class Files(Protocol):
-    """Reader of a tileset's files; a name is a path or a URL."""
-
-    top: str
-    """Name of the top file."""
-
-    def resolve(self, base: str, uri: str) -> str:
-        """Resolve a reference in the file `base` to a name; OutsideError if it leads outside."""
-
-    def display_name(self, name: str) -> str:
-        """Name of a file for messages, relative to the top file's folder."""
-
-    def read(self, name: str, budget: Budget) -> bytes:
-        """Bytes of a file; FileNotFoundError if it does not exist."""
 
 
 def open_files(path: str | os.PathLike[str]) -> Files:
@@ -71,9 +55,10 @@ class Local:
         files.restore(path)
         self._folder = os.path.realpath(path.parent)
         self.top = os.path.join(self._folder, path.name)
+        """Name of the top file."""
 
     def resolve(self, base: str, uri: str) -> str:
-        """Resolve a reference in the file `base` to a path."""
+        """Resolve a reference in the file `base` to a name; OutsideError if it leads outside."""
         parts = urlsplit(uri)
         if parts.scheme or parts.netloc or uri.startswith(("/", "\\")):
             raise OutsideError(f"it refers to {check.shortened(uri)}, which lies outside its folder")
@@ -89,11 +74,11 @@ class Local:
         return real
 
     def display_name(self, name: str) -> str:
-        """Path relative to the top file's folder."""
+        """Name of a file for messages, relative to the top file's folder."""
         return os.path.relpath(name, self._folder)
 
     def read(self, name: str, budget: Budget) -> bytes:
-        """Read a regular file."""
+        """Bytes of a file; FileNotFoundError if it does not exist."""
         return read_file(Path(name), budget)
 
 
@@ -112,7 +97,6 @@ class Remote:
         return Remote, (self.top,)
 
     def resolve(self, base: str, uri: str) -> str:
-        """Resolve a reference in the file `base` to a URL."""
         try:
             name = _resolve_uri(base, uri)
             origin = _origin(name)
@@ -123,33 +107,37 @@ class Remote:
         return name
 
     def display_name(self, name: str) -> str:
-        """Path relative to the top file's folder, without the query, which may contain a key."""
+        # Without the query, which may contain a key.
         return unquote(posixpath.relpath(urlsplit(name).path or "/", self._folder or "/"))
 
     def read(self, name: str, budget: Budget) -> bytes:
         """Read a file, from the cache if the server states the same version."""
         with remote.as_os_errors(name, "read"):
             path = self._system._strip_protocol(name)
-            stated = self._stated(path)
-            key = cache.key("tile", 1, name, stated)
-            data = _cached_content(key) if stated else None
+            version = self._version(path)
+            key = cache.key("tile", 1, name, version)
+            data = _cached_content(key) if version else None
             if data is None:
                 data = bytes(self._system.cat_file(path))
-                if stated:
-                    _keep(key, data)
+                if version:
+                    _write_to_cache(key, data)
         with self._lock:
             budget.add_read(len(data))
         return data
 
-    def _stated(self, path: str) -> list[str]:
+    def _version(self, path: str) -> list[str]:
         """Values that identify a file's version; empty if the server states none."""
         try:
-            described = self._system.info(path)
+            info = self._system.info(path)
         except FileNotFoundError:  # also raised for servers that only support requests for whole files
             return []
-        stated = [f"{key} {described[key]}" for key in _VALIDATORS if described.get(key)]
+        version = [f"{key} {info[key]}" for key in _VALIDATORS if info.get(key)]
         # Dates have a resolution of one second, within which a file may change again.
-        return [*stated, f"size {described.get('size')}"] if stated else []
+        return [*version, f"size {info.get('size')}"] if version else []
+
+
+Files = Local | Remote
+"""Reader of a tileset's files; a name is a path or a URL."""
 
 
 def _cached_content(key: str) -> bytes | None:
@@ -161,17 +149,13 @@ def _cached_content(key: str) -> bytes | None:
         return None
 
 
-def _keep(key: str, data: bytes) -> None:
+def _write_to_cache(key: str, data: bytes) -> None:
     """Cache a file's bytes; failure to write the cache folder is ignored."""
     try:
-        cache.keep(key, ".tile", partial(_write, data=data))
+        cache.keep(key, ".tile", partial(files.write, data=data))
     except OSError as error:
         if error.errno not in (errno.EACCES, errno.EROFS, errno.ENOSPC, errno.EPERM):
             raise
-
-
-def _write(path: Path, data: bytes) -> None:
-    path.write_bytes(data)
 
 
 def _origin(url: str) -> tuple[str, str, int | None]:

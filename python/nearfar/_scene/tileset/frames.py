@@ -34,17 +34,6 @@ Z_UP_TO_SCENE = np.array([[1.0, 0, 0, 0], [0, 0, 1, 0], [0, -1, 0, 0], [0, 0, 0,
 """Rotation from the axes of tiles to those of scenes: (x, y, z) becomes (x, z, −y)."""
 
 
-def east_north_up(places: Any) -> Floats:
-    """Rotations (…, 3, 3) with columns east, north and up at longitudes and latitudes (…, 2+), radians."""
-    places = np.asarray(places, np.float64)
-    longitude, latitude = places[..., 0], places[..., 1]
-    s, c, zero = np.sin(longitude), np.cos(longitude), np.zeros_like(longitude)
-    up, north = np.sin(latitude), np.cos(latitude)
-    east = [-s, c, zero]
-    columns = [east, [-up * c, -up * s, north], [north * c, north * s, up]]
-    return np.stack([np.stack(column, axis=-1) for column in columns], axis=-1)
-
-
 @dataclass(frozen=True)
 class Frame:
     """Transform from the tiles' frame to the scene's."""
@@ -79,13 +68,8 @@ def local_frame_at(middle: Floats) -> Frame | None:
     longitude, latitude, height = geodetic(middle).tolist()
     if not LOWEST <= height <= HIGHEST:
         return None
-    return local(
-        (
-            round(float(np.degrees(longitude)), _PLACES),
-            round(float(np.degrees(latitude)), _PLACES),
-            round(height, _HEIGHT_PLACES),
-        )
-    )
+    longitude, latitude = np.degrees([longitude, latitude]).tolist()
+    return local((round(longitude, _PLACES), round(latitude, _PLACES), round(height, _HEIGHT_PLACES)))
 
 
 def checked_origin(origin: Any) -> tuple[float, float, float] | None:
@@ -94,8 +78,8 @@ def checked_origin(origin: Any) -> tuple[float, float, float] | None:
         return None
     longitude, latitude, height = check.vector("origin", origin)
     if not (-360 <= longitude <= 360 and -90 <= latitude <= 90 and -1e7 <= height <= 1e9):
+        got = f"{longitude:g}, {latitude:g}, {height:g}"
         raise ValueError(
-            "origin: expected longitude within ±360°, latitude within ±90° and a height in metres, got "
-            f"{longitude:g}, {latitude:g}, {height:g}"
+            f"origin: expected longitude within ±360°, latitude within ±90° and a height in metres, got {got}"
         )
     return longitude, latitude, height

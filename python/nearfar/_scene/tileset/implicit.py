@@ -11,11 +11,11 @@ from typing import Any
 import numpy as np
 
 from nearfar._base.errors import UnusableError
+from nearfar._scene.entries import typed
 from nearfar._scene.tileset import values
-from nearfar._scene.tileset.frames import Floats
 from nearfar._scene.tileset.metadata import BoxProperty
 from nearfar._scene.tileset.subtree import MAX_LEVELS, Subtree, tiles_above
-from nearfar._scene.tileset.tile import Source, StatedTile, Tile
+from nearfar._scene.tileset.tile import StatedTile, Tile
 from nearfar._scene.tileset.volumes import Box, Region, Sphere, Volume
 
 _MAX_TREE_LEVELS = 64
@@ -28,39 +28,23 @@ Cell = tuple[int, ...]
 
 @dataclass(frozen=True)
 class Implicit:
-    """One implicit tiling.
+    """One implicit tiling."""
 
-    Parameters
-    ----------
-    json_path, source
-        JSON path of the tile that declares the tiling, and its document.
-    volume, error, replaces, transform
-        Values of the tile that declares the tiling.
-    axes
-        2 for a quadtree, 3 for an octree.
-    subtree_levels, levels
-        Number of levels of a subtree, and of the whole tree.
-    subtrees, contents
-        URI templates with {level}, {x}, {y} and {z}.
-    open_subtree
-        Reads a subtree; None if its file is missing.
-    boxes
-        Metadata properties with tiles' boxes, which override the subdivided volume, by class name.
-    """
-
-    json_path: str
-    source: Source
+    tile: StatedTile
+    """Tile that declares the tiling; its contents are URI templates like `subtrees`."""
     volume: Box | Region
-    error: float
-    replaces: bool
-    transform: Floats
+    """Volume of that tile."""
     axes: int
+    """2 for a quadtree, 3 for an octree."""
     subtree_levels: int
     levels: int
+    """Number of levels of the whole tree."""
     subtrees: str
-    contents: tuple[str, ...]
+    """URI template with {level}, {x}, {y} and {z}."""
     open_subtree: Callable[[Implicit, str], Subtree | None]
+    """Reads a subtree; None if its file is missing."""
     boxes: dict[str, BoxProperty]
+    """Metadata properties, by class name, that state tiles' boxes, which override the subdivided volume."""
 
     def root(self) -> list[Tile]:
         """Tile of level 0, if it is available."""
@@ -69,8 +53,9 @@ class Implicit:
     def subtree_root(self, level: int, cell: Cell) -> list[Tile]:
         """Top tile of a subtree, if it is available."""
         subtree = self.open_subtree(self, fill_template(self.subtrees, level, cell))
-        is_available = subtree is not None and subtree.tiles.bit(0)
-        return [ImplicitTile(self, subtree, level, cell, 0, 0)] if subtree is not None and is_available else []
+        if subtree is None or not subtree.tiles.bit(0):
+            return []
+        return [ImplicitTile(self, subtree, level, cell, 0, 0)]
 
 
 class ImplicitTile(Tile):
@@ -82,12 +67,13 @@ class ImplicitTile(Tile):
         self._tiling, self._subtree = tiling, subtree
         self._level, self._cell, self._depth, self._number = level, cell, depth, number
         self._bit = bit = tiles_above(depth, tiling.axes) + number
+        top = tiling.tile
         super().__init__(
-            tiling.source,
-            tiling.error * 0.5**level,
-            tiling.replaces,
-            tiling.transform,
-            has_content=any(bits.bit(bit) for bits in subtree.contents[: len(tiling.contents)]),
+            top.source,
+            top.error * 0.5**level,
+            top.replaces,
+            top.transform,
+            has_content=any(bits.bit(bit) for bits in subtree.contents[: len(top.contents)]),
             is_leaf=level + 1 >= tiling.levels,
         )
 
@@ -103,7 +89,7 @@ class ImplicitTile(Tile):
     @property
     def contents(self) -> tuple[str, ...]:
         """URIs of the available contents."""
-        templates = zip(self._tiling.contents, self._subtree.contents, strict=False)
+        templates = zip(self._tiling.tile.contents, self._subtree.contents, strict=False)
         return tuple(
             fill_template(template, self._level, self._cell) for template, bits in templates if bits.bit(self._bit)
         )
@@ -137,7 +123,7 @@ def tiling_entry_of(tile: dict[str, Any]) -> dict[str, Any] | None:
     entry = tile.get("implicitTiling")
     if entry is None and isinstance(extensions, dict):
         entry = extensions.get(EXTENSION)
-    return None if entry is None else values.entries("implicitTiling", entry)
+    return None if entry is None else typed(entry, dict, "implicitTiling")
 
 
 def read(
@@ -157,21 +143,15 @@ def read(
     else:
         levels = values.whole(f"{json_path}.availableLevels", entry.get("availableLevels"), 1, _MAX_TREE_LEVELS)
     axes = 2 if scheme == "QUADTREE" else 3
-    max_subtree_levels = MAX_LEVELS[axes]
-    subtree_levels = values.whole(f"{json_path}.subtreeLevels", entry.get("subtreeLevels"), 1, max_subtree_levels)
-    template = values.entries(f"{json_path}.subtrees", entry.get("subtrees")).get("uri")
+    subtree_levels = values.whole(f"{json_path}.subtreeLevels", entry.get("subtreeLevels"), 1, MAX_LEVELS[axes])
+    template = typed(entry.get("subtrees"), dict, f"{json_path}.subtrees").get("uri")
     return Implicit(
-        json_path=tile.json_path,
-        source=tile.source,
+        tile=tile,
         volume=volume,
-        error=tile.error,
-        replaces=tile.replaces,
-        transform=tile.transform,
         axes=axes,
         subtree_levels=subtree_levels,
         levels=levels,
-        subtrees=values.text(f"{json_path}.subtrees.uri", template),
-        contents=tile.contents,
+        subtrees=typed(template, str, f"{json_path}.subtrees.uri"),
         open_subtree=open_subtree,
         boxes=boxes,
     )

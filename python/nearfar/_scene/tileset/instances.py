@@ -6,15 +6,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nearfar._base.errors import UnusableError
-from nearfar._scene.frames import geodetic
-from nearfar._scene.tileset import frames, values
+from nearfar._scene.frames import east_north_up, geodetic
+from nearfar._scene.tileset import values
 from nearfar._scene.tileset.frames import Floats
 from nearfar._scene.tileset.tables import Features
-
-
-def count(features: Features) -> int:
-    """Number of instances."""
-    return features.count("INSTANCES_LENGTH")
 
 
 def rotations_depend_on_location(features: Features) -> bool:
@@ -24,7 +19,7 @@ def rotations_depend_on_location(features: Features) -> bool:
 
 def transforms(features: Features, to_earth: Floats) -> Floats:
     """Transforms instance→tile (N, 4, 4) of a feature table; `to_earth` (4, 4) is the transform tile→Earth."""
-    number = count(features)
+    number = features.count("INSTANCES_LENGTH")
     positions = _positions(features, number)
     matrices = np.tile(np.eye(4), (number, 1, 1))
     matrices[:, :3, :3] = _rotations(features, number, positions, to_earth) * _scales(features, number)[:, None, :]
@@ -65,8 +60,7 @@ def _rotations(features: Features, number: int, positions: Floats, to_earth: Flo
         return _rotations_from_axes(_axis(features, "NORMAL_RIGHT", number), _axis(features, "NORMAL_UP", number))
     if features.flag("EAST_NORTH_UP"):
         geodetic_positions = geodetic(positions @ to_earth[:3, :3].T + to_earth[:3, 3])
-        rotations: Floats = np.linalg.inv(_normalized_axes(to_earth)) @ frames.east_north_up(geodetic_positions)
-        return rotations
+        return np.asarray(np.linalg.inv(_normalized_axes(to_earth)) @ east_north_up(geodetic_positions))
     return np.tile(np.eye(3), (number, 1, 1))
 
 
@@ -76,8 +70,7 @@ def _normalized_axes(matrix: Floats) -> Floats:
     lengths = np.sqrt((linear**2).sum(axis=0))
     if not np.linalg.det(linear / np.where(lengths > 0, lengths, 1)):
         raise UnusableError("its tile's transform is singular, so that EAST_NORTH_UP defines no rotation")
-    axes: Floats = linear / lengths
-    return axes
+    return np.asarray(linear / lengths)
 
 
 def _has_axes(features: Features) -> bool:
@@ -98,8 +91,7 @@ def from_octahedron(codes: NDArray[np.uint16]) -> Floats:
     signs = np.where(x < 0, -1.0, 1.0), np.where(y < 0, -1.0, 1.0)
     x, y = np.where(is_below, (1 - np.abs(y)) * signs[0], x), np.where(is_below, (1 - np.abs(x)) * signs[1], y)
     vectors = np.stack([x, y, z], axis=1)
-    unit: Floats = vectors / np.linalg.norm(vectors, axis=1, keepdims=True)
-    return unit
+    return np.asarray(vectors / np.linalg.norm(vectors, axis=1, keepdims=True))
 
 
 def _rotations_from_axes(right: Floats, up: Floats) -> Floats:

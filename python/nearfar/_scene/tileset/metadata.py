@@ -10,6 +10,7 @@ import numpy as np
 
 from nearfar._base import check
 from nearfar._base.errors import UnusableError
+from nearfar._scene.entries import typed
 from nearfar._scene.tileset import values
 from nearfar._scene.tileset.frames import Floats
 
@@ -29,55 +30,46 @@ class BoxProperty:
 
 def box_properties(document: dict[str, Any]) -> dict[str, BoxProperty]:
     """Properties with tiles' boxes in a tileset's schema, by class name."""
-    found: dict[str, BoxProperty] = {}
-    schema = values.entries("schema", document.get("schema") or {})
-    for class_name, described in values.entries("schema.classes", schema.get("classes", {})).items():
-        place = f"schema.classes.{check.shortened(class_name)}"
-        properties = values.entries(place, described).get("properties", {})
-        for name, stated in values.entries(f"{place}.properties", properties).items():
-            here = f"{place}.properties.{check.shortened(name)}"
-            if values.entries(here, stated).get("semantic") != _SEMANTIC:
+    by_class: dict[str, BoxProperty] = {}
+    schema = typed(document.get("schema") or {}, dict, "schema")
+    for class_name, class_entry in typed(schema.get("classes", {}), dict, "schema.classes").items():
+        json_path = f"schema.classes.{check.shortened(class_name)}"
+        properties = typed(class_entry, dict, json_path).get("properties", {})
+        for name, item in typed(properties, dict, f"{json_path}.properties").items():
+            path = f"{json_path}.properties.{check.shortened(name)}"
+            if typed(item, dict, path).get("semantic") != _SEMANTIC:
                 continue
-            component = values.choice(f"{here}.componentType", stated.get("componentType"), tuple(_TYPES))
-            values.whole(f"{here}.count", stated.get("count"), _NUMBERS, _NUMBERS)
-            found[class_name] = BoxProperty(name, _TYPES[component])
-    return found
+            component = values.choice(f"{path}.componentType", item.get("componentType"), tuple(_TYPES))
+            values.whole(f"{path}.count", item.get("count"), _NUMBERS, _NUMBERS)
+            by_class[class_name] = BoxProperty(name, _TYPES[component])
+    return by_class
 
 
 def boxes(
-    document: dict[str, Any], known: dict[str, BoxProperty], count: int, view: Callable[[str, Any], bytes]
+    document: dict[str, Any], properties: dict[str, BoxProperty], count: int, view: Callable[[str, Any], bytes]
 ) -> Floats | None:
-    """Boxes (count, 4, 3) of a subtree's tiles: the centre, then half of each edge; None if it states none.
+    """Boxes (count, 4, 3) of a subtree's available tiles: the centre, then half of each edge; None if it states none.
 
-    Parameters
-    ----------
-    document
-        Document of the subtree.
-    known
-        Result of `box_properties`.
-    count
-        Number of the subtree's available tiles.
-    view
-        Returns the bytes of a buffer view by index.
+    `document` is the subtree's, `properties` the result of `box_properties`; `view` returns the bytes of a buffer view
+    by index.
     """
-    if not known or document.get("tileMetadata") is None:
+    if not properties or document.get("tileMetadata") is None:
         return None
-    tables = values.items("propertyTables", document.get("propertyTables"))
-    place = f"propertyTables[{values.whole('tileMetadata', document['tileMetadata'], 0, len(tables) - 1)}]"
-    table = values.entries(place, tables[document["tileMetadata"]])
-    property_ = known.get(str(table.get("class")))
+    tables = typed(document.get("propertyTables"), list, "propertyTables")
+    table_path = f"propertyTables[{values.whole('tileMetadata', document['tileMetadata'], 0, len(tables) - 1)}]"
+    table = typed(tables[document["tileMetadata"]], dict, table_path)
+    property_ = properties.get(str(table.get("class")))
     if property_ is None:
         return None
     if table.get("count") != count:
-        raise UnusableError(
-            f"{place}.count: expected {count}, the tiles that are there, got {check.shortened(table.get('count'))}"
-        )
-    columns = values.entries(f"{place}.properties", table.get("properties"))
-    column = f"{place}.properties.{check.shortened(property_.name)}"
-    data = view(column, values.entries(column, columns.get(property_.name)).get("values"))
+        got = check.shortened(table.get("count"))
+        raise UnusableError(f"{table_path}.count: expected {count}, the number of available tiles, got {got}")
+    columns = typed(table.get("properties"), dict, f"{table_path}.properties")
+    path = f"{table_path}.properties.{check.shortened(property_.name)}"
+    data = view(path, typed(columns.get(property_.name), dict, path).get("values"))
     if len(data) != count * _NUMBERS * property_.dtype.itemsize:
-        raise UnusableError(f"{column}: expected {_NUMBERS} numbers for each of {count} tiles, got {len(data)} bytes")
+        raise UnusableError(f"{path}: expected {_NUMBERS} numbers for each of {count} tiles, got {len(data)} bytes")
     rows = np.frombuffer(data, property_.dtype).astype(np.float64).reshape(count, 4, 3)
     if not np.isfinite(rows).all():
-        raise UnusableError(f"{column}: expected finite numbers")
+        raise UnusableError(f"{path}: expected finite numbers")
     return rows

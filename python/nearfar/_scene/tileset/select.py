@@ -16,8 +16,8 @@ from nearfar._scene.tileset.tile import Tile
 MAX_TILES = 100_000
 """Maximum number of visited tiles; a whole planet has more."""
 
-_REFERENCE = 10
-"""Number of tiles that the root of an external tileset counts as, since it takes that much longer."""
+_REFERENCE_COST = 10
+"""Number of tiles that the root of an external tileset counts as: reading its file takes about as long."""
 
 Touches = Callable[[Tile], bool]
 
@@ -36,19 +36,19 @@ class Selection:
 class Visits:
     """Counts tiles before they are visited."""
 
-    def __init__(self, most: int = MAX_TILES) -> None:
-        self._most, self._count = most, 0
+    def __init__(self) -> None:
+        self._count = 0
 
     def children(self, tile: Tile) -> list[Tile]:
         """Children of a tile, counted; UnusableError beyond the limit."""
-        self._count += len(tile.children) * (_REFERENCE if tile.refers else 1)
-        if self._count > self._most:
-            raise UnusableError(f"more than {self._most:,} tiles show it: state a larger error")
+        self._count += len(tile.children) * (_REFERENCE_COST if tile.refers else 1)
+        if self._count > MAX_TILES:
+            raise UnusableError(f"more than {MAX_TILES:,} tiles show it: state a larger error")
         return tile.children
 
 
 def box_test(box: Floats | None, to_scene: Floats) -> Touches:
-    """Return a test whether a tile's volume touches a box (2, 3) of the scene; without a box all tiles do."""
+    """Return a function that tests whether a tile's volume touches a box (2, 3) of the scene; without a box all do."""
     if box is None:
         return lambda tile: True
 
@@ -62,23 +62,14 @@ def box_test(box: Floats | None, to_scene: Floats) -> Touches:
 def by_error(
     root: Tile, error: float, touches: Touches, unrefined: AbstractSet[Tile] = frozenset(), *, through: bool = False
 ) -> Selection:
-    """Select tiles with content that show a tileset within a geometric error, in document order.
+    """Select tiles with content that show a tileset within a geometric error in metres, in document order.
 
-    Parameters
-    ----------
-    root
-        Root tile.
-    error
-        Greatest error, metres; 0 refines every tile with children.
-    touches
-        Whether a tile lies in the requested part of the world.
-    unrefined
-        Tiles whose children cannot be shown.
-    through
-        Whether to refine tiles without content always. Otherwise this is done only if nothing would be shown.
+    An error of 0 refines every tile with children. Tiles that do not touch the requested part of the world are left
+    out; children of `unrefined` tiles cannot be shown. With `through`, tiles without content are always refined,
+    otherwise only if nothing would be shown.
     """
     visits = Visits()
-    shown: list[Tile] = []
+    selected: list[Tile] = []
     worst = 0.0
     pending = [root]
     while pending:
@@ -89,49 +80,36 @@ def by_error(
         refines = is_coarse and tile not in unrefined
         children = visits.children(tile) if refines else []
         if tile.has_content and not (tile.replaces and children):
-            shown.append(tile)
+            selected.append(tile)
         if not (refines or tile.is_leaf):
             worst = max(worst, tile.error)
         pending += reversed(children)
-    if not (shown or through):
+    if not (selected or through):
         return by_error(root, error, touches, unrefined, through=True)
-    return Selection(shown, worst)
+    return Selection(selected, worst)
 
 
-def keeper(tile: Tile) -> Tile | None:
+def substitute(tile: Tile) -> Tile | None:
     """Tile to show instead of one whose content cannot be read: its nearest ancestor with content.
 
     None if that one is shown beside its children anyway, or if there is none.
     """
-    above = tile.parent
-    while above is not None and not above.has_content:
-        above = above.parent
-    return above if above is not None and above.replaces else None
+    ancestor = tile.parent
+    while ancestor is not None and not ancestor.has_content:
+        ancestor = ancestor.parent
+    return ancestor if ancestor is not None and ancestor.replaces else None
 
 
 def by_triangles(
-    root: Tile, most: int, touches: Touches, count: Callable[[Sequence[Tile]], Sequence[int | None]]
+    root: Tile, max_count: int, touches: Touches, count: Callable[[Sequence[Tile]], Sequence[int | None]]
 ) -> Selection:
-    """Select tiles of at most `most` triangles: tiles with the greatest error are refined first, while that fits.
+    """Select tiles of at most `max_count` triangles: tiles with the greatest error are refined first, while that fits.
 
-    Parameters
-    ----------
-    root
-        Root tile.
-    most
-        Greatest number of triangles.
-    touches
-        Whether a tile lies in the requested part of the world.
-    count
-        Numbers of triangles of tiles; None for one whose content cannot be read.
-
-    Returns
-    -------
-    Selection
-        It has more than `most` triangles if the coarsest tiles do.
+    Tiles that do not touch the requested part of the world are left out. `count` returns the numbers of triangles of
+    tiles, None for one whose content cannot be read. The selection has more triangles if the coarsest tiles do.
     """
     visits = Visits()
-    shown: dict[Tile, int] = {}
+    selected: dict[Tile, int] = {}
     order = itertools.count()
     heap: list[tuple[float, int, Tile]] = []
     total = 0
@@ -139,48 +117,48 @@ def by_triangles(
 
     def show(tiles: dict[Tile, int]) -> None:
         nonlocal total
-        shown.update(tiles)
+        selected.update(tiles)
         total += sum(tiles.values())
         for tile in tiles:
             heapq.heappush(heap, (-tile.error, next(order), tile))
 
     def readable(tiles: Sequence[Tile], *, through: bool) -> dict[Tile, int] | None:
-        """Tiles with content and their triangles; unreadable ones are replaced by their children, or fail (None)."""
-        found: dict[Tile, int] = {}
+        """Tiles with content and their triangles; None if one is unreadable. With `through` its children replace it."""
+        readable_sizes: dict[Tile, int] = {}
         pending = _with_content(tiles, touches, visits)
         while pending:
             sizes = count(pending)
             failed = [tile for tile, size in zip(pending, sizes, strict=True) if size is None]
             if failed and not through:
                 return None
-            found |= {tile: size for tile, size in zip(pending, sizes, strict=True) if size is not None}
+            readable_sizes |= {tile: size for tile, size in zip(pending, sizes, strict=True) if size is not None}
             pending = _with_content([child for tile in failed for child in visits.children(tile)], touches, visits)
-        return found
+        return readable_sizes
 
     show(readable([root], through=True) or {})
-    while heap and total <= most:
+    while heap and total <= max_count:
         tile = heapq.heappop(heap)[2]
-        below = readable(visits.children(tile), through=not tile.replaces)
-        removed = shown[tile] if tile.replaces else 0
-        if below and total - removed + sum(below.values()) <= most:
+        children = readable(visits.children(tile), through=not tile.replaces)
+        removed = selected[tile] if tile.replaces else 0
+        if children and total - removed + sum(children.values()) <= max_count:
             if tile.replaces:
-                total -= shown.pop(tile)
-            show(below)
-        elif below != {}:
+                total -= selected.pop(tile)
+            show(children)
+        elif children != {}:
             worst = max(worst, tile.error)
-    return Selection(list(shown), worst, total)
+    return Selection(list(selected), worst, total)
 
 
 def _with_content(tiles: Sequence[Tile], touches: Touches, visits: Visits) -> list[Tile]:
     """Tiles with content; the others are replaced by their descendants with content."""
-    found: list[Tile] = []
-    pending = list(reversed(tiles))
+    with_content: list[Tile] = []
+    pending = [*reversed(tiles)]
     while pending:
         tile = pending.pop()
         if not touches(tile):
             continue
         if tile.has_content:
-            found.append(tile)
+            with_content.append(tile)
         else:
             pending += reversed(visits.children(tile))
-    return found
+    return with_content

@@ -12,6 +12,7 @@ import numpy as np
 
 from nearfar._base import check, glb
 from nearfar._base.errors import UnusableError
+from nearfar._scene.entries import typed
 from nearfar._scene.tileset import metadata, values
 from nearfar._scene.tileset.frames import Floats
 from nearfar._scene.tileset.metadata import BoxProperty
@@ -58,9 +59,8 @@ class Bits:
     def _byte_ranks(self) -> np.ndarray[Any, np.dtype[np.int32]]:
         """Numbers of set bits before each byte; the last one is the total."""
         assert self.data is not None
-        return np.append(0, np.cumsum(_BYTE_BIT_COUNTS[np.frombuffer(self.data, np.uint8)], dtype=np.int32)).astype(
-            np.int32
-        )
+        counts = _BYTE_BIT_COUNTS[np.frombuffer(self.data, np.uint8)]
+        return np.concatenate([np.zeros(1, np.int32), np.cumsum(counts, dtype=np.int32)])
 
     def unpack(self) -> np.ndarray[Any, np.dtype[np.bool_]]:
         """Return all bits as an array (N,)."""
@@ -96,18 +96,18 @@ def read(
     """
     document, binary = _split(data)
     views = _Views(document, binary, load)
-    tile_count, child_count = tiles_above(levels, axes), 1 << axes * levels
+    tile_count = tiles_above(levels, axes)
     content_entries = document.get("contentAvailability", [])
     content_entries = content_entries if isinstance(content_entries, list) else [content_entries]
     extensions = document.get("extensions", {})
     if isinstance(extensions, dict) and "3DTILES_multiple_contents" in extensions:
-        multiple_contents = values.entries("3DTILES_multiple_contents", extensions["3DTILES_multiple_contents"])
-        content_entries = values.items("contentAvailability", multiple_contents.get("contentAvailability"))
+        multiple_contents = typed(extensions["3DTILES_multiple_contents"], dict, "3DTILES_multiple_contents")
+        content_entries = typed(multiple_contents.get("contentAvailability"), list, "contentAvailability")
     tiles = views.bits("tileAvailability", document.get("tileAvailability"), tile_count)
     subtree = Subtree(
         tiles,
         tuple(views.bits(f"contentAvailability[{n}]", entry, tile_count) for n, entry in enumerate(content_entries)),
-        views.bits("childSubtreeAvailability", document.get("childSubtreeAvailability"), child_count),
+        views.bits("childSubtreeAvailability", document.get("childSubtreeAvailability"), 1 << axes * levels),
         metadata.boxes(document, properties, tiles.rank(tile_count), views.view) if properties else None,
     )
     _check_consistency(subtree, axes, levels)
@@ -133,14 +133,14 @@ class _Views:
     """Buffers and buffer views of a subtree's document."""
 
     def __init__(self, document: dict[str, Any], binary: bytes, load: Callable[[str], bytes]) -> None:
-        self._buffers = values.items("buffers", document.get("buffers", []))
-        self._views = values.items("bufferViews", document.get("bufferViews", []))
+        self._buffers = typed(document.get("buffers", []), list, "buffers")
+        self._views = typed(document.get("bufferViews", []), list, "bufferViews")
         self._binary, self._load = binary, load
         self._loaded: dict[int, bytes] = {}
 
     def bits(self, json_path: str, entry: Any, count: int) -> Bits:
         """Read an availability entry."""
-        entry = values.entries(json_path, entry)
+        entry = typed(entry, dict, json_path)
         if "constant" in entry:
             return Bits(count, None, bool(values.whole(f"{json_path}.constant", entry["constant"], 0, 1)))
         index = entry.get("bitstream", entry.get("bufferView"))
@@ -149,27 +149,23 @@ class _Views:
             raise UnusableError(f"{json_path}: expected {count} bits, got {8 * len(data)}")
         bits = Bits(count, data)
         stated_count = entry.get("availableCount")
-        if (
-            stated_count is not None
-            and count <= _MAX_CHECKED_BITS
-            and stated_count != (bit_count := int(bits.unpack().sum()))
-        ):
-            raise UnusableError(
-                f"{json_path}: availableCount is {check.shortened(stated_count)}, but {bit_count} bits are set"
-            )
+        if stated_count is not None and count <= _MAX_CHECKED_BITS:
+            bit_count, stated = int(bits.unpack().sum()), check.shortened(stated_count)
+            if stated_count != bit_count:
+                raise UnusableError(f"{json_path}: availableCount is {stated}, but {bit_count} bits are set")
         return bits
 
     def view(self, json_path: str, index: Any) -> bytes:
         """Bytes of a buffer view that an entry refers to."""
-        return self._bytes(f"bufferViews[{index}]", values.entries(json_path, _item(json_path, self._views, index)))
+        return self._bytes(f"bufferViews[{index}]", typed(_item(json_path, self._views, index), dict, json_path))
 
     def _bytes(self, json_path: str, view: dict[str, Any]) -> bytes:
         index = view.get("buffer")
-        buffer = values.entries(json_path, _item(f"{json_path}.buffer", self._buffers, index))
+        buffer = typed(_item(f"{json_path}.buffer", self._buffers, index), dict, json_path)
         assert isinstance(index, int)
         if index not in self._loaded:
             uri = buffer.get("uri")
-            self._loaded[index] = self._binary if uri is None else self._load(values.text(f"{json_path}.uri", uri))
+            self._loaded[index] = self._binary if uri is None else self._load(typed(uri, str, f"{json_path}.uri"))
         data = self._loaded[index]
         start = values.whole(f"{json_path}.byteOffset", view.get("byteOffset", 0), 0, len(data))
         length = values.whole(f"{json_path}.byteLength", view.get("byteLength"), 0, len(data) - start)

@@ -54,8 +54,8 @@ def parts(data: bytes, *, has_format: bool) -> Parts:
     lengths = _LENGTHS.unpack_from(data, _COMMON.size)
     ends = [start, *(start + sum(lengths[: n + 1]) for n in range(4))]
     if ends[-1] > len(data):
-        stated = " + ".join(f"{length:,}" for length in lengths)
-        raise UnusableError(f"its tables have {stated} bytes as its header states, and it has {len(data) - start:,}")
+        sizes = " + ".join(f"{length:,}" for length in lengths)
+        raise UnusableError(f"its tables have {sizes} bytes as its header states, and it has {len(data) - start:,}")
     text, binary, properties, _ = (data[a:b] for a, b in pairwise(ends))
     kind = int.from_bytes(data[start - 4 : start], "little") if has_format else 1
     document = glb.json_object(text) if text.strip(b" \0") else {}
@@ -92,18 +92,16 @@ class Features:
     def rows(self, name: str, count: int, width: int, kind: type[np.generic]) -> NDArray[Any]:
         """Rows (N, K) for each feature, in the binary part or as a list."""
         value = self._document.get(name)
-        place = f"feature table, {name}"
+        json_path = f"feature table, {name}"
         if isinstance(value, list):
             if len(value) != count * width:
-                raise UnusableError(f"{place}: expected {count * width:,} numbers, got {len(value):,}")
-            return np.array(values.numbers(place, value, count * width), kind).reshape(count, width)
+                raise UnusableError(f"{json_path}: expected {count * width:,} numbers, got {len(value):,}")
+            return np.array(values.numbers(json_path, value, count * width), kind).reshape(count, width)
         if not isinstance(value, dict):
-            raise UnusableError(f"{place}: expected a place of its binary part, got {check.shortened(value)}")
-        start = values.whole(f"{place}.byteOffset", value.get("byteOffset"), 0, len(self._binary))
-        needed = count * width * np.dtype(kind).itemsize
-        if start + needed > len(self._binary):
-            raise UnusableError(
-                f"{place}: {count:,} rows take {needed:,} bytes from byte {start:,}, and the table has "
-                f"{len(self._binary):,}"
-            )
+            raise UnusableError(f"{json_path}: expected a place of its binary part, got {check.shortened(value)}")
+        start = values.whole(f"{json_path}.byteOffset", value.get("byteOffset"), 0, len(self._binary))
+        byte_count = count * width * np.dtype(kind).itemsize
+        if start + byte_count > len(self._binary):
+            available = f"from byte {start:,}, and the table has {len(self._binary):,}"
+            raise UnusableError(f"{json_path}: {count:,} rows take {byte_count:,} bytes {available}")
         return np.frombuffer(self._binary, np.dtype(kind).newbyteorder("<"), count * width, start).reshape(count, width)

@@ -24,54 +24,25 @@ class Source:
     """Names of the documents that refer to it, outermost first."""
 
 
+@dataclass(slots=True, eq=False, repr=False)
 class Tile(ABC):
-    """A tile of a tileset; its children are made on demand.
+    """A tile of a tileset; its children are made on demand."""
 
-    Parameters
-    ----------
-    source
-        Document that states it.
-    error
-        Geometric error, metres: how far its content deviates from the world if its children are not shown.
-    replaces
-        Whether its children replace its content; otherwise they are added to it.
-    transform
-        Tile→tileset (4, 4), float64.
-    has_content
-        Whether it has content.
-    is_leaf
-        Whether the document states no tiles below it.
-    refers
-        Whether it only refers to tiles described elsewhere, so that its children are always shown.
-    """
-
-    __slots__ = (
-        "_children",
-        "error",
-        "has_content",
-        "is_leaf",
-        "parent",
-        "refers",
-        "replaces",
-        "source",
-        "transform",
-    )
-
-    def __init__(
-        self,
-        source: Source,
-        error: float,
-        replaces: bool,
-        transform: Floats,
-        *,
-        has_content: bool,
-        is_leaf: bool,
-        refers: bool = False,
-    ) -> None:
-        self.source, self.error, self.replaces, self.transform = source, error, replaces, transform
-        self.has_content, self.is_leaf, self.refers = has_content, is_leaf, refers
-        self.parent: Tile | None = None
-        self._children: list[Tile] | None = None
+    source: Source
+    """Document that states it."""
+    error: float
+    """Geometric error, metres: how far its content deviates from the world if its children are not shown."""
+    replaces: bool
+    """Whether its children replace its content; otherwise they are added to it."""
+    transform: Floats
+    """Tile→tileset (4, 4), float64."""
+    has_content: bool
+    is_leaf: bool
+    """Whether the document states no tiles below it."""
+    refers: bool = False
+    """Whether it only refers to tiles described elsewhere, so that its children are always shown."""
+    parent: Tile | None = None
+    _children: list[Tile] | None = None
 
     @property
     @abstractmethod
@@ -91,10 +62,9 @@ class Tile(ABC):
     def children(self) -> list[Tile]:
         """Child tiles: they replace the content in more detail, or add to it."""
         if self._children is None:
-            children = [] if self.is_leaf else self.expand()
-            for child in children:
+            self._children = [] if self.is_leaf else self.expand()
+            for child in self._children:
                 child.parent = self
-            self._children = children
         return self._children
 
     def bounds(self, to_scene: Floats) -> Floats:
@@ -109,23 +79,13 @@ class Tile(ABC):
         volume = self.volume
         if isinstance(volume, Region):
             return volume.middle
-        middle: Floats = self.transform[:3, :3] @ volume.middle + self.transform[:3, 3]
-        return middle
+        return np.asarray(self.transform[:3, :3] @ volume.middle + self.transform[:3, 3])
 
 
 class StatedTile(Tile):
-    """A tile stated explicitly in a document.
+    """A tile stated explicitly in a document, at a JSON path for messages; other arguments are as in `Tile`.
 
-    Parameters
-    ----------
-    json_path
-        Its JSON path in the document, for messages.
-    volume, contents
-        Values of the properties of these names.
-    expand
-        Makes its children; None for a leaf.
-    source, error, replaces, transform, refers
-        As in `Tile`.
+    `expand` makes its children; it is None for a leaf.
     """
 
     __slots__ = ("_contents", "_expand", "_volume", "json_path")
@@ -149,16 +109,13 @@ class StatedTile(Tile):
 
     @property
     def volume(self) -> Volume:
-        """The stated volume."""
         return self._volume
 
     @property
     def contents(self) -> tuple[str, ...]:
-        """The stated references."""
         return self._contents
 
     def expand(self) -> list[Tile]:
-        """Make the stated children."""
         return [] if self._expand is None else self._expand(self)
 
 

@@ -1,18 +1,22 @@
-"""The `Tileset` class: its frame, its bounds, and the content of the tiles selected to show it."""
+"""Reads a tileset or a single tile: its frame, its bounds, and the content of the tiles selected to show it."""
 
 from __future__ import annotations
 
 import errno
 import os
+from dataclasses import replace
 from typing import Any
 from urllib.parse import urlsplit
 
 import numpy as np
 
+from nearfar._base import glb
 from nearfar._base.errors import SceneError, UnusableError
 from nearfar._scene.budget import Budget
-from nearfar._scene.content import Content, Nodes
+from nearfar._scene.city.read import KINDS as CITY_KINDS
+from nearfar._scene.content import Content
 from nearfar._scene.names import distinct
+from nearfar._scene.options import LoadOptions
 from nearfar._scene.report import count
 from nearfar._scene.tileset import frames, select
 from nearfar._scene.tileset.document import Documents
@@ -55,39 +59,25 @@ class Tileset:
         cache_bytes: float = np.inf,
         budget: Budget | None = None,
     ) -> Tileset:
-        """Open a tileset's document, or a single b3dm, i3dm or cmpt.
+        """Open a tileset's document, or a single b3dm, i3dm or cmpt, at a path or a URL that fsspec knows.
 
-        Parameters
-        ----------
-        path
-            A path, or a URL that fsspec knows.
-        origin
-            Longitude and latitude in degrees and height in metres of the scene's (0, 0, 0), for a tileset on the Earth;
-            by default the centre of its volume.
-        cache_bytes
-            Size of the cache of contents, bytes.
-        budget
-            Limit of the bytes that a single tile may unpack to.
+        `origin` is the longitude and latitude in degrees and the height in metres of the scene's (0, 0, 0), for a
+        tileset on the Earth; by default the centre of its volume. `cache_bytes` is the size of the cache of contents,
+        `budget` the limit of the bytes that a single tile may unpack to.
 
-        Raises
-        ------
-        SceneError
-            A file that is not a tileset, or one of an unsupported version; an `origin` for a tileset that does not lie
-            on the Earth, or none for one that covers the whole Earth.
-        ValueError, TypeError
-            An invalid `origin`.
-        OSError
-            A file that cannot be opened.
+        SceneError for a file that is no tileset or one of an unsupported version, for an `origin` off the Earth, and
+        for none if a tileset covers the whole Earth; ValueError or TypeError for an invalid `origin`; OSError for a
+        file that cannot be opened.
         """
-        checked_origin = frames.checked_origin(origin)
+        origin = frames.checked_origin(origin)
         files, cache = open_files(path), ContentCache(cache_bytes)
         label = os.fspath(path) if isinstance(files, Local) else str(path).partition("?")[0]
         try:
             if suffix(path) in KINDS:
-                return _open_tile(label, files, checked_origin, cache, Budget() if budget is None else budget)
+                return _open_tile(label, files, origin, cache, Budget() if budget is None else budget)
             documents = Documents(files)
             root = documents.root()
-            frame = _frame(root, checked_origin)
+            frame = _frame(root, origin)
         except UnusableError as error:
             raise SceneError(f"{label}: {error}") from error
         return cls(label, files, root, documents, frame, cache)
@@ -107,27 +97,14 @@ class Tileset:
     ) -> Content:
         """Read the content of the tiles that show the tileset, placed in the scene's frame.
 
-        A tile that cannot be read is left out, and a note names it. If it would replace a coarser tile, that
-        one is shown.
+        A tile that cannot be read is left out, and a note names it. If it would replace a coarser tile, the coarser one
+        is shown. `error` is the greatest geometric error in metres; 0 shows all detail. With `triangles`, a greatest
+        number of triangles, tiles with the greatest errors are refined first instead. Only tiles that touch the `box`
+        (2, 3) in the scene's frame are read, each as a whole. `budget` limits the bytes that the files may unpack to.
 
-        Parameters
-        ----------
-        error
-            Greatest geometric error in metres; 0 shows all detail.
-        triangles
-            Greatest number of triangles instead of an error: tiles with the greatest errors are refined first.
-        box
-            Box (2, 3) in the scene's frame: tiles that touch it are read, each as a whole. None for all tiles.
-        budget
-            Limit of the bytes that the files may unpack to.
-
-        Raises
-        ------
-        SceneError
-            A tileset that refers to files outside its folder or to itself, or that is too large; tiles that unpack to
-            more bytes than the budget; fewer `triangles` than the coarsest tiles have.
-        OSError
-            A URL that does not respond.
+        SceneError for a tileset that refers to files outside its folder or to itself, or that is too large, for tiles
+        that unpack to more bytes than the budget, and for fewer `triangles` than the coarsest tiles have; OSError for a
+        URL that does not respond.
         """
         reading = Reading(self._files, self._cache, Budget() if budget is None else budget)
         touches = select.box_test(box, self.frame.to_scene)
@@ -144,7 +121,7 @@ class Tileset:
             )
         content, properties = reading.place_contents(selection.tiles, self.frame.to_scene, self.label)
         tile_count = sum(size is not None for size in reading.sizes(selection.tiles))
-        content.nodes = Nodes(distinct(content.nodes.objects), content.nodes.transforms, content.nodes.shapes)
+        content.nodes = replace(content.nodes, objects=distinct(content.nodes.objects))
         content.notes[:0] = self._notes(tile_count, selection.error, reading.failures, properties)
         return content
 
@@ -154,13 +131,11 @@ class Tileset:
         while True:
             selection = select.by_error(self.root, error, touches, unrefined)
             sizes = reading.sizes(selection.tiles)
-            failed_tiles = [tile for tile, size in zip(selection.tiles, sizes, strict=True) if size is None]
-            replaced_tiles = {
-                replaced for tile in failed_tiles if (replaced := select.keeper(tile)) is not None
-            } - unrefined
-            if not replaced_tiles:
+            failed = [tile for tile, size in zip(selection.tiles, sizes, strict=True) if size is None]
+            coarser = {tile for tile in map(select.substitute, failed) if tile is not None} - unrefined
+            if not coarser:
                 return selection
-            unrefined |= replaced_tiles
+            unrefined |= coarser
 
     def _notes(self, tile_count: int, error: float, failures: dict[str, str], properties: int) -> list[str]:
         notes = [self.frame.note] if self.frame.note else []
@@ -211,7 +186,7 @@ def _open_tile(
         raise UnusableError(reason.removeprefix("cannot be used: "))
     box = _bounds(reading.place_contents([tile], IDENTITY, label)[0])
     if np.isfinite(box).all():
-        tile = _top_tile(files, Box(box.mean(axis=0), np.diag(np.ptp(box, axis=0) / 2)))
+        tile = _top_tile(files, Box.of_extremes(box))
     return Tileset(label, files, tile, None, _frame(tile, origin), cache)
 
 
@@ -224,13 +199,40 @@ def _bounds(content: Content) -> Floats:
     """Bounding box (2, 3) of placed shapes; not finite if there are none."""
     nodes = content.nodes
     boxes = {
-        name: np.array([shape.vertices.min(axis=0), shape.vertices.max(axis=0)], np.float64)
+        name: Box.of_extremes(np.array([shape.vertices.min(axis=0), shape.vertices.max(axis=0)], np.float64))
         for name, shape in content.shapes.items()
         if len(shape.vertices)
     }
-    low, high = np.full(3, np.inf), np.full(3, -np.inf)
-    for name, matrix in zip(nodes.shapes, nodes.transforms, strict=True):
-        if name in boxes:
-            placed_box = Box(boxes[name].mean(axis=0), np.diag(np.ptp(boxes[name], axis=0) / 2)).bounds(matrix)
-            low, high = np.minimum(low, placed_box[0]), np.maximum(high, placed_box[1])
-    return np.array([low, high])
+    pairs = zip(nodes.shapes, nodes.transforms, strict=True)
+    placed = np.array([boxes[name].bounds(matrix) for name, matrix in pairs if name in boxes]).reshape(-1, 2, 3)
+    return np.array([placed[:, 0].min(axis=0, initial=np.inf), placed[:, 1].max(axis=0, initial=-np.inf)])
+
+
+def check_options(path: str | os.PathLike[str], options: LoadOptions) -> None:
+    """Reject options of tilesets for other files; footprints may have an origin, too."""
+    if suffix(path) not in (*KINDS, "json"):
+        for name in ("error", "triangles", *(() if suffix(path) in CITY_KINDS else ("origin",))):
+            if getattr(options, name) is not None:
+                raise ValueError(f"{name}: expected none with {os.fspath(path)}, which is no tileset")
+
+
+def check_unused(options: LoadOptions) -> None:
+    """Reject options of tilesets for JSON that is not a tileset; UnusableError."""
+    for name in ("error", "triangles"):
+        if getattr(options, name) is not None:
+            raise UnusableError(f"it is no tileset: {name} does not apply to it")
+
+
+def is_tileset(data: bytes) -> bool:
+    """Whether a JSON file holds a tileset."""
+    document = glb.json_object(data)
+    return "root" in document and "asset" in document
+
+
+def read(path: str | os.PathLike[str], options: LoadOptions, budget: Budget) -> Content:
+    """Read a tileset, or a single b3dm, i3dm or cmpt; errors are those of `Tileset.open` and `Tileset.read`."""
+    if "://" in os.fspath(path) and suffix(path) not in (*KINDS, "json"):
+        raise UnusableError("only 3D Tiles are read from URLs: download this file")
+    tileset = Tileset.open(path, origin=options.origin, budget=budget)
+    error = 0.0 if options.error is None else options.error
+    return tileset.read(error=error, triangles=options.triangles, budget=budget)

@@ -9,70 +9,43 @@ from numpy.typing import NDArray
 
 from nearfar._base import check
 from nearfar._base.errors import UnusableError
+from nearfar._scene.entries import describe
 
 FARTHEST = 1e10
 """Greatest coordinate of a tile, metres: a thousand times the Earth, whose frame most tilesets use."""
 
 
-def numbers(place: str, value: Any, count: int) -> NDArray[np.float64]:
+def numbers(json_path: str, value: Any, count: int) -> NDArray[np.float64]:
     """Check a list of `count` coordinates; UnusableError otherwise."""
     if not isinstance(value, list) or len(value) != count or not all(type(n) in (int, float) for n in value):
-        raise UnusableError(f"{place}: expected {count} numbers, got {_describe(value)}")
+        got = f"a list of {len(value)}" if isinstance(value, list) else describe(value)
+        raise UnusableError(f"{json_path}: expected {count} numbers, got {got}")
     # Integers may have any number of digits.
-    far = next((n for n in value if not -FARTHEST <= n <= FARTHEST), None)
-    if far is not None:
-        raise UnusableError(f"{place}: expected numbers within ±1e10, got {check.shortened(far)}")
+    too_large = next((n for n in value if not -FARTHEST <= n <= FARTHEST), None)
+    if too_large is not None:
+        raise UnusableError(f"{json_path}: expected numbers within ±1e10, got {check.shortened(too_large)}")
     return np.array(value, np.float64)
 
 
-def number(place: str, value: Any, least: float = 0.0) -> float:
+def number(json_path: str, value: Any, minimum: float = 0.0) -> float:
     """Check a number of at least `least`, possibly infinite; UnusableError otherwise."""
-    if type(value) not in (int, float) or not value >= least:
-        raise UnusableError(f"{place}: expected a number of at least {least:g}, got {_describe(value)}")
+    if type(value) not in (int, float) or not value >= minimum:
+        raise UnusableError(f"{json_path}: expected a number of at least {minimum:g}, got {describe(value)}")
     return min(float(value), np.inf) if value <= np.finfo(np.float64).max else np.inf
 
 
-def whole(place: str, value: Any, least: int, most: int) -> int:
+def whole(json_path: str, value: Any, minimum: int, maximum: int) -> int:
     """Check an integer within bounds; UnusableError otherwise."""
     if isinstance(value, float) and value.is_integer():
         value = int(value)
-    if type(value) is not int or not least <= value <= most:
-        raise UnusableError(f"{place}: expected a whole number from {least} to {most}, got {_describe(value)}")
+    if type(value) is not int or not minimum <= value <= maximum:
+        raise UnusableError(f"{json_path}: expected a whole number from {minimum} to {maximum}, got {describe(value)}")
     return value
 
 
-def entries(place: str, value: Any) -> dict[str, Any]:
-    """Check an object; UnusableError otherwise."""
-    if not isinstance(value, dict):
-        raise UnusableError(f"{place}: expected an object, got {_describe(value)}")
-    return value
-
-
-def items(place: str, value: Any) -> list[Any]:
-    """Check a list; UnusableError otherwise."""
-    if not isinstance(value, list):
-        raise UnusableError(f"{place}: expected a list, got {_describe(value)}")
-    return value
-
-
-def text(place: str, value: Any) -> str:
-    """Check a string; UnusableError otherwise."""
-    if not isinstance(value, str):
-        raise UnusableError(f"{place}: expected a text, got {_describe(value)}")
-    return value
-
-
-def choice(place: str, value: Any, known: tuple[str, ...]) -> str:
+def choice(json_path: str, value: Any, options: tuple[str, ...]) -> str:
     """Check one of several strings, in any case; UnusableError otherwise."""
-    chosen = value.upper() if isinstance(value, str) else value
-    if chosen not in known:
-        raise UnusableError(f"{place}: expected {' or '.join(known)}, got {_describe(value)}")
-    return str(chosen)
-
-
-def _describe(value: Any) -> str:
-    if value is None:
-        return "none"
-    if isinstance(value, list):
-        return f"a list of {len(value)}"
-    return "an object" if isinstance(value, dict) else check.type_and_value(value)
+    upper = value.upper() if isinstance(value, str) else value
+    if upper not in options:
+        raise UnusableError(f"{json_path}: expected {' or '.join(options)}, got {describe(value)}")
+    return str(upper)

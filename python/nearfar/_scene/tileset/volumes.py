@@ -9,14 +9,15 @@ from typing import Any
 import numpy as np
 
 from nearfar._base.errors import UnusableError
+from nearfar._scene.entries import typed
 from nearfar._scene.frames import EQUATOR, earth_centred
 from nearfar._scene.tileset import values
 from nearfar._scene.tileset.frames import Floats
 
-_STEPS = 8
+_STEP_COUNT = 8
 """Subdivisions of a region's sides for its bounding box."""
 
-_CURVED = 1.02 * EQUATOR
+_MAX_CURVATURE_RADIUS = 1.02 * EQUATOR
 """Upper bound of the ellipsoid's radii of curvature at height 0, metres."""
 
 
@@ -29,6 +30,11 @@ class Box:
     axes: Floats
     """Half edges (3, 3), one per row."""
 
+    @classmethod
+    def of_extremes(cls, box: Floats) -> Box:
+        """Return the box along the axes with these least and greatest coordinates (2, 3)."""
+        return cls(box.mean(axis=0), np.diag(np.ptp(box, axis=0) / 2))
+
     def bounds(self, to_scene: Floats) -> Floats:
         """Bounding box (2, 3) in the scene's frame; `to_scene` (4, 4) is the transform tile→scene."""
         middle = to_scene[:3, :3] @ self.middle + to_scene[:3, 3]
@@ -37,11 +43,9 @@ class Box:
 
     def part(self, level: int, cell: tuple[int, ...]) -> Box:
         """Box of a cell after each of the axes in `cell` is divided into 2**level parts."""
-        scale = np.ones(3)
-        shift = np.zeros(3)
-        for axis, number in enumerate(cell):
-            scale[axis] = 0.5**level
-            shift[axis] = (2 * number + 1) * 0.5**level - 1
+        scale, shift = np.ones(3), np.zeros(3)
+        scale[: len(cell)] = 0.5**level
+        shift[: len(cell)] = (2 * np.array(cell) + 1) * 0.5**level - 1
         return Box(self.middle + shift @ self.axes, self.axes * scale[:, None])
 
 
@@ -75,21 +79,21 @@ class Region:
     def _corners(self) -> tuple[Floats, float]:
         """Grid points (N, 3) on its lowest and highest surface in the Earth's frame, and the margin beyond them."""
         grid = np.meshgrid(
-            np.linspace(self.west, self.east, _STEPS + 1),
-            np.linspace(self.south, self.north, _STEPS + 1),
+            np.linspace(self.west, self.east, _STEP_COUNT + 1),
+            np.linspace(self.south, self.north, _STEP_COUNT + 1),
             [self.low, self.high],
             indexing="ij",
         )
-        steps = ((self.east - self.west) ** 2 + (self.north - self.south) ** 2) / _STEPS**2
-        radius = _CURVED + max(abs(self.low), abs(self.high))
+        steps = ((self.east - self.west) ** 2 + (self.north - self.south) ** 2) / _STEP_COUNT**2
+        radius = _MAX_CURVATURE_RADIUS + max(abs(self.low), abs(self.high))
         # Between grid points a surface deviates from the bilinear one by at most an eighth of its second derivatives.
         return earth_centred(np.stack(grid, axis=-1)).reshape(-1, 3), steps * radius / 8
 
     def bounds(self, to_scene: Floats) -> Floats:
         """Bounding box (2, 3) in the scene's frame; `to_scene` (4, 4), rigid, is the transform Earth→scene."""
-        points, beyond = self._corners
+        points, margin = self._corners
         placed = points @ to_scene[:3, :3].T + to_scene[:3, 3]
-        return np.array([placed.min(axis=0) - beyond, placed.max(axis=0) + beyond])
+        return np.array([placed.min(axis=0) - margin, placed.max(axis=0) + margin])
 
     @property
     def middle(self) -> Floats:
@@ -99,11 +103,10 @@ class Region:
 
     def part(self, level: int, cell: tuple[int, ...]) -> Region:
         """Region of a cell after longitude, latitude and, given three numbers, height are divided by 2**level."""
-        size = 0.5**level
         spans = [(self.west, self.east), (self.south, self.north), (self.low, self.high)]
         for axis, number in enumerate(cell):
             start, end = spans[axis]
-            width = (end - start) * size
+            width = (end - start) * 0.5**level
             spans[axis] = (start + number * width, start + (number + 1) * width)
         (west, east), (south, north), (low, high) = spans
         return Region(west, south, east, north, low, high)
@@ -112,26 +115,26 @@ class Region:
 Volume = Box | Sphere | Region
 
 
-def read(place: str, described: Any) -> Volume:
+def read(json_path: str, volume_entry: Any) -> Volume:
     """Read a volume from a document; of several kinds the most exact one."""
-    described = values.entries(place, described)
-    if "box" in described:
-        rows = values.numbers(f"{place}.box", described["box"], 12).reshape(4, 3)
+    volume_entry = typed(volume_entry, dict, json_path)
+    if "box" in volume_entry:
+        rows = values.numbers(f"{json_path}.box", volume_entry["box"], 12).reshape(4, 3)
         return Box(rows[0], rows[1:])
-    if "region" in described:
-        return _region(f"{place}.region", values.numbers(f"{place}.region", described["region"], 6).tolist())
-    if "sphere" in described:
-        *middle, radius = values.numbers(f"{place}.sphere", described["sphere"], 4).tolist()
+    if "region" in volume_entry:
+        return _region(f"{json_path}.region", values.numbers(f"{json_path}.region", volume_entry["region"], 6).tolist())
+    if "sphere" in volume_entry:
+        *middle, radius = values.numbers(f"{json_path}.sphere", volume_entry["sphere"], 4).tolist()
         if radius < 0:
-            raise UnusableError(f"{place}.sphere: expected a radius of at least 0, got {radius:g}")
+            raise UnusableError(f"{json_path}.sphere: expected a radius of at least 0, got {radius:g}")
         return Sphere(np.array(middle), radius)
-    others = [*described.get("extensions", {}), *described]
-    raise UnusableError(f"{place}: expected a box, a region or a sphere, got {', '.join(others[:3]) or 'nothing'}")
+    keys = [*volume_entry.get("extensions", {}), *volume_entry]
+    raise UnusableError(f"{json_path}: expected a box, a region or a sphere, got {', '.join(keys[:3]) or 'nothing'}")
 
 
-def _region(place: str, sides: list[float]) -> Region:
+def _region(json_path: str, sides: list[float]) -> Region:
     west, south, east, north, low, high = sides
     # Radians rounded to seven digits may lie slightly beyond.
     if not (-6.4 <= west <= 6.4 and -6.4 <= east <= 6.4 and -1.571 <= south <= north <= 1.571 and low <= high):
-        raise UnusableError(f"{place}: expected west, south, east, north in radians, and two heights, got {sides}")
+        raise UnusableError(f"{json_path}: expected west, south, east, north in radians, and two heights, got {sides}")
     return Region(west, south, east if east >= west else east + 2 * np.pi, north, low, high)

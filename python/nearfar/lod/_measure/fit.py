@@ -93,10 +93,10 @@ class Curve4PL:
 
     def __getitem__(self, index: Any) -> Curve4PL:
         """Select one of many curves by its number, or several by a slice, a mask (K,) of bool, or an index array."""
-        chosen = _normalized_index(index, len(self))
+        selected = _normalized_index(index, len(self))
         fields = (*self, self.rms, self.status, self.reason)
         # `item` makes no NumPy scalar: NumPy drops a Ctrl-C that arrives while it makes that of `texts[number]`.
-        return Curve4PL(*(field.item(chosen) if isinstance(chosen, int) else field[chosen] for field in fields))
+        return Curve4PL(*(field.item(selected) if isinstance(selected, int) else field[selected] for field in fields))
 
     def __repr__(self) -> str:
         if self.is_many:
@@ -128,12 +128,12 @@ class Curve4PL:
             a, b, c, d = (field[:, None] for field in self)
         with np.errstate(divide="ignore", over="ignore", under="ignore", invalid="ignore"):
             ratio = places / c
-            near = np.abs(ratio - 1) < 0.5
-            steps = b * np.where(near, np.log1p((places - c) / c), np.log(places) - np.log(c))
+            is_near = np.abs(ratio - 1) < 0.5
+            steps = b * np.where(is_near, np.log1p((places - c) / c), np.log(places) - np.log(c))
             small = np.exp(-np.abs(steps))
             # Computed from the nearer plateau, so that a far one does not cancel digits.
-            share = small / (1 + small)
-            values = np.where(steps < 0, a + (d - a) * share, d + (a - d) * share)
+            fraction = small / (1 + small)
+            values = np.where(steps < 0, a + (d - a) * fraction, d + (a - d) * fraction)
         return values if values.ndim else float(values)
 
 
@@ -169,21 +169,21 @@ def _normalized_index(index: Any, count: int) -> Any:
     """Convert an index of `count` curves to a number, a slice or an array for their fields."""
     if isinstance(index, slice):
         return np.arange(count)[index]
-    chosen = check.plain("index", index)
+    selected = check.plain("index", index)
     if isinstance(index, list) and not index:
-        return chosen.astype(np.intp)
-    is_mask = chosen.dtype == bool and chosen.ndim == 1
-    if chosen.ndim > 1 or not (is_mask or np.issubdtype(chosen.dtype, np.integer)):
+        return selected.astype(np.intp)
+    is_mask = selected.dtype == bool and selected.ndim == 1
+    if selected.ndim > 1 or not (is_mask or np.issubdtype(selected.dtype, np.integer)):
         raise TypeError(
             f"index: expected a number, a slice, a mask or whole numbers (M,), got {check.type_and_value(index)}"
         )
-    if is_mask and len(chosen) != count:
-        raise IndexError(f"index: expected a mask of shape ({count},), got {chosen.shape}")
+    if is_mask and len(selected) != count:
+        raise IndexError(f"index: expected a mask of shape ({count},), got {selected.shape}")
     if not is_mask:
-        beyond = chosen[(chosen < -count) | (chosen >= count)]
+        beyond = selected[(selected < -count) | (selected >= count)]
         if beyond.size:
             raise IndexError(f"index: expected numbers from {-count} to {count - 1}, got {beyond.flat[0]}")
-    return chosen if chosen.ndim else int(chosen)
+    return selected if selected.ndim else int(selected)
 
 
 def fit_4pl(x: ArrayLike, y: ArrayLike) -> Curve4PL:

@@ -102,10 +102,11 @@ def _describe_progress(objects: list[Levels], settings: MeasureSettings, client:
         return "measure: no scores are kept without a cache"
     if client is not None:
         return "measure: scores are kept in the cache folders of the cluster's workers; the same call goes on from them"
-    known, most = (sum(counts) for counts in zip(*(kept_scores(one, settings) for one in objects), strict=True))
-    return (
-        f"measure: {known:,} of at most {most:,} scores are kept in {cache.folder()}; the same call goes on from them"
+    known_count, total_count = (
+        sum(counts) for counts in zip(*(kept_scores(one, settings) for one in objects), strict=True)
     )
+    kept = f"measure: {known_count:,} of at most {total_count:,} scores are kept in {cache.folder()}"
+    return f"{kept}; the same call goes on from them"
 
 
 def _objects(levels: object) -> tuple[list[str] | None, list[Levels]]:

@@ -10,9 +10,9 @@ from numpy.typing import NDArray
 from nearfar._base import progress
 from nearfar.lod._levels import Levels
 from nearfar.lod._measure import statistic
-from nearfar.lod._measure.samples import Samples
 from nearfar.lod._measure.score_table import ScoreTable
 from nearfar.lod._measure.settings import MeasureSettings
+from nearfar.lod._measure.statistic import Samples
 from nearfar.lod._measure.views import AXES
 from nearfar.lod._model import LodModel
 
@@ -134,29 +134,24 @@ class _Measurement:
 
     def _record(self, kept: list[int], first: NDArray[np.float64]) -> dict[str, Any]:
         """Settings and work as JSON, and the dropped levels with their scores at the first size, if known."""
-        settings, screen = self.settings, self.table.screen
-        most = (len(self.levels) - 1) * settings.distances * settings.views
-        found, cached = self.table.counts
+        settings, screen = vars(self.settings), self.table.screen
+        needed = (len(self.levels) - 1) * settings["distances"] * settings["views"]
+        scored, cached = self.table.counts
         left_out = [number for number in range(len(self.levels)) if number not in kept]
-        score = [float(one) if np.isfinite(one) else None for one in first]
+        known_scores = [float(score) if np.isfinite(score) else None for score in first]
         return {
             "tan_half_angle": screen.tan_half_angle,
             "pixel": screen.pixel,
             "size": list(screen.size),
-            "views": settings.views,
-            "directions": settings.directions,
-            "axes": [list(axis) for axis in AXES] if settings.directions == "published" else None,
-            "distances": settings.distances,
-            "percentile": settings.percentile,
-            "step": settings.step,
-            "saturated": settings.saturated,
-            "samples": settings.samples,
+            **{name: settings[name] for name in ("views", "directions")},
+            "axes": [list(axis) for axis in AXES] if settings["directions"] == "published" else None,
+            **{name: settings[name] for name in ("distances", "percentile", "step", "saturated", "samples")},
             "device": self.table.device,
-            "left_out": [{"triangles": self.levels[n].triangle_count, "score": score[n]} for n in left_out],
+            "left_out": [{"triangles": self.levels[n].triangle_count, "score": known_scores[n]} for n in left_out],
             "renders": self.table.renders,
-            "scores": found,
+            "scores": scored,
             "cached": cached,
-            "skipped": most - found - cached,
+            "skipped": needed - scored - cached,
         }
 
 

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 from numpy.typing import NDArray
 
-from nearfar._base import check, progress
+from nearfar._base import progress
 from nearfar._render.backend import Backend
 from nearfar._render.renderer import Renderer
 from nearfar._render.settings import RenderSettings
@@ -44,7 +42,7 @@ class ScoreTable:
         self.levels, self.settings, self.report = levels, settings, report
         self.renders = 0
         self.screen = settings.screen
-        self.stand = Stand(self.screen, check.vector("center", levels.center), levels.radius, _reach(levels))
+        self.stand = Stand.around(levels, self.screen)
         self.turns, self.turn_of_view = turns(settings.views, settings.directions)
         self.sizes = range(1, settings.distances + 1)
         self.scores = np.full((len(levels), settings.distances, len(self.turns)), np.nan, np.float32)
@@ -60,10 +58,10 @@ class ScoreTable:
     def prepare(self) -> None:
         """Choose the device for pictures, once for all levels, and load the known scores."""
         base = self.levels[0].scene
-        wanted = RenderSettings(
+        settings = RenderSettings(
             samples=self.settings.samples, channels=("color", "range"), backend=self.settings.backend
         )
-        device = Renderer(base, wanted).device()
+        device = Renderer(base, settings).device()
         if device is not None:
             self.backend, self.device = "gpu", device.label
         contents = [content(level.scene) for level in self.levels]
@@ -79,23 +77,22 @@ class ScoreTable:
     def fill(self, size: int, numbers: list[int], among: NDArray[np.intp] | None = None) -> None:
         """Score levels at a size from all turns, or those `among`, where scores are unknown, by blocks of views."""
         table = self.scores[:, size - 1]
-        asked = np.zeros(len(self.turns), bool)
-        asked[slice(None) if among is None else among] = True
-        self.is_used[numbers, size - 1] |= asked
-        missing = np.flatnonzero(asked & np.isnan(table[numbers]).any(axis=0)) if numbers else np.empty(0, int)
-        first, end, top, bottom = self.stand.box(size)
-        block = max(1, MAX_BLOCK_PIXELS // ((end - first) * (bottom - top)))
+        is_requested = np.zeros(len(self.turns), bool)
+        is_requested[slice(None) if among is None else among] = True
+        self.is_used[numbers, size - 1] |= is_requested
+        missing = np.flatnonzero(is_requested & np.isnan(table[numbers]).any(axis=0)) if numbers else np.empty(0, int)
+        block = max(1, MAX_BLOCK_PIXELS // self.stand.pixel_count(size))
         for start in range(0, len(missing), block):
             views = missing[start : start + block]
             new = {number: np.flatnonzero(np.isnan(table[number, views])) for number in numbers}
             new = {number: places for number, places in new.items() if len(places)}
             cameras = [self.stand.camera(size, self.turns[view]) for view in views]
             compared = [Compared(self.levels[number].scene, places) for number, places in new.items()]
-            found = scores(self.levels[0].scene, compared, cameras, self.settings.samples, self.backend)
+            new_scores = scores(self.levels[0].scene, compared, cameras, self.settings.samples, self.backend)
             self.renders += len(views)
             for number in new:
                 self._report(size, float(np.isfinite(table[numbers]).mean()))
-                table[number, views[new[number]]] = next(found)
+                table[number, views[new[number]]] = next(new_scores)
                 self.renders += len(new[number])
             if self.cache is not None:
                 self.cache.save_at_times()
@@ -113,17 +110,6 @@ class ScoreTable:
 
     def _report(self, size: int, share: float) -> None:
         """Report the pixels of earlier sizes and a share of this one's, as if each size were measured once."""
-        boxes = [self.stand.box(number) for number in self.sizes]
-        pixels = [(end - first) * (bottom - top) for first, end, top, bottom in boxes]
+        pixels = [self.stand.pixel_count(number) for number in self.sizes]
         self._done = max(self._done, int(sum(pixels[: size - 1]) + share * pixels[size - 1]))
         self.report(self._done, sum(pixels))
-
-
-def _reach(levels: Levels) -> float:
-    """Distance from the base's centre to the farthest corner of any level, metres."""
-    farthest = 0.0
-    for level in levels:
-        scene = level.scene
-        corners = scene.triangles().reshape(-1, 3) + (scene.origin - levels.center)
-        farthest = max(farthest, math.sqrt(float(np.einsum("ij,ij->i", corners, corners).max())))
-    return farthest

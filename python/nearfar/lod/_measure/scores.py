@@ -45,30 +45,29 @@ def scores(
     same sky. All cameras have the same picture size.
     """
     if backend == "gpu":
-        whole = _pictures(base, cameras, samples, backend)
+        base_pictures = pictures(base, cameras, samples, backend)
         for level, chosen in levels:
-            other = _pictures(level, [cameras[number] for number in chosen], samples, backend)
-            reference = Pictures(*(_select_pictures(part, chosen) for part in whole))
-            yield _similarity(reference.luma, other.luma, reference.shown | other.shown)
+            test = pictures(level, [cameras[number] for number in chosen], samples, backend)
+            truth = Pictures(*(_select_pictures(part, chosen) for part in base_pictures))
+            yield _similarity(truth.luma, test.luma, truth.shown | test.shown)
         return
     # Only pixels within the windows of counted pixels are traced: others do not affect the score.
     views = [camera._core for camera in cameras]
     shown = _core.silhouettes(base._core, views)
-    masks = []
-    for level, chosen in levels:
-        masks.append(
-            _core.silhouettes(level._core, [views[number] for number in chosen]) | _select_pictures(shown, chosen)
-        )
-    for (_, chosen), either in zip(levels, masks, strict=True):
-        shown[chosen] |= either
+    views_of = [[views[number] for number in chosen] for _, chosen in levels]
+    masks = [
+        _core.silhouettes(level._core, level_views) | _select_pictures(shown, chosen)
+        for (level, chosen), level_views in zip(levels, views_of, strict=True)
+    ]
+    for (_, chosen), mask in zip(levels, masks, strict=True):
+        shown[chosen] |= mask
     luma_near = partial(_core.luma_near, samples=samples, weights=LUMA, reach=PADDING)
-    luma = luma_near(base._core, views, shown)
-    for (level, chosen), either in zip(levels, masks, strict=True):
-        own = luma_near(level._core, [views[number] for number in chosen], either)
-        yield _similarity(_select_pictures(luma, chosen), own, either)
+    base_luma = luma_near(base._core, views, shown)
+    for (level, chosen), level_views, mask in zip(levels, views_of, masks, strict=True):
+        yield _similarity(_select_pictures(base_luma, chosen), luma_near(level._core, level_views, mask), mask)
 
 
-def _pictures(scene: Scene, cameras: Sequence[Camera], samples: int, backend: Backend | None) -> Pictures:
+def pictures(scene: Scene, cameras: Sequence[Camera], samples: int, backend: Backend | None) -> Pictures:
     """Render an object before the sky."""
     width, height = cameras[0].size
     luma = np.empty((len(cameras), height, width))
@@ -80,13 +79,10 @@ def _pictures(scene: Scene, cameras: Sequence[Camera], samples: int, backend: Ba
     return Pictures(luma, shown)
 
 
-def _select_pictures(pictures: NDArray[Any], chosen: NDArray[np.intp]) -> NDArray[Any]:
+def _select_pictures(values: NDArray[Any], chosen: NDArray[np.intp]) -> NDArray[Any]:
     """Select the pictures of some cameras; no copy if all are selected."""
-    return pictures if len(chosen) == len(pictures) else pictures[chosen]
+    return values if len(chosen) == len(values) else values[chosen]
 
 
-def _similarity(
-    base: NDArray[np.float64], level: NDArray[np.float64], either: NDArray[np.bool_]
-) -> NDArray[np.float64]:
-    similarity = ssim_pairs(base, level, data_range=255.0, masks=either)
-    return np.where(either.any(axis=(1, 2)), similarity, 1.0)
+def _similarity(truth: NDArray[np.float64], test: NDArray[np.float64], mask: NDArray[np.bool_]) -> NDArray[np.float64]:
+    return np.where(mask.any(axis=(1, 2)), ssim_pairs(truth, test, data_range=255.0, masks=mask), 1.0)

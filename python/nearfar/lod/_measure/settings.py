@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, TypedDict, get_args
+from typing import Any, ClassVar, TypedDict, get_args
 
 from nearfar._base import check
+from nearfar._base.settings import Alternatives
 from nearfar._camera.camera import Fov
 from nearfar._camera.shot import MAX_SAMPLES
 from nearfar._render import backend as backends
@@ -23,7 +24,7 @@ MAX_DISTANCES = 1000
 
 
 @dataclass(frozen=True, kw_only=True)
-class MeasureSettings:
+class MeasureSettings(Alternatives):
     """Settings of `measure`: the pictures to compare, and the levels to keep.
 
     Parameters
@@ -70,6 +71,8 @@ class MeasureSettings:
     ValueError, TypeError
         Settings out of range, no screen, or two.
     """
+
+    _alternatives: ClassVar = (("hmd",), ("fov", "size"))
 
     hmd: Hmd | None = None
     fov: Fov | None = None

@@ -12,6 +12,8 @@ from numpy.typing import NDArray
 from nearfar._base import check
 from nearfar._camera.camera import Camera, Fov
 from nearfar.hmd._hmd import Hmd
+from nearfar.lod._levels import Levels
+from nearfar.lod._select.size import half_tangent, sphere_solid_angle
 
 Directions = Literal["even", "published"]
 """Distributions of the views over directions; see `MeasureSettings`."""
@@ -45,10 +47,10 @@ def _even(number: int, count: int) -> Quaternion:
     Point i of N is arccos(1 − (2i + 1)/N) away from +z, where the camera is, and i golden angles about it. The turn is
     the shortest one: its axis is perpendicular to the line of sight, like the published ones, and determines the roll.
     """
-    share, angle = (number + 0.5) / count, number * GOLDEN_ANGLE
+    fraction, angle = (number + 0.5) / count, number * GOLDEN_ANGLE
     # For cos θ = 1 − 2 share, sin(θ/2) = √share and cos(θ/2) = √(1 − share).
-    sine = math.sqrt(share)
-    return sine * math.sin(angle), -sine * math.cos(angle), 0.0, math.sqrt(1.0 - share)
+    sine = math.sqrt(fraction)
+    return sine * math.sin(angle), -sine * math.cos(angle), 0.0, math.sqrt(1.0 - fraction)
 
 
 def _published(views: int) -> tuple[list[Quaternion], NDArray[np.intp]]:
@@ -58,17 +60,17 @@ def _published(views: int) -> tuple[list[Quaternion], NDArray[np.intp]]:
     differs by a quarter turn between axes: four pictures. So 144 views are 141 pictures from 138 directions.
     """
     steps = views // len(AXES)
-    chosen: list[Quaternion] = [(0.0, 0.0, 0.0, 1.0)]
-    shown = []
+    distinct: list[Quaternion] = [(0.0, 0.0, 0.0, 1.0)]
+    turn_of_view = []
     for axis in AXES:
         length = math.hypot(*axis)
-        shown.append(0)
+        turn_of_view.append(0)
         for step in range(1, steps):
-            half = math.pi * step / steps
-            x, y, z = (part / length * math.sin(half) for part in axis)
-            shown.append(len(chosen))
-            chosen.append((x, y, z, math.cos(half)))
-    return chosen, np.array(shown)
+            half_angle = math.pi * step / steps
+            x, y, z = (part / length * math.sin(half_angle) for part in axis)
+            turn_of_view.append(len(distinct))
+            distinct.append((x, y, z, math.cos(half_angle)))
+    return distinct, np.array(turn_of_view)
 
 
 @dataclass(frozen=True)
@@ -88,22 +90,18 @@ class Screen:
         if hmd is not None:
             if fov is not None or size is not None:
                 raise ValueError("hmd: expected None beside fov and size, got a headset")
-            check.instance("hmd", hmd, Hmd, "an Hmd such as nearfar.hmd.RIFT_S")
-            return cls._from_tangent(hmd.tan_half_angle, hmd.left.fov, hmd.render_size)
-        if fov is None or size is None:
+            fov, size = check.instance("hmd", hmd, Hmd, "an Hmd such as nearfar.hmd.RIFT_S").left.fov, hmd.render_size
+        elif fov is None or size is None:
             raise ValueError("hmd: expected a headset such as nearfar.hmd.RIFT_S, or else both fov and size")
-        check.instance("fov", fov, Fov, "Fov")
-        return cls._from_tangent(max(abs(fov.left), abs(fov.right)), fov, check.size("size", size))
-
-    @classmethod
-    def _from_tangent(cls, tangent: float, fov: Fov, size: tuple[int, int]) -> Screen:
+        tangent = half_tangent(hmd or check.instance("fov", fov, Fov, "Fov"))
+        width, height = check.size("size", size)
         if not FIRST_WIDTH * tangent < 1.0:
             degrees = 2.0 * math.degrees(math.atan(1.0 / FIRST_WIDTH))
             raise ValueError(
                 f"fov: expected less than {degrees:.4g} degrees across, so that an object can cover a sixteenth, "
                 f"got {2.0 * math.degrees(math.atan(tangent)):.4g}"
             )
-        return cls(tangent, (fov.right - fov.left) / size[0], size)
+        return cls(tangent, (fov.right - fov.left) / width, (width, height))
 
 
 @dataclass(frozen=True)
@@ -116,6 +114,15 @@ class Stand:
     reach: float
     """Distance from the centre to the farthest corner of any level, metres: coarse levels may exceed the sphere."""
 
+    @classmethod
+    def around(cls, levels: Levels, screen: Screen) -> Stand:
+        """Make the cameras around the levels of an object."""
+        reach = 0.0
+        for level in levels:
+            corners = level.scene.triangles().reshape(-1, 3) + (level.scene.origin - levels.center)
+            reach = max(reach, math.sqrt(float(np.einsum("ij,ij->i", corners, corners).max())))
+        return cls(screen, check.vector("center", levels.center), levels.radius, reach)
+
     def distance(self, number: int) -> float:
         """Distance to the centre, metres: the sphere's nearest point is `number` times as far as for number 1."""
         nearest = self.radius / (FIRST_WIDTH * self.screen.tan_half_angle) - self.radius
@@ -124,19 +131,23 @@ class Stand:
     def sigma(self, number: int) -> float:
         """Solid angle of the sphere in steradians; for number 1 exactly σ₁/₁₆."""
         sine = FIRST_WIDTH * self.screen.tan_half_angle if number == 1 else self.radius / self.distance(number)
-        # 1 − cos as sin² / (1 + cos), which loses no digits.
-        return 2.0 * math.pi * sine * sine / (1.0 + math.sqrt((1.0 - sine) * (1.0 + sine)))
+        return sphere_solid_angle(sine)
 
     def box(self, number: int) -> tuple[int, int, int, int]:
         """First and end column, first and end row of the pixels that may show the object, padded for windows."""
         distance = self.distance(number)
-        inside = self.reach >= distance
-        half = math.inf if inside else self.reach / math.sqrt(distance**2 - self.reach**2) / self.screen.pixel
+        is_inside = self.reach >= distance
+        radius = math.inf if is_inside else self.reach / math.sqrt(distance**2 - self.reach**2) / self.screen.pixel
         ends = []
         for length in self.screen.size:
-            reach = min(half + PADDING, length)
-            ends += [max(0, math.floor(length / 2 - reach)), min(length, math.ceil(length / 2 + reach))]
+            half_side = min(radius + PADDING, length)
+            ends += [max(0, math.floor(length / 2 - half_side)), min(length, math.ceil(length / 2 + half_side))]
         return ends[0], ends[1], ends[2], ends[3]
+
+    def pixel_count(self, number: int) -> int:
+        """Number of pixels of the box."""
+        first, end, top, bottom = self.box(number)
+        return (end - first) * (bottom - top)
 
     def camera(self, number: int, turn: Quaternion) -> Camera:
         """Camera that sees the turned object: the camera turns inversely, so that the object stays fixed."""

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from typing import Any
-from weakref import WeakKeyDictionary
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -16,9 +15,6 @@ from nearfar._camera.rotation import rotation
 from nearfar._lens.lens import RadialLens
 from nearfar.lod._measured_levels import MeasuredLevels
 from nearfar.lod._select.size import pixel_area
-
-_CURVE_ROWS: WeakKeyDictionary[MeasuredLevels, NDArray[np.float64]] = WeakKeyDictionary()
-"""Cached parameters of each model's curves, so that they are not collected for every frame."""
 
 MIN_SIGHT_LENGTH = 1e-6
 """Least length of the mean of several eyes' unit lines of sight. Below it they look in opposite directions."""
@@ -50,34 +46,21 @@ def models_of(
     # Strings of fixed and of variable length, and objects, which may be strings.
     if index.dtype.kind not in "UTO" or not all(isinstance(name, str) for name in index.flat):
         return row, model_index
-    asked: list[str] = index.ravel().tolist()
-    unknown = [name for name in asked if name not in number_of]
+    model_names: list[str] = index.ravel().tolist()
+    unknown = [name for name in model_names if name not in number_of]
     if unknown:
-        listed = check.shortened(list(number_of))
-        raise ValueError(f"model_index: expected names of models, {listed}, got {check.shortened(unknown[0])}")
-    return row, np.array([number_of[name] for name in asked], np.int64).reshape(index.shape)
+        known_names = check.shortened(list(number_of))
+        raise ValueError(f"model_index: expected names of models, {known_names}, got {check.shortened(unknown[0])}")
+    return row, np.array([number_of[name] for name in model_names], np.int64).reshape(index.shape)
 
 
-def curves_of(
-    models: Sequence[MeasuredLevels],
-) -> tuple[NDArray[np.float64], NDArray[np.int64], NDArray[np.float64]]:
+def curves_of(models: Sequence[MeasuredLevels]) -> tuple[NDArray[np.float64], NDArray[np.int64], NDArray[np.float64]]:
     """Curves of all models (C, 4), the first of each model (M + 1,), and (M, 3) least and greatest size and pixel."""
     models = check.items("models", models, MeasuredLevels, "a sequence of LodModel")
-    rows = [_curve_rows(model) for model in models]
-    firsts = np.zeros(len(rows) + 1, np.int64)
-    np.cumsum([len(part) for part in rows], out=firsts[1:])
-    pixels = (math.nan if model.pixel is None else model.pixel for model in models)
-    measured = [(*model.sigma, pixel) for model, pixel in zip(models, pixels, strict=True)]
+    rows = [model.curve_rows for model in models]
+    firsts = np.cumsum([0, *map(len, rows)], dtype=np.int64)
+    measured = [(*model.sigma, math.nan if model.pixel is None else model.pixel) for model in models]
     return np.concatenate([np.empty((0, 4)), *rows]), firsts, np.array(measured, np.float64).reshape(-1, 3)
-
-
-def _curve_rows(model: MeasuredLevels) -> NDArray[np.float64]:
-    """Parameters a, b, c and d of each level's curve except level 0's, (K − 1, 4); NaN where there is none."""
-    rows = _CURVE_ROWS.get(model)
-    if rows is None:
-        rows = np.column_stack([np.asarray(part, np.float64) for part in model.curves])
-        _CURVE_ROWS[model] = rows
-    return rows
 
 
 def cameras_of(camera: Camera | Sequence[Camera]) -> tuple[Camera, ...]:
@@ -85,8 +68,8 @@ def cameras_of(camera: Camera | Sequence[Camera]) -> tuple[Camera, ...]:
     cameras = (camera,) if isinstance(camera, Camera) else tuple(camera) if isinstance(camera, Sequence) else (camera,)
     if not cameras:
         raise ValueError("camera: expected at least one, got none")
-    for one in cameras:
-        _fov_of(check.instance("camera", one, Camera, "a Camera or a sequence of them"))
+    for each in cameras:
+        _fov_of(check.instance("camera", each, Camera, "a Camera or a sequence of them"))
     return cameras
 
 
@@ -125,3 +108,12 @@ def on_panel(fov: Fov, lens: RadialLens, tan_omega: float) -> Four:
 
 def _fov_of(camera: Camera) -> Fov:
     return check.instance("camera", camera.fov, Fov, "one with a Fov")
+
+
+def weights_for(weight: ArrayLike, count: int) -> dict[str, Any]:
+    """Kernel arguments for the weights of `count` objects, as `LodRules` has them."""
+    if not isinstance(weight, np.ndarray):
+        return {"by_pixels": weight == "pixels", "weight": None}
+    if weight.shape != (count,):
+        raise ValueError(f"weight: expected shape ({count},), one for each object, got {weight.shape}")
+    return {"by_pixels": False, "weight": weight}

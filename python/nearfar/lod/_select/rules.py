@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, fields
 from typing import Any, Literal, TypeAlias, TypedDict, get_args
 
@@ -10,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from nearfar import _core
 from nearfar._base import check
+from nearfar._base.settings import Alternatives
 from nearfar._camera.camera import Fov
 from nearfar._lens.lens import RadialLens
 from nearfar.lod._select.size import ACUITY_LIMIT_DEG, ACUITY_SLOPE, checked_lens
@@ -25,7 +27,7 @@ MAX_TRIANGLES = 1 << 62
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class LodRules:
+class LodRules(Alternatives):
     """Rules by which `select` and `Selector` choose levels; equal if they have the same threshold and other fields.
 
     As in `select`, σ is an object's solid angle, σ′ its apparent size, f(σ) the score that it needs, M_i the score of
@@ -141,6 +143,15 @@ class LodRules:
         """The threshold f, of `threshold`, `k` and `d`."""
         return threshold_of(self.threshold, self.k, self.d)
 
+    def _adapted_to(self, keywords: Mapping[str, Any]) -> dict[str, Any]:
+        """A threshold replaces k and d; k or d change those of a threshold."""
+        if isinstance(keywords.get("threshold"), LodThreshold):
+            return {"k": None, "d": None}
+        threshold = self.threshold
+        if isinstance(threshold, LodThreshold) and keywords.keys() & {"k", "d"}:
+            return {"k": threshold.k, "d": threshold.d, "threshold": threshold.kind}
+        return {}
+
     def _check_budget(self) -> None:
         """Reject rules that have no meaning without, or with, a budget."""
         if self.budget is None:
@@ -164,8 +175,8 @@ class LodRules:
     def _content(self) -> tuple[Any, ...]:
         """The threshold and the values of all fields after it; weights as bytes."""
         values = (getattr(self, field.name) for field in fields(self)[3:])
-        rest = (value.tobytes() if isinstance(value, np.ndarray) else value for value in values)
-        return (self.score_threshold, *rest)
+        contents = (value.tobytes() if isinstance(value, np.ndarray) else value for value in values)
+        return (self.score_threshold, *contents)
 
 
 class LodKeywords(TypedDict, total=False):

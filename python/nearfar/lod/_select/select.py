@@ -14,10 +14,9 @@ from nearfar._base import check
 from nearfar._base.settings import gather
 from nearfar._camera.camera import Camera
 from nearfar.lod._measured_levels import MeasuredLevels
-from nearfar.lod._select.budget import Spent, triangles_of, weights_for
-from nearfar.lod._select.kernel_inputs import cameras_of, curves_of, eye_of, gaze_of, models_of, whole_numbers
+from nearfar.lod._select import kernel_inputs as inputs
 from nearfar.lod._select.rules import LodKeywords, LodOptions, LodRules
-from nearfar.lod._select.selection import COLUMNS, Selection
+from nearfar.lod._select.selection import COLUMNS, Selection, Spent
 from nearfar.lod._select.size import checked_lens, reference_solid_angle, widest
 
 _COUNTS = ("culled", "one_level", "settled", "large", "asked", "lens", "table", "formula")
@@ -66,22 +65,24 @@ class Selector:
     ) -> Selection:
         """Choose a level for each object; arguments, results and errors are those of `nearfar.lod.select`."""
         rules = self.rules
-        models, model_index = models_of(models, model_index)
+        models, model_index = inputs.models_of(models, model_index)
         if rules.budget is None and price is not None:
             raise ValueError(f"price: expected None without a budget, got {check.value_or_type(price)}")
         if rules.budget is not None:
             models = [
                 model.of_mean for model in check.items("models", models, MeasuredLevels, "a sequence of LodModel")
             ]
-        curves = curves_of(models)
+        curves = inputs.curves_of(models)
         places, sizes = check.spheres(centers, radii)
-        index = whole_numbers("model_index", model_index, np.int64, len(places))
-        before = None if previous is None else whole_numbers("previous", previous, np.int32, len(places))
-        cameras = cameras_of(camera)
+        index = inputs.whole_numbers("model_index", model_index, np.int64, len(places))
+        previous_levels = (
+            None if previous is None else inputs.whole_numbers("previous", previous, np.int32, len(places))
+        )
+        cameras = inputs.cameras_of(camera)
         reference = reference_solid_angle(widest(cameras)) if rules.reference is None else rules.reference
         shared: dict[str, Any] = {
             **_view_arguments(rules, cameras, gaze),
-            "previous": before,
+            "previous": previous_levels,
             "line": rules.score_threshold.line(reference),
             "cull": rules.cull,
             "hysteresis": rules.hysteresis,
@@ -103,14 +104,14 @@ class Selector:
         else:
             level, columns, counts, paid = _core.spend_triangles(
                 curves,
-                triangles_of(models),
+                np.concatenate([np.empty(0, np.int64), *(model.triangles for model in models)]),
                 index,
                 places,
                 sizes,
                 budget=rules.budget,
                 floor=rules.floor,
                 price=None if price is None else check.at_least_zero("price", price),
-                **weights_for(rules.weight, len(places)),
+                **inputs.weights_for(rules.weight, len(places)),
                 **shared,
             )
             spent = Spent(*paid)
@@ -199,9 +200,9 @@ def _view_arguments(rules: LodRules, cameras: tuple[Camera, ...], gaze: ArrayLik
     lens = rules.lens if rules.lens is not None and rules.mode != "depth" and any(rules.lens.k) else None
     is_fovea, is_panel = rules.mode == "fovea", rules.mode == "panel"
     panel = (lens, tan_omega) if is_panel and lens is not None else None
-    direction = gaze_of(cameras, gaze) if is_fovea or gaze is not None else None
+    direction = inputs.gaze_of(cameras, gaze) if is_fovea or gaze is not None else None
     return {
-        "eyes": [eye_of(one, direction, panel) for one in cameras],
+        "eyes": [inputs.eye_of(each, direction, panel) for each in cameras],
         "apparent": "panel" if is_panel else rules.size,
         "lens": None if lens is None else lens._core,
         "tan_omega": tan_omega,

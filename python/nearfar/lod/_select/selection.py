@@ -11,12 +11,25 @@ from numpy.lib.mixins import NDArrayOperatorsMixin
 from numpy.typing import DTypeLike, NDArray
 
 from nearfar._base import check
-from nearfar.lod._select.budget import Spent
 
 Array = NDArray[np.float64]
 
 COLUMNS = ("sigma", "sigma_seen", "threshold", "score", "shown")
 """Columns filled with `full=True`."""
+
+
+@dataclass(frozen=True)
+class Spent:
+    """Result of spending a budget."""
+
+    price: float
+    """λ: weighted score per triangle of the first step that did not fit, or the kept price. 0 if everything that
+    improves the score is drawn."""
+    triangles: int
+    """Number of triangles of the levels of all objects in view."""
+    score: float
+    """Weighted mean of the levels' scores over the objects in view, as predicted by the curves. NaN if no object in
+    view has a weight."""
 
 
 @dataclass(frozen=True, eq=False, kw_only=True, repr=False)

@@ -47,6 +47,11 @@ def reference_solid_angle(view: Hmd | Camera | Fov) -> float:
     sine = half_tangent(view) / 4
     if sine >= 1:
         raise ValueError(f"view: expected a tangent to the side below 4, got {4 * sine:g}")
+    return sphere_solid_angle(sine)
+
+
+def sphere_solid_angle(sine: float) -> float:
+    """Solid angle of a sphere, steradians, by the sine of its half angle."""
     # 1 − cos as sin² / (1 + cos), which loses no digits.
     return 2 * math.pi * sine * sine / (1 + math.sqrt((1 - sine) * (1 + sine)))
 
@@ -94,11 +99,11 @@ def acuity(
     ----------
     Guenter, Finch, Drucker, Tan, Snyder (2012), Eq. 1.
     """
-    away = _eccentricities(eccentricity_deg)
+    eccentricity = _eccentricities(eccentricity_deg)
     rise, pixel = check.at_least_zero("slope", slope), check.at_least_zero("pixel_deg", pixel_deg)
     least = check.positive("limit_deg", limit_deg)
     with np.errstate(over="ignore"):
-        return np.asarray(np.minimum(1.0, max(least, pixel) / (rise * away + least)))
+        return np.asarray(np.minimum(1.0, max(least, pixel) / (rise * eccentricity + least)))
 
 
 def distortion(
@@ -135,8 +140,8 @@ def distortion(
     tangent = _tangents(eccentricity_deg)
     scale = checked_lens(lens, view, lens_radius)
     r, slope = _through(lens, tangent, scale)
-    share = (1 + tangent**2) / (1 + (scale * r) ** 2) / slope
-    return np.asarray(np.where(np.isfinite(share), share, 1.0))
+    factor = (1 + tangent**2) / (1 + (scale * r) ** 2) / slope
+    return np.asarray(np.where(np.isfinite(factor), factor, 1.0))
 
 
 def panel_magnification(
@@ -174,7 +179,7 @@ def panel_magnification(
     tangent = _tangents(eccentricity_deg)
     spread = (1 + tangent**2) ** 1.5
     if lens is None:
-        half_tangent(view)  # raises for anything but a view
+        fov_of(view)  # rejects anything but a view
         return np.asarray(spread)
     r, slope = _through(lens, tangent, checked_lens(lens, view, lens_radius))
     shrinks = np.polynomial.polynomial.polyval(np.nan_to_num(r) ** 2, (1.0, *lens.k))
@@ -184,16 +189,16 @@ def panel_magnification(
 
 def _eccentricities(value: ArrayLike) -> NDArray[np.float64]:
     """Check angles from the axis or the gaze, degrees of any shape."""
-    away = check.array("eccentricity_deg", value, columns=None, dtype=np.float64)
-    if not (away >= 0).all():
-        raise ValueError(f"eccentricity_deg: expected numbers of at least 0, got {away.min()}")
-    return away
+    eccentricity = check.array("eccentricity_deg", value, columns=None, dtype=np.float64)
+    if not (eccentricity >= 0).all():
+        raise ValueError(f"eccentricity_deg: expected numbers of at least 0, got {eccentricity.min()}")
+    return eccentricity
 
 
 def _tangents(eccentricity_deg: ArrayLike) -> NDArray[np.float64]:
     """Tangents of angles from the axis; ∞ from 90° on."""
-    away = _eccentricities(eccentricity_deg)
-    return np.where(away < 90, np.tan(np.radians(np.minimum(away, 89.999999999))), np.inf)
+    eccentricity = _eccentricities(eccentricity_deg)
+    return np.where(eccentricity < 90, np.tan(np.radians(np.minimum(eccentricity, 89.999999999))), np.inf)
 
 
 def _through(lens: RadialLens, tangent: NDArray[np.float64], scale: float) -> tuple[NDArray[Any], NDArray[Any]]:
@@ -205,12 +210,16 @@ def _through(lens: RadialLens, tangent: NDArray[np.float64], scale: float) -> tu
 
 def half_tangent(view: Hmd | Camera | Fov) -> float:
     """Tangent of half the horizontal field of view; the larger side of an asymmetric one."""
-    if isinstance(view, Hmd):
-        return view.tan_half_angle
-    fov = view.fov if isinstance(view, Camera) else view
+    fov = fov_of(view)
+    return view.tan_half_angle if isinstance(view, Hmd) else max(abs(fov.left), abs(fov.right))
+
+
+def fov_of(view: Hmd | Camera | Fov) -> Fov:
+    """Return the field of view, a headset's of its left eye; TypeError for anything but a view."""
+    fov = view.left.fov if isinstance(view, Hmd) else view.fov if isinstance(view, Camera) else view
     if not isinstance(fov, Fov):
         raise TypeError(f"view: expected a headset, a camera with a Fov, or a Fov, got {type(view).__name__}")
-    return max(abs(fov.left), abs(fov.right))
+    return fov
 
 
 def checked_lens(lens: RadialLens, view: Hmd | Camera | Fov, lens_radius: SupportsFloat | None) -> float:

@@ -14,7 +14,7 @@ from nearfar._camera.camera import Camera, Fov
 from nearfar.hmd._hmd import Hmd
 from nearfar.lod._levels import level_numbers
 from nearfar.lod._measured_levels import MeasuredLevels
-from nearfar.lod._select.size import half_tangent, pixel_area, reference_solid_angle
+from nearfar.lod._select.size import fov_of, pixel_area, reference_solid_angle
 from nearfar.lod._select.threshold import Kind, LodThreshold, threshold_of
 
 _SAMPLED_SIZES = 1024
@@ -50,14 +50,14 @@ class Switches:
     def is_ever_shown(self) -> NDArray[np.bool_]:
         """Whether a level is ever shown (K,): it is good enough up to a greater size than all coarser ones."""
         coarser = np.maximum.accumulate(self.solid_angle[::-1])[::-1]
-        shown = self.solid_angle > np.append(coarser[1:], 0.0)
-        shown[0] = True
-        return shown
+        is_shown = self.solid_angle > np.append(coarser[1:], 0.0)
+        is_shown[0] = True
+        return is_shown
 
     def of_levels(self, numbers: ArrayLike) -> Switches:
         """Return the switches of some levels, by ascending numbers (N,) that start with 0."""
-        chosen = level_numbers("numbers", numbers, len(self.solid_angle))
-        return Switches(**{field.name: getattr(self, field.name)[chosen] for field in fields(self)})
+        indices = level_numbers("numbers", numbers, len(self.solid_angle))
+        return Switches(**{field.name: getattr(self, field.name)[indices] for field in fields(self)})
 
     def coverages(self) -> list[float]:
         """`MSFT_screencoverage`: coverage at which each level ends and the next begins; 0 for the last level."""
@@ -121,7 +121,7 @@ def switches(
         Arguments out of range.
     """
     check.instance("model", model, MeasuredLevels, "a LodModel")
-    fov = _fov(view)
+    fov = fov_of(view)
     reference = reference_solid_angle(view)
     area = _relative_pixel_area(model, view)
     sizes = _good_sizes(model, reference, threshold_of(threshold, k, d).line(reference), area)
@@ -131,18 +131,17 @@ def switches(
     with np.errstate(divide="ignore"):
         distance = 1 / sine
     coverage = np.minimum(1.0, math.pi * sine**2 / (width * height))
-    coverage[0] = 1.0
-    tall = np.minimum(1.0, 2 * sine / height)
-    tall[0] = 1.0
-    return Switches(sizes, distance, coverage, tall, is_limit)
+    relative_height = np.minimum(1.0, 2 * sine / height)
+    coverage[0] = relative_height[0] = 1.0
+    return Switches(sizes, distance, coverage, relative_height, is_limit)
 
 
 def _relative_pixel_area(model: MeasuredLevels, view: Hmd | Camera | Fov) -> float:
     """Area of the model's pixels as a multiple of the view's; 1 if one of them is unknown."""
     if model.pixel is None or isinstance(view, Fov):
         return 1.0
-    fov, size = (view.left.fov, view.render_size) if isinstance(view, Hmd) else (_fov(view), view.size)
-    return model.pixel**2 / pixel_area(fov._sides, size)
+    size = view.render_size if isinstance(view, Hmd) else view.size
+    return model.pixel**2 / pixel_area(fov_of(view)._sides, size)
 
 
 def _good_sizes(model: MeasuredLevels, reference: float, line: tuple[float, float], area: float) -> NDArray[np.float64]:
@@ -150,15 +149,16 @@ def _good_sizes(model: MeasuredLevels, reference: float, line: tuple[float, floa
     sizes = np.full(len(model), 4 * math.pi)
     if len(model) == 1:
         return sizes
-    least, most = model.sigma[0], min(model.sigma[1] / area, reference)
+    least, greatest = model.sigma[0], min(model.sigma[1] / area, reference)
     start, slope = line
 
     def is_good(sigma: NDArray[np.float64]) -> NDArray[np.bool_]:
         """Whether levels are good enough (K − 1, M), at M sizes shared by all levels, or at sizes (K − 1, M)."""
         return np.asarray(model.curves(np.maximum(sigma * area, least)) >= slope * sigma + start)
 
-    even, geometric = np.linspace(0, most, _SAMPLED_SIZES), np.geomspace(most * 1e-6, most, _SAMPLED_SIZES)
-    samples = np.unique(np.concatenate([even, geometric, [min(least / area, most)]]))
+    linear = np.linspace(0, greatest, _SAMPLED_SIZES)
+    geometric = np.geomspace(greatest * 1e-6, greatest, _SAMPLED_SIZES)
+    samples = np.unique(np.concatenate([linear, geometric, [min(least / area, greatest)]]))
     good = is_good(samples)
     ends = np.where(good.all(axis=1), len(samples), np.argmin(good, axis=1))
     low = samples[np.maximum(ends - 1, 0)]
@@ -169,10 +169,3 @@ def _good_sizes(model: MeasuredLevels, reference: float, line: tuple[float, floa
         low, high = np.where(inside, middle, low), np.where(inside, high, middle)
     sizes[1:] = np.where(ends == 0, 0.0, low)
     return sizes
-
-
-def _fov(view: Hmd | Camera | Fov) -> Fov:
-    half_tangent(view)  # raises for anything but a view
-    fov = view.left.fov if isinstance(view, Hmd) else view.fov if isinstance(view, Camera) else view
-    assert isinstance(fov, Fov)
-    return fov

@@ -47,14 +47,14 @@ def spread_points(surface: Surface, count: int) -> NDArray[np.float64]:
     One point in each of `count` equal shares of the area, in the order of the faces: the same on every machine.
     """
     corners = surface.positions[surface.faces].astype(np.float64)
-    one, other = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
-    ends = np.cumsum(np.linalg.norm(np.cross(one, other), axis=1))
+    first_side, second_side = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
+    ends = np.cumsum(np.linalg.norm(np.cross(first_side, second_side), axis=1))
     if not ends[-1] > 0:
         return np.zeros((0, 3))
     index = np.arange(count, dtype=np.uint64)
-    at = (index + random.uniform(_SEED, _PLACE, index)) * (ends[-1] / count)
-    face = np.minimum(np.searchsorted(ends, at, side="right"), len(ends) - 1)
+    area_below = (index + random.uniform(_SEED, _PLACE, index)) * (ends[-1] / count)
+    face = np.minimum(np.searchsorted(ends, area_below, side="right"), len(ends) - 1)
     u, v = random.uniform(_SEED, _FIRST, index), random.uniform(_SEED, _SECOND, index)
     beyond = u + v > 1
     u, v = np.where(beyond, 1 - u, u)[:, None], np.where(beyond, 1 - v, v)[:, None]
-    return np.asarray(corners[face, 0] + u * one[face] + v * other[face])
+    return np.asarray(corners[face, 0] + u * first_side[face] + v * second_side[face])

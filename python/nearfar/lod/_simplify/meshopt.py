@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import functools
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,14 +15,9 @@ _ENOUGH = 1.01
 """Tolerance as a multiple of the requested triangles: a level within it needs no further sacrifice."""
 
 
-@dataclass(frozen=True)
-class _Weight:
-    """Error caused by an attribute difference of 1, as a share of the surface's extent."""
-
-    normals: float = 0.1
-    colors: float = 0.1
-    uvs: float = 0.5
-    """Weight of the distance by which the texture slides over the surface."""
+_WEIGHTS = {"normals": 0.1, "colors": 0.1, "uvs": 0.5}
+"""Error caused by a difference of 1 in an attribute, as a share of the surface's extent; for texture coordinates by the
+distance by which the texture slides over the surface."""
 
 
 class MeshoptSimplifier:
@@ -33,42 +27,40 @@ class MeshoptSimplifier:
         keys = tuple(surface.attributes)
         rows, faces = charts_of(surface, *keys)
         used, renumbered = np.unique(faces, return_inverse=True)
-        vertex = rows[used]
+        vertices = rows[used]
         self._faces = np.ascontiguousarray(renumbered.reshape(-1, 3), np.uint32)
         self._surface = surface
-        self._vertex = vertex
+        self._vertices = vertices
         material = np.zeros(len(used), np.int32)
         material[self._faces] = surface.materials[:, None]
         self._material = material
-        self._positions = np.ascontiguousarray(surface.positions[vertex] + np.float32(0))
+        self._positions = np.ascontiguousarray(surface.positions[vertices] + np.float32(0))
         self._weights = self._weigh()
         _, sewn = charts_of(surface, *("uvs",) * ("uvs" in keys))
         self._is_seam = self._seams(places, sewn)
 
     def _seams(self, places: NDArray[np.uint32], sewn: NDArray[np.uint32]) -> NDArray[np.bool_]:
         """Mask of vertices at places where charts or materials meet."""
-        at = places[self._surface.faces].ravel().astype(np.int64)
+        corner_places = places[self._surface.faces].ravel().astype(np.int64)
         # Both numbers in one integer: NumPy compares rows as structured types, and turns Ctrl-C into a TypeError
         # meanwhile.
-        pairs = np.unique(at << 32 | sewn.ravel())
+        pairs = np.unique(corner_places << 32 | sewn.ravel())
         meet = np.bincount(pairs >> 32, minlength=len(places)) > 1
-        return np.ascontiguousarray(meet[places[self._vertex]])
+        return np.ascontiguousarray(meet[places[self._vertices]])
 
     def _weigh(self) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
-        surface, weight = self._surface, _Weight()
-        columns, weights = [], []
-        _, extent = box_of(surface.positions[self._vertex].astype(np.float64))
+        surface, columns, weights = self._surface, [], []
+        _, extent = box_of(surface.positions[self._vertices].astype(np.float64))
         for key, values in surface.attributes.items():
-            rows = values[self._vertex].astype(np.float32)
+            rows = values[self._vertices].astype(np.float32)
+            weight = _WEIGHTS[key]
             if key == "colors":
-                rows, share = rows / np.float32(255), weight.colors
-            elif key == "normals":
-                share = weight.normals
-            else:
-                share = weight.uvs * _stretch(surface) / extent
+                rows /= np.float32(255)
+            elif key == "uvs":
+                weight = weight * _stretch(surface) / extent
             columns.append(rows)
-            weights += [share] * rows.shape[1]
-        table = np.concatenate(columns, axis=1) if columns else np.zeros((len(self._vertex), 0), np.float32)
+            weights += [weight] * rows.shape[1]
+        table = np.concatenate(columns, axis=1) if columns else np.zeros((len(self._vertices), 0), np.float32)
         table = np.nan_to_num(table, posinf=0.0, neginf=0.0)
         return np.ascontiguousarray(table, np.float32), np.array(weights, np.float32)
 
@@ -77,21 +69,21 @@ class MeshoptSimplifier:
         if target >= len(self._faces):
             return self._surface
         arrays = (self._positions, *self._weights, self._is_seam, self._faces)
-        left = self._faces
+        remaining = self._faces
         for sacrifice in ("nothing", "seams", "parts"):
             faces, _ = background.run(functools.partial(_core.collapse, *arrays, target, sacrifice))
-            left = min(left, faces, key=len)
+            remaining = min(remaining, faces, key=len)
             if len(faces) <= _ENOUGH * target:
                 break
-        used, renumbered = np.unique(left, return_inverse=True)
-        return self._surface.with_vertices(self._vertex[used], renumbered, self._material[left[:, 0]])
+        used, renumbered = np.unique(remaining, return_inverse=True)
+        return self._surface.with_vertices(self._vertices[used], renumbered, self._material[remaining[:, 0]])
 
 
 def _stretch(surface: Surface) -> float:
     """Metres of surface per unit of texture coordinates."""
     corners, uvs = surface.positions[surface.faces].astype(np.float64), surface.attributes["uvs"][surface.faces]
     area = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1).sum()
-    one, other = (uvs[:, 1] - uvs[:, 0]).astype(np.float64), (uvs[:, 2] - uvs[:, 0]).astype(np.float64)
-    drawn = np.abs(one[:, 0] * other[:, 1] - one[:, 1] * other[:, 0])
+    first_side, second_side = (uvs[:, 1] - uvs[:, 0]).astype(np.float64), (uvs[:, 2] - uvs[:, 0]).astype(np.float64)
+    drawn = np.abs(first_side[:, 0] * second_side[:, 1] - first_side[:, 1] * second_side[:, 0])
     drawn = drawn[np.isfinite(drawn)].sum()
     return float(np.sqrt(area / drawn)) if drawn > 0 else 0.0

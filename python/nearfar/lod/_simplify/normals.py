@@ -52,22 +52,25 @@ def _smooth_groups(faces: NDArray[np.uint32], normal: NDArray[np.float64]) -> ND
     count = len(faces)
     corner = np.arange(3 * count, dtype=np.uint32).reshape(-1, 3)
     after = np.roll(corner, -1, axis=1)
-    ends = np.stack([faces, np.roll(faces, -1, axis=1)], axis=2).reshape(-1, 2).astype(np.int64)
+    ends, is_reversed, order = sorted_edges(faces)
     # Corners at the edge's lower and at its upper place.
-    swaps = ends[:, 0] > ends[:, 1]
-    low = np.where(swaps, after.ravel(), corner.ravel())
-    high = np.where(swaps, corner.ravel(), after.ravel())
+    low = np.where(is_reversed, after.ravel(), corner.ravel())
+    high = np.where(is_reversed, corner.ravel(), after.ravel())
+    first, second = order[:-1], order[1:]
+    is_smooth = (ends[first] == ends[second]).all(axis=1)
+    is_smooth &= (normal[first // 3] * normal[second // 3]).sum(axis=1) > CREASE_COSINE
+    first, second = first[is_smooth], second[is_smooth]
+    pairs = np.concatenate([np.column_stack([side[first], side[second]]) for side in (low, high)])
+    triples = np.concatenate([np.column_stack([pairs, pairs[:, 1]]), np.repeat(corner.reshape(-1, 1), 3, axis=1)])
+    return _core.pieces(np.ascontiguousarray(triples, np.uint32), 3 * count)[len(pairs) :]
+
+
+def sorted_edges(faces: NDArray[Any]) -> tuple[NDArray[Any], NDArray[np.bool_], NDArray[np.intp]]:
+    """Return the edges of faces (3 F, 2), lower number first; whether this reverses each; and the order by numbers."""
+    ends = np.stack([faces, np.roll(faces, -1, axis=1)], axis=2).reshape(-1, 2)
+    is_reversed = ends[:, 0] > ends[:, 1]
     ends.sort(axis=1)
-    order = np.lexsort((ends[:, 1], ends[:, 0]))
-    here, there = order[:-1], order[1:]
-    same = (ends[here] == ends[there]).all(axis=1)
-    here, there = here[same], there[same]
-    smooth = (normal[here // 3] * normal[there // 3]).sum(axis=1) > CREASE_COSINE
-    here, there = here[smooth], there[smooth]
-    pairs = np.concatenate([np.column_stack([low[here], low[there]]), np.column_stack([high[here], high[there]])])
-    alone = corner.ravel()
-    joined = np.concatenate([np.column_stack([pairs, pairs[:, 1]]), np.column_stack([alone, alone, alone])])
-    return _core.pieces(np.ascontiguousarray(joined, np.uint32), 3 * count)[len(pairs) :]
+    return ends, is_reversed, np.lexsort((ends[:, 1], ends[:, 0]))
 
 
 def unit(vectors: NDArray[Any]) -> NDArray[np.float64]:

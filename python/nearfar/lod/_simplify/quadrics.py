@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from nearfar import _core
 from nearfar.lod._simplify.carry import Carrier
-from nearfar.lod._simplify.normals import unit
+from nearfar.lod._simplify.normals import sorted_edges, unit
 from nearfar.lod._simplify.surface import Surface, box_of, charts_of, first_alike
 
 EXTENT = 100.0
@@ -66,22 +66,22 @@ class QuadricSimplifier:
             return self._carrier.carried(self._places, self._faces.astype(np.uint32), self._origin)
         points, faces = self._points, self._faces
         apexes, feet = self._fins
-        rest = np.arange(len(points), len(points) + len(apexes), dtype=np.int32)
-        both = np.concatenate([points, apexes]), np.concatenate([faces, np.column_stack([feet, rest])])
-        wanted = target
+        apex_numbers = np.arange(len(points), len(points) + len(apexes), dtype=np.int32)
+        all_points = np.concatenate([points, apexes])
+        all_faces = np.concatenate([faces, np.column_stack([feet, apex_numbers])])
+        run_target = target
         for _ in range(_MAX_RUNS):
-            moved, roots = self._run(*both, wanted)
-            places = (moved / self._scale + self._middle).astype(np.float32)
+            new_points, roots = self._run(all_points, all_faces, run_target)
+            places = (new_points / self._scale + self._middle).astype(np.float32)
             # Flat parts collapse onto existing corners: such faces are degenerate.
-            left = first_alike(places)[roots][faces]
-            remaining = np.flatnonzero(_is_triangle(left))
+            collapsed = first_alike(places)[roots][faces]
+            remaining = np.flatnonzero(_is_triangle(collapsed))
             missing = target - len(remaining)
             # Remaining fins count too: their number is known only after a run.
-            if abs(missing) <= _COUNT_TOLERANCE * target or not 0 < wanted + missing < len(both[1]):
+            if abs(missing) <= _COUNT_TOLERANCE * target or not 0 < run_target + missing < len(all_faces):
                 break
-            wanted += missing
-        left = left[remaining]
-        used, renumbered = np.unique(left, return_inverse=True)
+            run_target += missing
+        used, renumbered = np.unique(collapsed[remaining], return_inverse=True)
         triangles = np.ascontiguousarray(renumbered.reshape(-1, 3), np.uint32)
         return self._carrier.carried(places[used], triangles, self._origin[remaining])
 
@@ -90,7 +90,9 @@ class QuadricSimplifier:
     ) -> tuple[NDArray[np.float64], NDArray[np.int32]]:
         """Return the new positions of points, and for each point the one into which it was merged."""
         with _ONE_AT_A_TIME:
-            moved, left, merged = self._package.simplify(points, faces, target_count=target, return_collapses=True)
+            new_points, new_faces, merged = self._package.simplify(
+                points, faces, target_count=target, return_collapses=True
+            )
         roots = np.arange(len(points), dtype=np.int32)
         if len(merged):
             # Each point is merged at most once; pointer doubling finds the final point.
@@ -101,7 +103,7 @@ class QuadricSimplifier:
         expected = roots[faces]
         expected = expected[_is_triangle(expected)]
         places = points.copy()
-        places[expected] = moved[left]
+        places[expected] = new_points[new_faces]
         return places, roots
 
 
@@ -139,23 +141,20 @@ def fins(
     Collapsing an apex costs nothing, so fins disappear early. They leave the plane perpendicular to the surface in the
     quadrics of their feet.
     """
-    here = np.stack([faces, np.roll(faces, -1, axis=1)], axis=2).reshape(-1, 2)
+    ends, is_reversed, order = sorted_edges(faces)
     sides = np.stack([charts, np.roll(charts, -1, axis=1)], axis=2).reshape(-1, 2)
-    swaps = here[:, 0] > here[:, 1]
-    ends = np.where(swaps[:, None], here[:, ::-1], here)
-    sides = np.where(swaps[:, None], sides[:, ::-1], sides)
-    order = np.lexsort((ends[:, 1], ends[:, 0]))
-    ends, sides = ends[order], sides[order]
-    starts = np.flatnonzero(np.append(True, (ends[1:] != ends[:-1]).any(axis=1)))
-    counts = np.diff(np.append(starts, len(ends)))
+    sides = np.where(is_reversed[:, None], sides[:, ::-1], sides)[order]
+    edges = ends[order]
+    starts = np.flatnonzero(np.append(True, (edges[1:] != edges[:-1]).any(axis=1)))
+    counts = np.diff(np.append(starts, len(edges)))
     number = np.repeat(np.arange(len(starts)), counts)
     differs = (sides != sides[starts[number]]).any(axis=1)
-    wanted = (counts == 1) | (np.bincount(number, differs, len(starts)) > 0)
-    edge = order[starts[wanted]]
-    feet = here[edge][:, ::-1]
+    has_fin = (counts == 1) | (np.bincount(number, differs, len(starts)) > 0)
+    edge = order[starts[has_fin]]
+    feet = np.where(is_reversed[edge, None], ends[edge], ends[edge, ::-1])
     corners = points[faces[edge // 3]]
     normal = unit(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]))
-    low, high = points[feet[:, 0]], points[feet[:, 1]]
-    apexes = (low + high) / 2 + normal * FIN_HEIGHT * np.linalg.norm(high - low, axis=1, keepdims=True)
-    flat = ~normal.any(axis=1)
-    return apexes[~flat], feet[~flat].astype(np.int32)
+    first, second = points[feet[:, 0]], points[feet[:, 1]]
+    apexes = (first + second) / 2 + normal * FIN_HEIGHT * np.linalg.norm(second - first, axis=1, keepdims=True)
+    has_area = normal.any(axis=1)
+    return apexes[has_area], feet[has_area].astype(np.int32)

@@ -102,8 +102,8 @@ def _ratios(ratios: Iterable[float]) -> list[float]:
     """Shares below 1, descending, without duplicates."""
     if isinstance(ratios, np.ndarray):
         ratios = check.array("ratios", ratios, columns=None, dtype=np.float64).ravel().tolist()
-    listed = check.iterable("ratios", ratios, "numbers above 0 and at most 1")
-    shares = [check.number(f"ratios[{number}]", ratio) for number, ratio in enumerate(listed)]
+    numbers = check.iterable("ratios", ratios, "numbers above 0 and at most 1")
+    shares = [check.number(f"ratios[{number}]", ratio) for number, ratio in enumerate(numbers)]
     for number, share in enumerate(shares):
         if not 0 < share <= 1:
             raise ValueError(f"ratios[{number}]: expected a number above 0 and at most 1, got {share}")

@@ -87,8 +87,8 @@ class Base:
             self.surface = replace(smooth, attributes=attributes)
             del self.places
         elif kind == "flat":
-            others = {key: value for key, value in surface.attributes.items() if key != "normals"}
-            self.surface = replace(surface, attributes=others)
+            kept_attributes = {key: value for key, value in surface.attributes.items() if key != "normals"}
+            self.surface = replace(surface, attributes=kept_attributes)
 
     @cached_property
     def places(self) -> NDArray[np.uint32]:

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from nearfar.stream.collect._outcomes import Collected, Outcome
 from nearfar.stream.collect._person import Person
 from nearfar.stream.collect._play import play
 from nearfar.stream.collect._settings import Settings
-from nearfar.stream.collect._simulate import simulate
+from nearfar.stream.collect._simulate import Collected, Outcome, simulate
 
 __all__ = ["Collected", "Outcome", "Person", "Settings", "play", "simulate"]

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import math
 import struct
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import TypeAlias
 
@@ -16,7 +15,7 @@ Vector: TypeAlias = tuple[float, float, float]
 MARK, VERSION = 0xC5, 1
 """First byte of all messages of the task, and their format version."""
 
-FARTHEST, FASTEST, LARGEST, LONGEST = 1e6, 100.0, 1000.0, 86_400.0
+MAX_COORDINATE, MAX_SPEED, MAX_RADIUS, MAX_SECONDS = 1e6, 100.0, 1000.0, 86_400.0
 """Greatest coordinate, speed, radius and time, in metres and seconds."""
 
 MAX_USERS, MAX_TRIALS = 64, 255
@@ -27,6 +26,9 @@ LEVELS = ("easy", "intermediate", "hard")
 
 EVENTS = ("told", "selected", "lost")
 """Reasons for an `Aims` message, in the order of their codes; `told` for all reasons without an event."""
+
+_FLAGS = (False, True)
+"""Flags, in the order of their codes."""
 
 _STAGE = struct.Struct("<HB")
 _TRIAL = struct.Struct("<BBBI21f")
@@ -161,10 +163,9 @@ def read(data: bytes) -> Message | None:
     try:
         if data[1] != VERSION:
             raise _fault(f"expected version {VERSION}, got {data[1]}")
-        stage = Stage(*_STAGE.unpack_from(data, 3))
-        return _READERS[data[2]](stage, data[3 + _STAGE.size :])
-    except (struct.error, IndexError, KeyError):
-        raise _fault("its length or a number in it is wrong") from None
+        return _read_body(data[2], Stage(*_STAGE.unpack_from(data, 3)), data[3 + _STAGE.size :])
+    except (struct.error, IndexError):
+        raise _fault("its length or a code in it is wrong") from None
 
 
 def _body(message: Message) -> tuple[int, bytes]:
@@ -191,99 +192,77 @@ def _trial_bytes(trial: Trial) -> bytes:
     return head + tallies + bytes([len(trial.seats)]) + seats
 
 
+def _read_body(kind: int, stage: Stage, body: bytes) -> Message:
+    match kind:
+        case 1:
+            return _read_trial(stage, body)
+        case 2:
+            number, level, age, *vectors = _SPHERE.unpack(body)
+            position, velocity = _vector(vectors[:3]), _vector(vectors[3:], MAX_SPEED)
+            return Sphere(stage, number, _level(level), _seconds(age), position, velocity)
+        case 3:
+            return _read_aims(stage, body)
+        case 4:
+            number, level, misses, seconds = _COLLECTED.unpack(body)
+            return Collected(stage, number, _level(level), misses, _seconds(seconds))
+        case 5:
+            over, spheres, misses = _SCORE.unpack(body)
+            return Score(stage, _FLAGS[over], spheres, misses)
+    raise _fault(f"a message has the unknown kind {kind}")
+
+
 def _read_trial(stage: Stage, body: bytes) -> Trial:
-    trials, over, users, seed, *rest = _TRIAL.unpack_from(body)
-    at = _TRIAL.size
-    tallies = []
-    for _ in LEVELS:
-        spheres, misses, seconds = _TALLY.unpack_from(body, at)
-        tallies.append(Tally(spheres, misses, *_check_range((seconds,), 0.0, LONGEST)))
-        at += _TALLY.size
-    count, at = body[at], at + 1
-    _is_whole(body, at + count * _SEAT.size)
-    seats = []
-    for place in range(count):
-        user, *position = _SEAT.unpack_from(body, at + place * _SEAT.size)
-        seats.append(Seat(user, _vector(position)))
-    if count > MAX_USERS or not 1 <= users <= MAX_USERS or not 1 <= stage.trial <= trials or over > 1:
-        raise _fault("a number of users or trials is none that there can be")
-    elapsed, duration, hold, pause, between = _check_range(rest[:5], 0.0, LONGEST)
-    (radius,) = _check_range(rest[5:6], 0.0, LARGEST)
+    trials, over, users, seed, *numbers = _TRIAL.unpack_from(body)
+    offset = _TRIAL.size + len(LEVELS) * _TALLY.size
+    tallies = [Tally(n, misses, _seconds(time)) for n, misses, time in _TALLY.iter_unpack(body[_TRIAL.size : offset])]
+    if len(body) != offset + 1 + body[offset] * _SEAT.size:
+        raise _fault("its length is wrong")
+    seats = tuple(Seat(user, _vector(position)) for user, *position in _SEAT.iter_unpack(body[offset + 1 :]))
+    if len(seats) > MAX_USERS or not 1 <= users <= MAX_USERS or not 1 <= stage.trial <= trials:
+        raise _fault("a number of users or trials is out of its range")
+    elapsed, duration, hold, pause, rest = map(_seconds, numbers[:5])
+    radius = _check_range(numbers[5], 0.0, MAX_RADIUS)
     if radius == 0.0 or duration == 0.0:
-        raise _fault("a sphere has no size, or the trial no time")
-    slow, middle, fast = _check_range(rest[6:9], 0.0, FASTEST)
-    box, area = ((_vector(rest[n : n + 3]), _vector(rest[n + 3 : n + 6])) for n in (9, 15))
-    if any(low > high for least, most in (box, area) for low, high in zip(least, most, strict=True)):
-        raise _fault("a box ends before it begins")
+        raise _fault("a sphere has radius 0, or a trial duration 0")
+    slow, middle, fast = (_check_range(speed, 0.0, MAX_SPEED) for speed in numbers[6:9])
+    box, area = ((_vector(numbers[n : n + 3]), _vector(numbers[n + 3 : n + 6])) for n in (9, 15))
+    if any(low > high for least, greatest in (box, area) for low, high in zip(least, greatest, strict=True)):
+        raise _fault("a box has a least coordinate above its greatest one")
     return Trial(
-        stage, trials, bool(over), users, seed, elapsed, duration, hold, pause, between, radius,
-        (slow, middle, fast), box, area, (tallies[0], tallies[1], tallies[2]), tuple(seats),
+        stage, trials, _FLAGS[over], users, seed, elapsed, duration, hold, pause, rest, radius,
+        (slow, middle, fast), box, area, (tallies[0], tallies[1], tallies[2]), seats,
     )  # fmt: skip
-
-
-def _read_sphere(stage: Stage, body: bytes) -> Sphere:
-    _is_whole(body, _SPHERE.size)
-    number, level, age, *rest = _SPHERE.unpack(body)
-    (passed,) = _check_range((age,), 0.0, LONGEST)
-    return Sphere(stage, number, _level(level), passed, _vector(rest[:3]), _vector(rest[3:], FASTEST))
 
 
 def _read_aims(stage: Stage, body: bytes) -> Aims:
     number, event, user, misses, held = _AIMS.unpack_from(body)
     count = body[_AIMS.size]
-    _is_whole(body, _AIMS.size + 1 + 2 * count)
-    users = struct.unpack_from(f"<{count}H", body, _AIMS.size + 1)
+    users = struct.unpack(f"<{count}H", body[_AIMS.size + 1 :])
     if list(users) != sorted(set(users)) or count > MAX_USERS:
-        raise _fault("who aims is not in order")
-    time = None if held == -1.0 else _check_range((held,), 0.0, LONGEST)[0]
-    return Aims(stage, number, EVENTS[event], user, misses, time, users)
-
-
-def _read_collected(stage: Stage, body: bytes) -> Collected:
-    _is_whole(body, _COLLECTED.size)
-    number, level, misses, seconds = _COLLECTED.unpack(body)
-    return Collected(stage, number, _level(level), misses, *_check_range((seconds,), 0.0, LONGEST))
-
-
-def _read_score(stage: Stage, body: bytes) -> Score:
-    _is_whole(body, _SCORE.size)
-    over, spheres, misses = _SCORE.unpack(body)
-    if over > 1:
-        raise _fault("a trial is over or not")
-    return Score(stage, bool(over), spheres, misses)
-
-
-_READERS: dict[int, Callable[[Stage, bytes], Message]] = {
-    1: _read_trial,
-    2: _read_sphere,
-    3: _read_aims,
-    4: _read_collected,
-    5: _read_score,
-}
+        raise _fault("the users who aim are not in ascending order")
+    return Aims(stage, number, EVENTS[event], user, misses, None if held == -1.0 else _seconds(held), users)
 
 
 def _level(number: int) -> int:
     if number >= len(LEVELS):
-        raise _fault("there is no such level")
+        raise _fault(f"there is no level {number}")
     return number
 
 
-def _vector(values: Iterable[float], most: float = FARTHEST) -> Vector:
-    x, y, z = _check_range(values, -most, most)
+def _vector(values: Iterable[float], greatest: float = MAX_COORDINATE) -> Vector:
+    x, y, z = (_check_range(value, -greatest, greatest) for value in values)
     return x, y, z
 
 
-def _check_range(values: Iterable[float], low: float, high: float) -> list[float]:
-    found = list(values)
+def _seconds(value: float) -> float:
+    return _check_range(value, 0.0, MAX_SECONDS)
+
+
+def _check_range(value: float, low: float, high: float) -> float:
     # NaN fails the comparison.
-    if not all(low <= value <= high for value in found) or not all(map(math.isfinite, found)):
+    if not low <= value <= high:
         raise _fault("a number is out of its range")
-    return found
-
-
-def _is_whole(body: bytes, size: int) -> None:
-    if len(body) != size:
-        raise _fault("its length is wrong")
+    return value
 
 
 def _fault(sentence: str) -> FormatError:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 from collections import deque
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from typing import TypeAlias
 
 import numpy as np
@@ -20,13 +20,13 @@ Angles: TypeAlias = tuple[float, float]
 SCATTER = 4.133
 """Ratio of a target's width to the standard deviation of movement end points: 96 % of them end within the target."""
 
-SINK = math.radians(12.0)
-"""Speed at which the hand sinks during a lapse, radians per second."""
+SINK_SPEED = math.radians(12.0)
+"""Speed of the hand during a lapse, radians per second."""
 
-GAZE = 0.1
+GAZE_SECONDS = 0.1
 """Seconds over which the user estimates a target's speed."""
 
-REMEMBERED = 256
+MAX_MOMENTS = 256
 """Number of stored past moments."""
 
 
@@ -69,8 +69,8 @@ class Person:
 
     def __post_init__(self) -> None:
         for field in fields(self):
-            most = 1.0 if field.name in ("pursuit", "spread") else 100.0
-            value = check.in_range(field.name, getattr(self, field.name), 0.0, most)
+            greatest = 1.0 if field.name in ("pursuit", "spread") else 100.0
+            value = check.in_range(field.name, getattr(self, field.name), 0.0, greatest)
             object.__setattr__(self, field.name, value)
 
 
@@ -117,71 +117,66 @@ class _Reach:
 class Pointing:
     """Pointing direction of a simulated user, step by step. Times are seconds on any clock.
 
-    Parameters
-    ----------
-    person
-        Parameters of all users.
-    seed, user
-        Seed, and the number of the user; both determine the user's individual parameters.
+    `person` has the parameters of all users; `seed` and the number `user` determine the user's individual ones.
     """
 
     def __init__(self, person: Person, seed: int, user: int) -> None:
         self._chance = Chance(seed, user)
-        own = {
+        individual = {
             name: getattr(person, name) * math.exp(person.spread * self._chance.normal())
             for name in ("reaction", "intercept", "slope", "delay", "gain", "tremor", "search")
         }
-        self._own = Person(**{**{field.name: getattr(person, field.name) for field in fields(person)}, **own})
+        self._person = replace(person, **individual)
         self._aim: Angles = (0.0, 0.0)
         self._tremor: Angles = (0.0, 0.0)
-        self._past: deque[tuple[float, Target, Angles]] = deque(maxlen=REMEMBERED)
+        self._past: deque[tuple[float, Target, Angles]] = deque(maxlen=MAX_MOMENTS)
         self._number: int | None = None
-        self._starts: float | None = None
+        self._start_time: float | None = None
         self._reach: _Reach | None = None
-        self._lapse_ends = -math.inf
-        self._last: float | None = None
+        self._lapse_end = -math.inf
+        self._last_time: float | None = None
 
     def step(self, now: float, target: Target | None) -> Angles:
         """Return the pointing direction at a time, with or without a visible target."""
-        passed = 0.0 if self._last is None else min(max(now - self._last, 0.0), 0.1)
-        self._last = now
-        self._shake(passed)
+        elapsed = 0.0 if self._last_time is None else min(max(now - self._last_time, 0.0), 0.1)
+        self._last_time = now
+        self._update_tremor(elapsed)
         if target is None:
             self._number = None
             self._past.clear()
         else:
-            self._notice(now, target)
+            self._start_reaction(now, target)
             self._past.append((now, target, self._aim))
-            self._move(now, passed, target)
+            self._move(now, elapsed, target)
             self._past[-1] = (now, target, self._aim)
         return self._aim[0] + self._tremor[0], self._aim[1] + self._tremor[1]
 
-    def _notice(self, now: float, target: Target) -> None:
+    def _start_reaction(self, now: float, target: Target) -> None:
         if target.number == self._number:
             return
-        own = self._own
+        person = self._person
         self._number, self._reach = target.number, None
         self._past.clear()
-        after = max(own.reaction + own.reaction_spread * self._chance.normal(), 0.5 * own.reaction)
-        self._starts = now + after + own.search
+        delay = max(person.reaction + person.reaction_spread * self._chance.normal(), 0.5 * person.reaction)
+        self._start_time = now + delay + person.search
 
-    def _move(self, now: float, passed: float, target: Target) -> None:
-        if self._starts is not None:
-            if now >= self._starts:
-                self._starts, self._reach = None, self._planned(now, target.width)
+    def _move(self, now: float, elapsed: float, target: Target) -> None:
+        if self._start_time is not None:
+            if now >= self._start_time:
+                self._start_time, self._reach = None, self._planned(now, target.width)
         elif self._reach is not None:
             self._follow(self._reach, now)
-        elif not self._lapses(now, passed):
-            self._track(now, passed)
+        elif not self._lapses(now, elapsed):
+            self._track(now, elapsed)
 
     def _planned(self, now: float, width: float) -> _Reach:
         """Plan a movement to the target's predicted position, extrapolated from its perceived motion."""
-        own = self._own
+        person = self._person
         (yaw, pitch), (turns, rises), _ = self._perceive(now)
         size = max(width, 1e-6)
-        away = math.hypot(_turn(yaw - self._aim[0]), pitch - self._aim[1])
-        seconds = own.intercept + own.slope * math.log2(away / size + 1.0)
-        ahead = own.pursuit * (own.delay + seconds)
+        distance = math.hypot(_turn(yaw - self._aim[0]), pitch - self._aim[1])
+        seconds = person.intercept + person.slope * math.log2(distance / size + 1.0)
+        ahead = person.pursuit * (person.delay + seconds)
         end = (
             self._aim[0] + _turn(yaw - self._aim[0]) + ahead * turns + size / SCATTER * self._chance.normal(),
             pitch + ahead * rises + size / SCATTER * self._chance.normal(),
@@ -191,51 +186,51 @@ class Pointing:
     def _follow(self, reach: _Reach, now: float) -> None:
         """Follow a minimum-jerk movement (Flash and Hogan, 1985)."""
         share = min((now - reach.begin) / reach.seconds, 1.0) if reach.seconds > 0.0 else 1.0
-        done = share**3 * (10.0 - 15.0 * share + 6.0 * share * share)
+        progress = share**3 * (10.0 - 15.0 * share + 6.0 * share * share)
         (a, b), (c, d) = reach.start, reach.end
-        self._aim = (a + done * (c - a), b + done * (d - b))
+        self._aim = (a + progress * (c - a), b + progress * (d - b))
         if share == 1.0:
             self._reach = None
 
-    def _track(self, now: float, passed: float) -> None:
+    def _track(self, now: float, elapsed: float) -> None:
         """Track by the crossover model of McRuer and Jex (1967), with the target's speed as a second input."""
         (yaw, pitch), (turns, rises), aim = self._perceive(now)
-        own = self._own
-        left = own.gain * _turn(yaw - aim[0]) + own.pursuit * turns
-        up = own.gain * (pitch - aim[1]) + own.pursuit * rises
-        self._aim = (self._aim[0] + passed * left, self._aim[1] + passed * up)
+        person = self._person
+        left = person.gain * _turn(yaw - aim[0]) + person.pursuit * turns
+        up = person.gain * (pitch - aim[1]) + person.pursuit * rises
+        self._aim = (self._aim[0] + elapsed * left, self._aim[1] + elapsed * up)
 
-    def _lapses(self, now: float, passed: float) -> bool:
+    def _lapses(self, now: float, elapsed: float) -> bool:
         """Return whether attention has lapsed, and let the hand sink if so."""
-        if now >= self._lapse_ends and self._chance.uniform() < self._own.lapses * passed:
-            self._lapse_ends = now + self._own.lapse
-        if now >= self._lapse_ends:
+        if now >= self._lapse_end and self._chance.uniform() < self._person.lapses * elapsed:
+            self._lapse_end = now + self._person.lapse
+        if now >= self._lapse_end:
             return False
-        self._aim = (self._aim[0], self._aim[1] - SINK * passed)
+        self._aim = (self._aim[0], self._aim[1] - SINK_SPEED * elapsed)
         return True
 
     def _perceive(self, now: float) -> tuple[Angles, Angles, Angles]:
         """Return target, target speed and aim as perceived now, that is, with the user's delay."""
         # Newest moment older than the delay, or the first moment if the target appeared later than that.
         number = len(self._past) - 1
-        while number > 0 and self._past[number][0] > now - self._own.delay:
+        while number > 0 and self._past[number][0] > now - self._person.delay:
             number -= 1
         time, target, aim = self._past[number]
         before = number
-        while before > 0 and self._past[before][0] > time - GAZE:
+        while before > 0 and self._past[before][0] > time - GAZE_SECONDS:
             before -= 1
-        passed = time - self._past[before][0]
-        if passed <= 0.0:
+        interval = time - self._past[before][0]
+        if interval <= 0.0:
             return target.angles, (0.0, 0.0), aim
-        was = self._past[before][1].angles
-        speed = (_turn(target.angles[0] - was[0]) / passed, (target.angles[1] - was[1]) / passed)
+        earlier = self._past[before][1].angles
+        speed = (_turn(target.angles[0] - earlier[0]) / interval, (target.angles[1] - earlier[1]) / interval)
         return target.angles, speed, aim
 
-    def _shake(self, passed: float) -> None:
+    def _update_tremor(self, elapsed: float) -> None:
         """Update tremor, an Ornstein–Uhlenbeck process about both axes."""
-        own = self._own
-        keeps = math.exp(-passed / own.tremor_time) if own.tremor_time > 0.0 else 0.0
-        size = math.radians(own.tremor) * math.sqrt(1.0 - keeps * keeps)
+        person = self._person
+        keeps = math.exp(-elapsed / person.tremor_time) if person.tremor_time > 0.0 else 0.0
+        size = math.radians(person.tremor) * math.sqrt(1.0 - keeps * keeps)
         yaw, pitch = self._tremor
         self._tremor = (keeps * yaw + size * self._chance.normal(), keeps * pitch + size * self._chance.normal())
 

@@ -12,16 +12,15 @@ from nearfar._base import check
 from nearfar._base.errors import FormatError
 from nearfar.stream._room import Room
 from nearfar.stream._room_events import Ended, Event, Joined, Left, Pose, Posed, RoomError, Said
-from nearfar.stream.collect._messages import MARK, audience, read, write
-from nearfar.stream.collect._outcomes import Outcome, outcomes
-from nearfar.stream.collect._person import Person
-from nearfar.stream.collect._player import Player, rotated
+from nearfar.stream.collect._messages import audience, read, write
+from nearfar.stream.collect._person import Person, Pointing
+from nearfar.stream.collect._player import rotated, stance_of
 from nearfar.stream.collect._settings import Settings
-from nearfar.stream.collect._simulate import RATE
+from nearfar.stream.collect._simulate import RATE, Outcome, outcomes
 from nearfar.stream.collect._spheres import Ray
 from nearfar.stream.collect._task import Task
 
-MEASURED = 0.25
+MEASUREMENT_INTERVAL = 0.25
 """Seconds between poses whose round-trip time is measured."""
 
 
@@ -57,10 +56,9 @@ async def play(
         For arguments of another type, and seeds outside 0 to 2³² − 1.
     """
     check.instance("room", room, Room)
-    chosen = Settings() if settings is None else check.instance("settings", settings, Settings)
+    rules = Settings() if settings is None else check.instance("settings", settings, Settings)
     people = Person() if person is None else check.instance("person", person, Person)
-    seeded = check.integer("seed", seed, 0, 2**32 - 1)
-    user = _User(room, chosen, people, seeded)
+    user = _User(room, rules, people, check.integer("seed", seed, 0, 2**32 - 1))
     hearing = asyncio.create_task(user.hear())
     moving = asyncio.create_task(user.move())
     try:
@@ -87,7 +85,7 @@ class _User:
         """Reset the task's state and register all users in the group."""
         room = self._room
         self.task = Task(room.user, room.group)
-        self._player = Player(self._person, self._seed, room.user)
+        self._pointing = Pointing(self._person, self._seed, room.user)
         self._rays: dict[int, Ray] = {}
         # Greatest sequence number of each user: datagrams can overtake each other and the stream.
         self._newest: dict[int, int] = {}
@@ -110,15 +108,14 @@ class _User:
 
     async def move(self) -> None:
         """Send poses until the run is over."""
-        measured = -math.inf
-        due = self._clock()
+        measurement_time, due = -math.inf, self._clock()
         while not self.task.is_over:
             now = self._clock()
-            stance = self._player.stance(self.task, now)
+            stance = stance_of(self._pointing, self.task, now)
             if stance is not None:
                 self._rays[self.task.user] = stance.ray
-                is_measured = now - measured >= MEASURED
-                measured = now if is_measured else measured
+                is_measured = now - measurement_time >= MEASUREMENT_INTERVAL
+                measurement_time = now if is_measured else measurement_time
                 await self._room.pose(
                     stance.eyes,
                     stance.rotation,
@@ -159,7 +156,7 @@ class _User:
                 self._rays.pop(user, None)
                 self._newest.pop(user, None)
             case Ended():
-                self.task.alone()
+                self.task.forget_users()
                 self._groups.clear()
                 self._rays.clear()
                 self._newest.clear()
@@ -171,24 +168,17 @@ class _User:
                 self._listen(user, data)
 
     def _listen(self, user: int, data: bytes) -> None:
-        group = self._groups.get(user)
-        if group is None or data[:1] != bytes([MARK]):
-            return
-        try:
-            message = read(data)
-        except FormatError:
-            # Malformed messages are ignored.
-            return
-        if message is not None:
-            self.task.hear(message, self._clock(), sender=user, group=group)
+        # Malformed messages are ignored.
+        with suppress(FormatError):
+            message, group = read(data), self._groups.get(user)
+            if message is not None and group is not None:
+                self.task.hear(message, self._clock(), sender=user, group=group)
 
     def _see(self, user: int, pose: Pose) -> None:
-        places = {"head": pose.head, "left": pose.left, "right": pose.right}
-        begin = None if pose.pointer is None else places[pose.pointer.begin]
-        if begin is None:
+        placed = None if pose.pointer is None else getattr(pose, pose.pointer.begin)
+        if placed is None:
             self._rays.pop(user, None)
             return
-        x, y, z = begin.position.tolist()
         # Quaternions in frames may deviate from length 1 by a tenth.
-        a, b, c, d = (begin.rotation / np.linalg.norm(begin.rotation)).tolist()
-        self._rays[user] = ((x, y, z), rotated((a, b, c, d)))
+        rotation = placed.rotation / np.linalg.norm(placed.rotation)
+        self._rays[user] = tuple(placed.position.tolist()), rotated(tuple(rotation.tolist()))

@@ -7,14 +7,14 @@ from dataclasses import dataclass
 from typing import TypeAlias
 
 from nearfar.stream.collect._messages import Vector
-from nearfar.stream.collect._person import Person, Pointing, Target
+from nearfar.stream.collect._person import Pointing, Target
 from nearfar.stream.collect._spheres import Ray
 from nearfar.stream.collect._task import Task
 
 Rotation: TypeAlias = tuple[float, float, float, float]
 """A unit quaternion (x, y, z, w)."""
 
-BELOW = 0.3
+HAND_DROP = 0.3
 """Vertical distance from the eyes down to the hand, metres."""
 
 
@@ -34,25 +34,19 @@ class Stance:
         return self.hand, rotated(self.rotation)
 
 
-class Player:
-    """Eyes and hand of a user, driven by the task's state."""
-
-    def __init__(self, person: Person, seed: int, user: int) -> None:
-        self._pointing = Pointing(person, seed, user)
-
-    def stance(self, task: Task, now: float) -> Stance | None:
-        """Return the user's stance at a time; None without a seat."""
-        eyes = task.seat
-        if eyes is None or task.trial is None:
-            return None
-        hand = (eyes[0], eyes[1] - BELOW, eyes[2])
-        center, target, length = task.place(now), None, 1.0
-        if center is not None and task.sphere is not None:
-            away = (center[0] - hand[0], center[1] - hand[1], center[2] - hand[2])
-            length = math.hypot(*away)
-            angles = (math.atan2(-away[0], -away[2]), math.atan2(away[1], math.hypot(away[0], away[2])))
-            target = Target(task.sphere.number, angles, 2.0 * math.atan2(task.trial.radius, length))
-        return Stance(eyes, hand, rotation_of(*self._pointing.step(now, target)), length)
+def stance_of(pointing: Pointing, task: Task, now: float) -> Stance | None:
+    """Return a simulated user's stance at a time, given its state of the task; None without a seat."""
+    eyes = task.seat
+    if eyes is None or task.trial is None:
+        return None
+    hand = (eyes[0], eyes[1] - HAND_DROP, eyes[2])
+    center, target, length = task.place(now), None, 1.0
+    if center is not None and task.sphere is not None:
+        x, y, z = (center[axis] - hand[axis] for axis in range(3))
+        length = math.hypot(x, y, z)
+        angles = (math.atan2(-x, -z), math.atan2(y, math.hypot(x, z)))
+        target = Target(task.sphere.number, angles, 2.0 * math.atan2(task.trial.radius, length))
+    return Stance(eyes, hand, rotation_of(*pointing.step(now, target)), length)
 
 
 def rotation_of(yaw: float, pitch: float) -> Rotation:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from nearfar._base import check
-from nearfar.stream.collect._messages import FARTHEST, FASTEST, LARGEST, LONGEST, MAX_TRIALS, MAX_USERS
+from nearfar.stream.collect._messages import MAX_COORDINATE, MAX_RADIUS, MAX_SECONDS, MAX_SPEED, MAX_TRIALS, MAX_USERS
 
 
 @dataclass(frozen=True)
@@ -48,20 +48,18 @@ class Settings:
     """Seed of positions and directions; groups and trials with the same seed differ."""
 
     def __post_init__(self) -> None:
-        for name, least, most in (
-            ("users", 1, MAX_USERS), ("trials", 1, MAX_TRIALS), ("seed", 0, 2**32 - 1),
-        ):  # fmt: skip
-            object.__setattr__(self, name, check.integer(name, getattr(self, name), least, most))
-        for name, high in (
-            ("hold", LONGEST), ("pause", LONGEST), ("rest", LONGEST), ("distance", FARTHEST), ("rise", FARTHEST),
-        ):  # fmt: skip
-            object.__setattr__(self, name, check.in_range(name, getattr(self, name), 0.0, high))
-        for name, high in (("duration", LONGEST), ("radius", LARGEST)):
+        for name, least, greatest in (("users", 1, MAX_USERS), ("trials", 1, MAX_TRIALS), ("seed", 0, 2**32 - 1)):
+            object.__setattr__(self, name, check.integer(name, getattr(self, name), least, greatest))
+        for name in ("duration", "radius"):
             check.positive(name, getattr(self, name))
+        for name, high in (
+            ("duration", MAX_SECONDS), ("hold", MAX_SECONDS), ("pause", MAX_SECONDS), ("rest", MAX_SECONDS),
+            ("radius", MAX_RADIUS), ("distance", MAX_COORDINATE), ("rise", MAX_COORDINATE),
+        ):  # fmt: skip
             object.__setattr__(self, name, check.in_range(name, getattr(self, name), 0.0, high))
         for name, count, low, high in (
-            ("speeds", 3, 0.0, FASTEST), ("center", 3, -FARTHEST / 4, FARTHEST / 4),
-            ("seats", 2, 0.0, FARTHEST / 4), ("box", 3, 0.0, FARTHEST / 4),
+            ("speeds", 3, 0.0, MAX_SPEED), ("center", 3, -MAX_COORDINATE / 4, MAX_COORDINATE / 4),
+            ("seats", 2, 0.0, MAX_COORDINATE / 4), ("box", 3, 0.0, MAX_COORDINATE / 4),
         ):  # fmt: skip
             object.__setattr__(self, name, _numbers(name, getattr(self, name), count, low, high))
 

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import heapq
+from collections import defaultdict
 from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
 from itertools import count
 
 from nearfar._base import check
-from nearfar.stream.collect._messages import Message, read, write
-from nearfar.stream.collect._outcomes import Outcome, outcomes
-from nearfar.stream.collect._person import Chance, Person
-from nearfar.stream.collect._player import Player
+from nearfar.stream.collect._messages import LEVELS, Message, read, write
+from nearfar.stream.collect._person import Chance, Person, Pointing
+from nearfar.stream.collect._player import stance_of
 from nearfar.stream.collect._settings import Settings
 from nearfar.stream.collect._spheres import Ray
 from nearfar.stream.collect._task import Task
@@ -18,18 +20,55 @@ from nearfar.stream.collect._task import Task
 RATE = 72.0
 """Poses per second."""
 
+Leg = tuple[float, float]
+"""Mean and standard deviation of the one-way delay between a user and the server, seconds."""
+
 LEG = (0.0145, 0.007)
-"""Mean and standard deviation of the one-way delay between a user and the server, seconds: the paper's round trip
-of 58 ± 14 ms consists of four such legs."""
+"""The paper's delay: its round trip of 58 ± 14 ms consists of four such legs."""
 
 MIN_LEG = 0.001
 """Least one-way delay, seconds."""
 
 
+@dataclass(frozen=True)
+class Collected:
+    """A sphere that a group has collected."""
+
+    level: str
+    """Level: easy, intermediate or hard."""
+    seconds: float
+    """Seconds from appearance to collection."""
+    misses: int
+    """Number of times that a user lost the selection."""
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """Result of a group's trial."""
+
+    group: int
+    """Number of the group."""
+    trial: int
+    """Number of the trial, from 1."""
+    spheres: tuple[Collected, ...]
+    """Collected spheres, in the order of collection."""
+
+
+def outcomes(task: Task) -> list[Outcome]:
+    """Return the results of the task's last known run."""
+    if task.trial is None:
+        return []
+    stage, spheres = task.trial.stage, defaultdict[int, list[Collected]](list)
+    for message in task.collected:
+        if message.stage.run == stage.run:
+            spheres[message.stage.trial].append(Collected(LEVELS[message.level], message.seconds, message.misses))
+    return [Outcome(task.group, trial, tuple(spheres[trial])) for trial in range(1, stage.trial + 1)]
+
+
 class _Network:
     """Messages in flight, in the order of arrival."""
 
-    def __init__(self, leg: tuple[float, float], seed: int) -> None:
+    def __init__(self, leg: Leg, seed: int) -> None:
         self._leg, self._chance, self._numbers = leg, Chance(seed, 2**32), count()
         self._waiting: list[tuple[float, int, Callable[[float], None]]] = []
         self._last: dict[tuple[int, int], float] = {}
@@ -53,27 +92,18 @@ class _User:
     """A user with its own state of the task."""
 
     def __init__(self, number: int, group: int, person: Person, seed: int) -> None:
-        self.task, self.player = Task(number, group), Player(person, seed, number)
+        self.task, self.pointing = Task(number, group), Pointing(person, seed, number)
         self.rays: dict[int, Ray] = {}
 
-    def hear(self, data: bytes, sender: int, group: int) -> Callable[[float], None]:
-        """Return the handler for a message's arrival."""
+    def hear(self, data: bytes, sender: int, now: float) -> None:
+        """Process a message from a user of the group."""
+        message = read(data)
+        assert message is not None
+        self.task.hear(message, now, sender=sender, group=self.task.group)
 
-        def arrive(now: float) -> None:
-            message = read(data)
-            if message is not None:
-                self.task.hear(message, now, sender=sender, group=group)
-
-        return arrive
-
-    def see(self, user: int, ray: Ray) -> Callable[[float], None]:
-        """Return the handler for a pose's arrival."""
-
-        def arrive(now: float) -> None:
-            del now
-            self.rays[user] = ray
-
-        return arrive
+    def see(self, user: int, ray: Ray, _: float) -> None:
+        """Process a pose."""
+        self.rays[user] = ray
 
 
 def simulate(
@@ -82,7 +112,7 @@ def simulate(
     person: Person | None = None,
     groups: int = 2,
     seed: int = 0,
-    leg: tuple[float, float] = LEG,
+    leg: Leg = LEG,
 ) -> list[Outcome]:
     """Let simulated users collect spheres, faster than in real time and with reproducible results.
 
@@ -109,19 +139,19 @@ def simulate(
     ValueError, TypeError
         For a number of groups outside 1 to 64, times below 0 or above 10 s, and arguments of another type.
     """
-    chosen = Settings() if settings is None else check.instance("settings", settings, Settings)
+    rules = Settings() if settings is None else check.instance("settings", settings, Settings)
     people = Person() if person is None else check.instance("person", person, Person)
     number, seeded = check.integer("groups", groups, 1, 64), check.integer("seed", seed, 0, 2**32 - 1)
     if not isinstance(leg, tuple | list) or len(leg) != 2:
         raise TypeError(f"leg: expected a mean and a standard deviation, got {check.type_and_value(leg)}")
     mean, deviation = (check.in_range("leg", value, 0.0, 10.0) for value in leg)
-    found = []
-    for group in range(1, number + 1):
-        found += _group(chosen, people, group, seeded, (mean, deviation))
-    return found
+    simulate_one = partial(_simulate_group, rules, people, seeded, (mean, deviation))
+    return [outcome for group in range(1, number + 1) for outcome in simulate_one(group)]
 
 
-def _group(settings: Settings, person: Person, group: int, seed: int, leg: tuple[float, float]) -> list[Outcome]:
+def _simulate_group(
+    settings: Settings, person: Person, seed: int, leg: tuple[float, float], group: int
+) -> list[Outcome]:
     """Simulate a group's trials; groups are independent, because they exchange only scores, which affect nothing."""
     first = 1 + (group - 1) * settings.users
     users = [_User(first + n, group, person, seed) for n in range(settings.users)]
@@ -132,23 +162,21 @@ def _group(settings: Settings, person: Person, group: int, seed: int, leg: tuple
             user.task.add_user(other.task.user)
 
     def say(messages: list[Message], now: float) -> None:
-        for message in messages:
-            data = write(message)
-            sender = conductor.task.user
+        sender = conductor.task.user
+        for data in map(write, messages):
             for user in users[1:]:
-                network.send(now, sender, user.task.user, user.hear(data, sender, group))
+                network.send(now, sender, user.task.user, partial(user.hear, data, sender))
 
     say(conductor.task.start(settings, 0.0), 0.0)
-    steps = 0
+    steps = count(1)
     while not conductor.task.is_over:
-        steps += 1
-        now = steps / RATE
+        now = next(steps) / RATE
         network.deliver(now)
         for user in users:
-            stance = user.player.stance(user.task, now)
+            stance = stance_of(user.pointing, user.task, now)
             if stance is None:
                 continue
-            arrive = conductor.see(user.task.user, stance.ray)
+            arrive = partial(conductor.see, user.task.user, stance.ray)
             if user is conductor:
                 arrive(now)
             else:

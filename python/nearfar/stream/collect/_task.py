@@ -8,9 +8,8 @@ from collections.abc import Collection, Mapping
 from dataclasses import replace
 
 from nearfar.stream.collect import _spheres as spheres
-from nearfar.stream.collect._allowance import Allowance
 from nearfar.stream.collect._messages import (
-    LONGEST,
+    MAX_SECONDS,
     MAX_USERS,
     Aims,
     Collected,
@@ -34,20 +33,25 @@ MIN_PAUSE = 0.05
 MIN_JUDGEMENT_INTERVAL = 1.0 / 80.0
 """Least seconds between two judgements, less than between two poses: each pose may ask for one."""
 
+AIMS_RATE, AIMS_BURST = 16_384.0, 8192.0
+"""Rate limit of `Aims` messages in bytes per second, half of the room's limit, and burst size in bytes."""
+
+AIMS_BYTES, USER_BYTES = 64, 2
+"""Bytes of `Aims` without users, at least the room's minimum charge, and additional bytes per user."""
+
 ENTERING = 5.0
 """Seconds after entering in which every sender is accepted, because the conductor is not known yet."""
+
+NO_TALLIES = (Tally(), Tally(), Tally())
 
 Rays = Mapping[int, Ray]
 """Last pointers of users by number; users without a pointer are missing."""
 
 
 class Task:
-    """A group's task. Times are seconds on the caller's clock; a message's time is that of its arrival.
+    """A group's task as a user of the group knows it, both given by number.
 
-    Parameters
-    ----------
-    user, group
-        Numbers of this user and its group.
+    Times are seconds on the caller's clock; a message's time is that of its arrival.
     """
 
     def __init__(self, user: int, group: int) -> None:
@@ -62,15 +66,16 @@ class Task:
         """Misses of the sphere."""
         self.scores: dict[int, Score] = {}
         """Last scores by group."""
-        self.began = self.appeared = 0.0
+        self.start_time = self.appeared = 0.0
         self.held_since: float | None = None
         """Time at which the last required user began to aim; None while some do not."""
         self.collected: deque[Collected] = deque(maxlen=MAX_COUNT)
         """Last collected spheres, in order."""
-        self._next_at = 0.0
-        self._is_to_tell = False
-        self._judged_at = -math.inf
-        self._allowance = Allowance()
+        self._next_sphere_time = 0.0
+        self._must_send_state = False
+        self._judgement_time = -math.inf
+        # Token bucket of `Aims` messages: a room disconnects a user who sends too many bytes.
+        self._aims_budget, self._aims_time = AIMS_BURST, 0.0
         # Conductor before the last user joined; its last messages may arrive after that.
         self._former: int | None = None
         # Time until which every sender is accepted; None until the first call after entering.
@@ -96,8 +101,8 @@ class Task:
     @property
     def seat(self) -> Vector | None:
         """Position of the user's eyes in its seat; None without a seat."""
-        found = [seat.position for seat in self.trial.seats if seat.user == self.user] if self.trial else []
-        return found[0] if found else None
+        seats = self.trial.seats if self.trial else ()
+        return next((seat.position for seat in seats if seat.user == self.user), None)
 
     def place(self, now: float) -> Vector | None:
         """Return the position of the sphere's centre; None without a sphere."""
@@ -108,7 +113,7 @@ class Task:
     def add_user(self, user: int) -> None:
         """Record that a user of the group has joined, who must be told the state."""
         before = self.conductor
-        self._is_to_tell |= self.trial is not None and before == self.user
+        self._must_send_state |= self.trial is not None and before == self.user
         self.present.add(user)
         if self.conductor != before:
             self._former = before
@@ -119,50 +124,59 @@ class Task:
         if user == self._former:
             self._former = None
 
-    def alone(self) -> None:
+    def forget_users(self) -> None:
         """Handle a broken connection: users are announced again later, and the task continues from its state."""
         self.present = {self.user}
         self.forget_scores((self.group,))
         self._former = self._entered_until = None
 
-    def forget_scores(self, there: Collection[int]) -> None:
-        """Discard the scores of groups without users."""
-        self.scores = {group: score for group, score in self.scores.items() if group in there}
+    def forget_scores(self, groups: Collection[int]) -> None:
+        """Discard the scores of all groups but those listed, which have users."""
+        self.scores = {group: score for group, score in self.scores.items() if group in groups}
 
     def start(self, settings: Settings, now: float) -> list[Message]:
         """Begin the first trial of a run for all users who are present; returns the conductor's messages."""
         run = (self.trial.stage.run + 1) % 2**16 if self.trial else 1
         x, y, z = settings.center
-        wide, deep = settings.seats
-        area = ((x - wide / 2, y, z - deep / 2), (x + wide / 2, y, z + deep / 2))
+        width, depth = settings.seats
+        area = ((x - width / 2, y, z - depth / 2), (x + width / 2, y, z + depth / 2))
         middle = (x, y + settings.rise, z - settings.distance)
-        a, b, c = ((at - size / 2, at + size / 2) for at, size in zip(middle, settings.box, strict=True))
-        empty = Tally()
+        a, b, c = ((value - size / 2, value + size / 2) for value, size in zip(middle, settings.box, strict=True))
         first = Trial(
             Stage(run, 1), settings.trials, False, settings.users, settings.seed, 0.0, settings.duration,
             settings.hold, settings.pause, settings.rest, settings.radius, settings.speeds,
-            ((a[0], b[0], c[0]), (a[1], b[1], c[1])), area, (empty, empty, empty), (),
+            ((a[0], b[0], c[0]), (a[1], b[1], c[1])), area, NO_TALLIES, (),
         )  # fmt: skip
-        return self._apply_own(self._begun(first, first.stage), now)
+        return self._apply_own(self._create_trial(first, first.stage), now)
 
     def conduct(self, now: float, rays: Rays) -> list[Message]:
         """Return the user's messages as conductor, already applied to its own state; none if another user conducts."""
         self._enter(now)
-        said = self._state_messages(now) if self._is_to_tell else []
-        self._is_to_tell = False
-        is_due = now - self._judged_at >= MIN_JUDGEMENT_INTERVAL
-        self._judged_at = now if is_due else self._judged_at
+        messages = self._state_messages(now) if self._must_send_state else []
+        self._must_send_state = False
+        is_due = now - self._judgement_time >= MIN_JUDGEMENT_INTERVAL
+        self._judgement_time = now if is_due else self._judgement_time
         while self.user == self.conductor:
             message = self._decide(now, rays if is_due else None)
             # A change that exceeds the rate limit is judged again later.
-            if message is None or (isinstance(message, Aims) and not self._allowance.take(len(message.users), now)):
+            if message is None or (isinstance(message, Aims) and not self._may_send(message, now)):
                 break
-            heard = self._apply_own(message, now)
-            if not heard:
+            applied = self._apply_own(message, now)
+            if not applied:
                 # A message without effect would be chosen again for ever.
                 break
-            said += heard
-        return said
+            messages += applied
+        return messages
+
+    def _may_send(self, aims: Aims, now: float) -> bool:
+        """Consume the bytes of a message from the budget; False if too few are left."""
+        self._aims_budget = min(self._aims_budget + AIMS_RATE * max(now - self._aims_time, 0.0), AIMS_BURST)
+        self._aims_time = now
+        size = AIMS_BYTES + USER_BYTES * len(aims.users)
+        if size > self._aims_budget:
+            return False
+        self._aims_budget -= size
+        return True
 
     def hear(self, message: Message, now: float, *, sender: int | None = None, group: int | None = None) -> bool:
         """Apply a message of a user, by default of this user; returns whether it had an effect.
@@ -174,7 +188,7 @@ class Task:
             self.scores[self.group if group is None else group] = message
             return True
         self._enter(now)
-        if group not in (None, self.group) or not self._believes(self.user if sender is None else sender, now):
+        if group not in (None, self.group) or not self._accepts(self.user if sender is None else sender, now):
             return False
         if isinstance(message, Trial):
             if self.trial is not None and _is_earlier(message, self.trial):
@@ -189,7 +203,7 @@ class Task:
         if self._entered_until is None:
             self._entered_until = now + ENTERING
 
-    def _believes(self, sender: int, now: float) -> bool:
+    def _accepts(self, sender: int, now: float) -> bool:
         if sender == self.user or self._entered_until is None or now < self._entered_until:
             return True
         # Without seated users anybody may begin. Of two who begin at the same time, the lower number wins.
@@ -200,21 +214,22 @@ class Task:
         # A user who returns during a pause may know a sphere that was collected meanwhile.
         is_collected = self.sphere is not None and self.sphere.number < _count_of(trial)
         if is_other or is_collected:
-            self.sphere, self._next_at = None, now if trial.elapsed == 0.0 else now + max(trial.pause, MIN_PAUSE)
-            self._rest()
-        self.trial, self.began = trial, now - trial.elapsed
+            self.sphere = None
+            self._next_sphere_time = now if trial.elapsed == 0.0 else now + max(trial.pause, MIN_PAUSE)
+            self._clear_aims()
+        self.trial, self.start_time = trial, now - trial.elapsed
 
     def _hear_play(self, message: Sphere | Aims | Collected, now: float) -> bool:
-        known = -1 if self.sphere is None else self.sphere.number
+        number = -1 if self.sphere is None else self.sphere.number
         is_next = message.number == self._count() and message.number < MAX_COUNT
         if isinstance(message, Sphere):
             # The count must leave room for the sphere's collection.
-            if message.number == known or not is_next:
+            if message.number == number or not is_next:
                 return False
             self.sphere, self.appeared = message, now - message.age
-            self._rest()
+            self._clear_aims()
         elif isinstance(message, Aims):
-            if message.number != known:
+            if message.number != number:
                 return False
             self.aims, self.misses = message.users, message.misses
             self.held_since = None if message.held is None else now - message.held
@@ -224,18 +239,18 @@ class Task:
             return False
         return True
 
-    def _hear_collected(self, found: Collected, now: float) -> None:
+    def _hear_collected(self, collected: Collected, now: float) -> None:
         assert self.trial is not None
         tallies = list(self.trial.tallies)
-        old = tallies[found.level]
-        misses, seconds = min(old.misses + found.misses, MAX_COUNT), min(old.seconds + found.seconds, LONGEST)
-        tallies[found.level] = Tally(old.spheres + 1, misses, seconds)
+        old = tallies[collected.level]
+        misses = min(old.misses + collected.misses, MAX_COUNT)
+        tallies[collected.level] = Tally(old.spheres + 1, misses, min(old.seconds + collected.seconds, MAX_SECONDS))
         self.trial = replace(self.trial, tallies=(tallies[0], tallies[1], tallies[2]))
-        self.collected.append(found)
-        self.sphere, self._next_at = None, now + max(self.trial.pause, MIN_PAUSE)
-        self._rest()
+        self.collected.append(collected)
+        self.sphere, self._next_sphere_time = None, now + max(self.trial.pause, MIN_PAUSE)
+        self._clear_aims()
 
-    def _rest(self) -> None:
+    def _clear_aims(self) -> None:
         self.aims, self.misses, self.held_since = (), 0, None
 
     def _count(self) -> int:
@@ -261,42 +276,38 @@ class Task:
         """Return the messages that a new user needs."""
         if self.trial is None:
             return []
-        told: list[Message] = [replace(self.trial, elapsed=min(now - self.began, LONGEST))]
+        messages: list[Message] = [replace(self.trial, elapsed=min(now - self.start_time, MAX_SECONDS))]
         if self.sphere is not None:
-            told += [
-                replace(self.sphere, age=min(now - self.appeared, LONGEST)),
-                self._aiming("told", 0, self.aims, now),
-            ]
-        return told
+            messages.append(replace(self.sphere, age=min(now - self.appeared, MAX_SECONDS)))
+            messages.append(self._aiming("told", 0, self.aims, now))
+        return messages
 
-    def _begun(self, trial: Trial, stage: Stage) -> Trial:
-        users = sorted(self.present)[:MAX_USERS]
-        empty = Tally()
-        return replace(
-            trial, stage=stage, is_over=False, elapsed=0.0, tallies=(empty, empty, empty),
-            seats=spheres.seats(trial, stage, self.group, users),
-        )  # fmt: skip
+    def _create_trial(self, trial: Trial, stage: Stage) -> Trial:
+        seats = spheres.seats(trial, stage, self.group, sorted(self.present)[:MAX_USERS])
+        return replace(trial, stage=stage, is_over=False, elapsed=0.0, tallies=NO_TALLIES, seats=seats)
 
     def _decide(self, now: float, rays: Rays | None) -> Message | None:
         """Return the next message that the state requires, or None. Without rays nobody is judged."""
         trial = self.trial
         if trial is None:
             return None
-        elapsed = now - self.began
+        elapsed = now - self.start_time
         if trial.is_over:
             is_next = trial.stage.trial < trial.trials and elapsed >= trial.duration + trial.rest
-            return self._begun(trial, Stage(trial.stage.run, trial.stage.trial + 1)) if is_next else None
+            return self._create_trial(trial, Stage(trial.stage.run, trial.stage.trial + 1)) if is_next else None
         if elapsed >= trial.duration:
-            return replace(trial, is_over=True, elapsed=min(elapsed, LONGEST))
+            return replace(trial, is_over=True, elapsed=min(elapsed, MAX_SECONDS))
         if self.sphere is None:
-            is_due = now >= self._next_at and self._count() < MAX_COUNT
+            is_due = now >= self._next_sphere_time and self._count() < MAX_COUNT
             return spheres.sphere(trial, trial.stage, self.group, self._count()) if is_due else None
         return None if rays is None else self._judge(trial, self.sphere, now, rays)
 
     def _judge(self, trial: Trial, sphere: Sphere, now: float, rays: Rays) -> Message | None:
         center = spheres.place(sphere, trial, now - self.appeared)
-        found = {user for user in self._seated() if user in rays and spheres.is_aimed(rays[user], center, trial.radius)}
-        for event, changed in (("lost", set(self.aims) - found), ("selected", found - set(self.aims))):
+        aiming = {
+            user for user in self._seated() if user in rays and spheres.is_aimed(rays[user], center, trial.radius)
+        }
+        for event, changed in (("lost", set(self.aims) - aiming), ("selected", aiming - set(self.aims))):
             for user in sorted(changed):
                 users = set(self.aims) ^ {user}
                 # A user who has left is no miss.
@@ -304,7 +315,9 @@ class Task:
         if (len(self.aims) >= self.needed) != (self.held_since is not None):
             return self._aiming("told", 0, self.aims, now)
         if self.held_since is not None and now - self.held_since >= trial.hold:
-            return Collected(trial.stage, sphere.number, sphere.level, self.misses, min(now - self.appeared, LONGEST))
+            return Collected(
+                trial.stage, sphere.number, sphere.level, self.misses, min(now - self.appeared, MAX_SECONDS)
+            )
         return None
 
     def _aiming(self, event: str, user: int, users: tuple[int, ...], now: float) -> Aims:
@@ -312,7 +325,7 @@ class Task:
         assert self.sphere is not None
         held = None
         if len(users) >= self.needed:
-            held = 0.0 if self.held_since is None else min(now - self.held_since, LONGEST)
+            held = 0.0 if self.held_since is None else min(now - self.held_since, MAX_SECONDS)
         misses = min(self.misses + (event == "lost"), MAX_COUNT)
         return Aims(self.trial.stage, self.sphere.number, event, user, misses, held, users)
 
@@ -321,13 +334,11 @@ def _count_of(trial: Trial) -> int:
     return sum(tally.spheres for tally in trial.tallies)
 
 
-def _is_earlier(one: Trial, other: Trial) -> bool:
-    """Return whether a message about a trial is older than another one."""
+def _is_earlier(message: Trial, known: Trial) -> bool:
+    """Return whether a message about a trial is older than the known state."""
     # Run numbers are cyclic.
-    ahead = (one.stage.run - other.stage.run) % 2**16
-    if ahead:
-        return ahead >= 2**15
-    return _age(one) < _age(other)
+    ahead = (message.stage.run - known.stage.run) % 2**16
+    return ahead >= 2**15 if ahead else _age(message) < _age(known)
 
 
 def _age(trial: Trial) -> tuple[int, bool, int]:

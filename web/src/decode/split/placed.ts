@@ -3,7 +3,7 @@ import { selectTriangles } from '../pieces';
 import { ROWS } from '../placements';
 import type { Arrays } from '../surfaces';
 import type { Rule } from './rule';
-import { type Budget, largeTriangles, splitArrays } from './triangles';
+import { type Budget, largeTriangles, lengthOf, splitArrays } from './triangles';
 
 /** Triangles of a mesh, for several placements or, without placements, already placed. */
 export interface Part {
@@ -18,18 +18,19 @@ export function splitPlaced(mesh: Arrays, placements: Float32Array, rule: Rule, 
   const [near, far]: [Float32Array[], Float32Array[]] = [[], []];
   for (let start = 0; start < placements.length; start += ROWS) {
     const rows = placements.subarray(start, start + ROWS);
-    const found = isHarmless(ball, rows, rule) ? [] : largeTriangles(transformMesh(mesh, rows), rule);
-    (found.length > 0 ? near : far).push(rows);
-    for (const triangle of found) large.add(triangle);
+    const triangles = isUncut(ball, rows, rule) ? [] : largeTriangles(transformMesh(mesh, rows), rule);
+    (triangles.length > 0 ? near : far).push(rows);
+    for (const triangle of triangles) large.add(triangle);
   }
   if (large.size === 0) return [{ arrays: mesh, placements }];
   const all = Array.from({ length: mesh.indices.length / 3 }, (_, triangle) => triangle);
-  const some = pickTriangles(mesh, [...large].sort((a, b) => a - b));
-  const apart = near.map((rows) => splitArrays(transformMesh(some, rows), rule, budget));
-  const parts: Part[] = [{ arrays: mergeMeshes(apart), placements: null }];
-  if (far.length > 0) parts.push({ arrays: some, placements: concatRows(far) });
-  const rest = all.filter((triangle) => !large.has(triangle));
-  if (rest.length > 0) parts.push({ arrays: pickTriangles(mesh, rest), placements });
+  const largeMesh = pickTriangles(mesh, [...large].sort((a, b) => a - b));
+  const placedMeshes = near.map((rows) => splitArrays(transformMesh(largeMesh, rows), rule, budget));
+  const parts: Part[] = [{ arrays: mergeMeshes(placedMeshes), placements: null }];
+  const farPlacements = Float32Array.from(far.flatMap((rows) => [...rows]));
+  if (far.length > 0) parts.push({ arrays: largeMesh, placements: farPlacements });
+  const small = all.filter((triangle) => !large.has(triangle));
+  if (small.length > 0) parts.push({ arrays: pickTriangles(mesh, small), placements });
   return parts;
 }
 
@@ -45,12 +46,12 @@ function mergeMeshes(meshes: readonly Arrays[]): Arrays {
   const all = <T extends Float32Array | Uint16Array>(rowsOf: (mesh: Arrays) => T | null): T | null => {
     const rows = meshes.map(rowsOf).filter((each) => each !== null);
     if (!rows[0]) return null;
-    const found = new (rows[0].constructor as new (size: number) => T)(rows.reduce((sum, own) => sum + own.length, 0));
+    const merged = new (rows[0].constructor as new (size: number) => T)(rows.reduce((sum, own) => sum + own.length, 0));
     rows.reduce((start, own) => {
-      found.set(own, start);
+      merged.set(own, start);
       return start + own.length;
     }, 0);
-    return found;
+    return merged;
   };
   return {
     ...first,
@@ -79,23 +80,23 @@ function ballOf({ positions, indices }: Arrays): Ball {
   for (let n = 0; n < indices.length; n++) {
     const i = 3 * (indices[n] as number);
     const j = 3 * (indices[n % 3 === 2 ? n - 2 : n + 1] as number);
-    const [x, y, z] = [0, 1, 2].map((k) => (positions[i + k] as number) - (positions[j + k] as number)) as Triple;
-    longest = Math.max(longest, x * x + y * y + z * z);
+    longest = Math.max(longest, lengthOf(positions, i, j));
   }
   const center = low.map((value, k) => (value + (high[k] as number)) / 2) as Triple;
   const radius = Math.hypot(...low.map((value, k) => (high[k] as number) - value)) / 2;
-  return { center, radius, longest: Math.sqrt(longest) };
+  return { center, radius, longest };
 }
 
 type Triple = [number, number, number];
 
 /** Whether no triangle of a mesh is large in a placement. */
-function isHarmless({ center, radius, longest }: Ball, rows: Float32Array, rule: Rule): boolean {
+function isUncut({ center, radius, longest }: Ball, rows: Float32Array, rule: Rule): boolean {
   const [x, y, z] = pointOf(center, rows);
   const stretch = stretchOf(rows);
-  const [level, away] = [Math.hypot(x, z), Math.hypot(x, y, z)];
-  const around = radius * stretch;
-  return rule.isHarmless(longest * stretch, [Math.max(level - around, 0), level + around], Math.max(away - around, 0));
+  const [rhoOfCenter, distance] = [Math.hypot(x, z), Math.hypot(x, y, z)];
+  const placedRadius = radius * stretch;
+  const range = [Math.max(rhoOfCenter - placedRadius, 0), rhoOfCenter + placedRadius] as const;
+  return rule.isUncut(longest * stretch, range, Math.max(distance - placedRadius, 0));
 }
 
 /** Upper bound of a placement's stretch of lengths; for placements without shear, the greatest scale. */
@@ -106,50 +107,41 @@ function stretchOf(rows: Float32Array): number {
   return Math.sqrt(Math.max(...sums));
 }
 
-function pointOf([x, y, z]: readonly [number, number, number], rows: Float32Array): Triple {
-  return [0, 4, 8].map((row) => {
-    const [a, b, c, d] = rows.subarray(row, row + 4) as unknown as [number, number, number, number];
+function pointOf([x, y, z]: Readonly<Triple>, rows: Float32Array): Triple {
+  const coordinate = (first: 0 | 4 | 8): number => {
+    const [a, b, c, d] = [rows[first], rows[first + 1], rows[first + 2], rows[first + 3]] as [...Triple, number];
     return a * x + b * y + c * z + d;
-  }) as Triple;
+  };
+  return [coordinate(0), coordinate(4), coordinate(8)];
 }
 
 /** A mesh in one placement; normals are transformed by the cofactor matrix, as in the shader. */
 function transformMesh(mesh: Arrays, rows: Float32Array): Arrays {
   const at = (row: number, column: number): number => rows[4 * (row % 3) + (column % 3)] as number;
-  const turned = new Float32Array(ROWS);
+  const cofactors = new Float32Array(ROWS);
   for (let row = 0; row < 3; row++) {
     for (let column = 0; column < 3; column++) {
       const [i, j] = [row + 1, column + 1];
-      turned[4 * row + column] = at(i, j) * at(i + 1, j + 1) - at(i, j + 1) * at(i + 1, j);
+      cofactors[4 * row + column] = at(i, j) * at(i + 1, j + 1) - at(i, j + 1) * at(i + 1, j);
     }
   }
   return {
     ...mesh,
     positions: transformVectors(mesh.positions, rows),
-    normals: mesh.normals && transformVectors(mesh.normals, turned),
+    normals: mesh.normals && transformVectors(mesh.normals, cofactors),
   };
 }
 
 function transformVectors(vectors: Float32Array, rows: Float32Array): Float32Array {
-  const [a, b, c, d, e, f, g, h, i, j, k, l] = rows as unknown as number[] & Record<number, number>;
-  const found = new Float32Array(vectors.length);
+  const transformed = new Float32Array(vectors.length);
   for (let n = 0; n < vectors.length; n += 3) {
-    const [x, y, z] = [vectors[n] as number, vectors[n + 1] as number, vectors[n + 2] as number];
-    found[n] = (a as number) * x + (b as number) * y + (c as number) * z + (d as number);
-    found[n + 1] = (e as number) * x + (f as number) * y + (g as number) * z + (h as number);
-    found[n + 2] = (i as number) * x + (j as number) * y + (k as number) * z + (l as number);
+    transformed.set(pointOf([vectors[n], vectors[n + 1], vectors[n + 2]] as Triple, rows), n);
   }
-  return found;
+  return transformed;
 }
 
 /** Some triangles of a mesh, with the vertices that they use. */
 function pickTriangles(mesh: Arrays, triangles: readonly number[]): Arrays {
   const corners = triangles.flatMap((triangle) => [0, 1, 2].map((n) => mesh.indices[3 * triangle + n] as number));
   return selectTriangles(mesh, Uint32Array.from(corners));
-}
-
-function concatRows(placements: readonly Float32Array[]): Float32Array {
-  const all = new Float32Array(ROWS * placements.length);
-  placements.forEach((rows, n) => all.set(rows, ROWS * n));
-  return all;
 }

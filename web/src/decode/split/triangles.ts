@@ -51,12 +51,12 @@ export function largeTriangles({ positions, indices }: Arrays, rule: Rule): numb
     }
     const [minRho, minDistance] = [Math.sqrt(minRhoSquared), Math.sqrt(minDistanceSquared)];
     const range = [Math.max(minRho - longest, 0), minRho + longest] as const;
-    if (!rule.isHarmless(longest, range, Math.max(minDistance - longest, 0))) triangles.push(n / 3);
+    if (!rule.isUncut(longest, range, Math.max(minDistance - longest, 0))) triangles.push(n / 3);
   }
   return triangles;
 }
 
-function lengthOf(positions: Float32Array, i: number, j: number): number {
+export function lengthOf(positions: Float32Array, i: number, j: number): number {
   const x = (positions[i] as number) - (positions[j] as number);
   const y = (positions[i + 1] as number) - (positions[j + 1] as number);
   const z = (positions[i + 2] as number) - (positions[j + 2] as number);
@@ -73,7 +73,7 @@ interface Rows {
 }
 
 function createMesh(arrays: Arrays, rule: Rule) {
-  const count = arrays.positions.length / 3;
+  const sourceCount = arrays.positions.length / 3;
   const rowsOf = (source: Float32Array | Uint16Array, width: number): Rows => ({ source, width, added: [] });
   const positions = rowsOf(arrays.positions, 3);
   const normals = arrays.normals && rowsOf(arrays.normals, 3);
@@ -82,55 +82,56 @@ function createMesh(arrays: Arrays, rule: Rule) {
   const attributes = [positions, normals, uvs, colors].filter((each) => each !== null);
   /** New vertices by a key of their edges' end vertices; −1 for uncut edges. */
   const cuts = new Map<number, number>();
-  let next = count;
+  let vertexCount = sourceCount;
 
-  function value({ source, width, added }: Rows, vertex: number, column: number): number {
-    return (vertex < count ? source[width * vertex + column] : added[width * (vertex - count) + column]) as number;
+  function valueOf({ source, width, added }: Rows, vertex: number, column: number): number {
+    const isSource = vertex < sourceCount;
+    return (isSource ? source[width * vertex + column] : added[width * (vertex - sourceCount) + column]) as number;
   }
 
-  function point(vertex: number): Vector {
-    return [value(positions, vertex, 0), value(positions, vertex, 1), value(positions, vertex, 2)];
+  function pointOf(vertex: number): Vector {
+    return [valueOf(positions, vertex, 0), valueOf(positions, vertex, 1), valueOf(positions, vertex, 2)];
   }
 
   /** Vertex at which an edge is cut, −1 for none. */
-  function cut(i: number, j: number): number {
+  function cutEdge(i: number, j: number): number {
     const key = i < j ? i * 2 ** 26 + j : j * 2 ** 26 + i;
     const cachedVertex = cuts.get(key);
     if (cachedVertex !== undefined) return cachedVertex;
-    const [p, q] = [point(i), point(j)];
+    const [p, q] = [pointOf(i), pointOf(j)];
     const order = p[0] - q[0] || p[1] - q[1] || p[2] - q[2];
     const [from, to, a, b] = order <= 0 ? [i, j, p, q] : [j, i, q, p];
     const weight = rule.share(a, b);
-    const vertex = weight > 0 ? add([[from, 1 - weight], [to, weight]]) : -1;
+    const vertex = weight > 0 ? addVertex([[from, 1 - weight], [to, weight]]) : -1;
     cuts.set(key, vertex);
     return vertex;
   }
 
   /** Adds a weighted mean of vertices; −1 if it would coincide with one of them. */
-  function add(parts: readonly (readonly [vertex: number, weight: number])[]): number {
+  function addVertex(parts: readonly (readonly [vertex: number, weight: number])[]): number {
     const [[base]] = parts as [readonly [number, number]];
     const mean = (rows: Rows, column: number): number => {
-      const start = value(rows, base, column);
-      return parts.reduce((sum, [vertex, weight]) => sum + weight * (value(rows, vertex, column) - start), start);
+      const start = valueOf(rows, base, column);
+      return parts.reduce((sum, [vertex, weight]) => sum + weight * (valueOf(rows, vertex, column) - start), start);
     };
     const position = [0, 1, 2].map((column) => Math.fround(mean(positions, column)));
-    if (parts.some(([vertex]) => point(vertex).every((x, column) => x === position[column]))) return -1;
+    if (parts.some(([vertex]) => pointOf(vertex).every((x, column) => x === position[column]))) return -1;
     for (const rows of attributes) {
       for (let column = 0; column < rows.width; column++) {
         rows.added.push(rows === positions ? (position[column] as number) : mean(rows, column));
       }
     }
-    return next++;
+    return vertexCount++;
   }
 
   /** Adds the interior vertex of a triangle that surrounds the cylinder of radius `outer`; −1 for other triangles. */
   function addInteriorVertex(corners: Corners): number {
-    const [a, b, c] = corners.map(point) as [Vector, Vector, Vector];
+    const [a, b, c] = corners.map(pointOf) as [Vector, Vector, Vector];
     if ([a, b, c].some(([x, , z]) => Math.hypot(x, z) < rule.outer)) return -1;
     const areas = [cross(b, c), cross(c, a), cross(a, b)];
     const sum = areas.reduce((total, area) => total + area, 0);
     if (areas.some((area) => !(area / sum > 0))) return -1;
-    return add(corners.map((vertex, n) => [vertex, (areas[n] as number) / sum]));
+    return addVertex(corners.map((vertex, n) => [vertex, (areas[n] as number) / sum]));
   }
 
   return {
@@ -139,10 +140,11 @@ function createMesh(arrays: Arrays, rule: Rule) {
       const pending: (readonly [...Corners, number])[] = [[...triangle, 0]];
       for (let part = pending.pop(); part; part = pending.pop()) {
         const [a, b, c, depth] = part;
-        const edges = ([[a, b, c], [b, c, a], [c, a, b]] as const).map(([i, j, k]) => ({ i, j, k, middle: cut(i, j) }));
-        const [longest] = edges
-          .filter(({ middle }) => middle >= 0 && depth < MAX_DEPTH)
-          .sort((e, f) => squaredDistance(point(f.i), point(f.j)) - squaredDistance(point(e.i), point(e.j)));
+        const corners = [[a, b, c], [b, c, a], [c, a, b]] as const;
+        const edges = corners.map(([i, j, k]) => ({ i, j, k, middle: cutEdge(i, j) }));
+        const cutEdges = edges.filter(({ middle }) => middle >= 0 && depth < MAX_DEPTH);
+        const squaredLength = ({ i, j }: { i: number; j: number }): number => squaredDistance(pointOf(i), pointOf(j));
+        const [longest] = cutEdges.sort((e, f) => squaredLength(f) - squaredLength(e));
         const interior = longest ? -1 : addInteriorVertex([a, b, c]);
         if (longest) {
           const { i, j, k, middle } = longest;
@@ -155,12 +157,12 @@ function createMesh(arrays: Arrays, rule: Rule) {
       }
     },
     /** Number of new vertices. */
-    newVertexCount: (): number => next - count,
+    newVertexCount: (): number => vertexCount - sourceCount,
     /** Arrays with the new vertices and the given indices. */
     build(corners: readonly number[]): Arrays {
       const join = <T extends Float32Array | Uint16Array>(rows: Rows): T => {
         const Type = rows.source.constructor as new (size: number) => T;
-        const values = new Type(rows.width * next);
+        const values = new Type(rows.width * vertexCount);
         values.set(rows.source);
         for (let n = 0; n < rows.added.length; n++) {
           const number = rows.added[n] as number;
@@ -170,7 +172,7 @@ function createMesh(arrays: Arrays, rule: Rule) {
       };
       return {
         ...arrays,
-        indices: next <= 2 ** 16 ? Uint16Array.from(corners) : Uint32Array.from(corners),
+        indices: vertexCount <= 2 ** 16 ? Uint16Array.from(corners) : Uint32Array.from(corners),
         positions: join<Float32Array>(positions),
         normals: normals && join<Float32Array>(normals),
         uvs: uvs && join<Float32Array>(uvs),

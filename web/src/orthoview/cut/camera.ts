@@ -44,17 +44,19 @@ export function cameraOf(
 
 /** Direction through a position in the picture, pixels from its upper left; its component along the axis is 1. */
 export function directionAt({ right, up, back, fov, width, height }: Camera, x: number, y: number): Triple {
-  const across = fov.left + ((fov.right - fov.left) * x) / width;
-  const above = fov.up + ((fov.down - fov.up) * y) / height;
-  return [0, 1, 2].map((axis) => {
-    const [r, u, b] = [right[axis] as number, up[axis] as number, back[axis] as number];
-    return across * r + above * u - b;
-  }) as unknown as Triple;
+  const tangentX = fov.left + ((fov.right - fov.left) * x) / width;
+  const tangentY = fov.up + ((fov.down - fov.up) * y) / height;
+  const component = (axis: 0 | 1 | 2): number => tangentX * right[axis] + tangentY * up[axis] - back[axis];
+  return [component(0), component(1), component(2)];
 }
 
 /** Size of a pixel at a distance of 1 m, the geometric mean of its sides. */
 export function pixelSize({ fov, width, height }: Camera): number {
   return Math.sqrt(((fov.right - fov.left) * (fov.up - fov.down)) / (width * height));
+}
+
+export function subtract(a: Triple, b: Triple): Triple {
+  return [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
 }
 
 export function dot(a: Triple, b: Triple): number {
@@ -95,7 +97,7 @@ export function widest(directions: readonly Triple[]): number {
 }
 
 /** Position of a box relative to a frustum. */
-export type Side = 'outside' | 'across' | 'inside';
+export type Containment = 'outside' | 'across' | 'inside';
 
 /** A half-space n·x + d ≥ 0. */
 interface Plane {
@@ -105,48 +107,28 @@ interface Plane {
 
 /** Half-spaces of a picture's sides, and the one in front of the camera. */
 export function frustumOf(camera: Camera): readonly Plane[] {
-  const { position, width, height } = camera;
-  const middle = directionAt(camera, width / 2, height / 2);
-  const inside: Triple = [position[0] + middle[0], position[1] + middle[1], position[2] + middle[2]];
-  const plane = (normal: Triple, through: Triple): Plane => {
-    const own = unit(normal);
-    const toward: Triple = [inside[0] - through[0], inside[1] - through[1], inside[2] - through[2]];
-    const turned: Triple = dot(own, toward) < 0 ? [-own[0], -own[1], -own[2]] : own;
-    return { normal: turned, offset: -dot(turned, through) };
+  const { position, back, width, height } = camera;
+  const middleDirection = directionAt(camera, width / 2, height / 2);
+  /** Half-space that contains the middle of the picture; its plane passes through the camera. */
+  const halfSpace = (across: Triple): Plane => {
+    const [x, y, z] = unit(across);
+    const normal: Triple = dot([x, y, z], middleDirection) < 0 ? [-x, -y, -z] : [x, y, z];
+    return { normal, offset: -dot(normal, position) };
   };
-  const places = [
-    [0, 0],
-    [width, 0],
-    [width, height],
-    [0, height],
-  ] as const;
+  const places = [[0, 0], [width, 0], [width, height], [0, height]] as const;
   const corners = places.map(([x, y]) => directionAt(camera, x, y));
   const corner = (n: number): Triple => corners[n % 4] as Triple;
-  const sides = [0, 1, 2, 3].map((n) => plane(cross(corner(n), corner(n + 1)), position));
-  return [...sides, plane([-camera.back[0], -camera.back[1], -camera.back[2]], position)];
+  return [...[0, 1, 2, 3].map((n) => halfSpace(cross(corner(n), corner(n + 1)))), halfSpace(back)];
 }
 
 /** Position of a cube: outside of one half-space, across one, or inside of all. */
-export function sideOf(planes: readonly Plane[], center: Triple, side: number): Side {
-  let found: Side = 'inside';
+export function containmentOf(planes: readonly Plane[], center: Triple, side: number): Containment {
+  let containment: Containment = 'inside';
   for (const { normal, offset } of planes) {
     const distance = dot(normal, center) + offset;
     const reach = ((Math.abs(normal[0]) + Math.abs(normal[1]) + Math.abs(normal[2])) * side) / 2;
     if (distance < -reach) return 'outside';
-    if (distance < reach) found = 'across';
+    if (distance < reach) containment = 'across';
   }
-  return found;
-}
-
-export function isSameCamera(a: Camera, b: Camera): boolean {
-  const numbers = ({ position, right, up, fov, width, height }: Camera): number[] => [
-    ...position,
-    ...right,
-    ...up,
-    ...Object.values(fov),
-    width,
-    height,
-  ];
-  const others = numbers(b);
-  return numbers(a).every((value, at) => value === others[at]);
+  return containment;
 }

@@ -1,9 +1,82 @@
 /** Cuts through the octree: the cells, levels and directions that a viewer needs, and the messages of their worker. */
 import type { Failure } from '../store/error';
-import { cornerOf, type Layout, sideAt, subtreeOf, type Triple } from '../store/layout';
-import type { Shard, Subtree } from '../store/records';
-import { type Camera, dot, frameOf, frustumOf, pixelSize, type Side, sideOf, unit, widest } from './camera';
-import { type Cells, childrenOf } from './cells';
+import {
+  type CellKey,
+  cornerOf,
+  type Layout,
+  nameOf,
+  shardSide,
+  sideAt,
+  subtreeOf,
+  type Triple,
+} from '../store/layout';
+import type { Records, Subtree } from '../store/records';
+import {
+  type Camera,
+  type Containment,
+  containmentOf,
+  dot,
+  frameOf,
+  frustumOf,
+  pixelSize,
+  subtract,
+  unit,
+  widest,
+} from './camera';
+
+/** Children of a cell, one level below. */
+export function childrenOf([x, y, z]: Triple): Triple[] {
+  return Array.from({ length: 8 }, (_, n) => [2 * x + (n >> 2), 2 * y + ((n >> 1) & 1), 2 * z + (n & 1)] as const);
+}
+
+/** Ancestor of a cell, some levels above it. */
+export function ancestorOf([x, y, z]: Triple, levels: number): Triple {
+  const side = 2 ** levels;
+  return [Math.floor(x / side), Math.floor(y / side), Math.floor(z / side)];
+}
+
+export interface Cell {
+  /** Bit mask of the directions with non-empty views; 0 for an empty cell. */
+  readonly mask: number;
+  /** Number of the generation in which the cell was computed. */
+  readonly generation: number;
+}
+
+const EMPTY: Cell = { mask: 0, generation: 0 };
+
+/** Occupied cells of a tree, from the subtrees known so far. */
+export class Cells {
+  readonly #subtrees = new Map<string, Subtree>();
+
+  constructor(readonly layout: Layout) {}
+
+  add(subtree: Subtree): void {
+    this.#subtrees.set(nameOf(subtree.tier, subtree.place), subtree);
+  }
+
+  knows(tier: number, place: Triple): boolean {
+    return this.#subtrees.has(nameOf(tier, place));
+  }
+
+  /** Other leaves that own triangles which reach into a leaf. */
+  guestsOf(leaf: Triple): readonly Triple[] {
+    const { tier, place } = subtreeOf(this.layout, 0, leaf);
+    return this.#subtrees.get(nameOf(tier, place))?.guests.get(nameOf(0, leaf)) ?? [];
+  }
+
+  /** A cell; null if its subtree has not been added. */
+  at(level: number, place: Triple): Cell | null {
+    const { tier, place: subtreePlace } = subtreeOf(this.layout, level, place);
+    const subtree = this.#subtrees.get(nameOf(tier, subtreePlace));
+    if (!subtree) return null;
+    const side = shardSide(this.layout, level);
+    const [x, y, z] = place;
+    const index = ((x % side) * side + (y % side)) * side + (z % side);
+    const levelInTier = level % this.layout.subtree;
+    const [mask, generation] = [subtree.masks[levelInTier]?.[index], subtree.generations[levelInTier]?.[index]];
+    return mask === undefined || generation === undefined ? EMPTY : { mask, generation };
+  }
+}
 
 export interface Settings {
   /** Number of views of a cell: those whose directions are nearest to the viewer's. */
@@ -19,9 +92,7 @@ export interface Settings {
 }
 
 /** A drawn cell. */
-export interface Drawn {
-  readonly level: number;
-  readonly place: Triple;
+export interface Drawn extends CellKey {
   /** Distance of its nearest point, metres. */
   readonly distance: number;
   readonly isInPicture: boolean;
@@ -46,30 +117,29 @@ export function cut(cells: Cells, camera: Camera, settings: Settings): Cut {
   const pitch = (layout.cell * widest(layout.directions)) / layout.size;
   const reach = pitch / (pixelSize(camera) * settings.error);
   const planes = frustumOf(camera);
-  const units = layout.directions.map((direction) => frameOf(direction).axes[2]);
+  const viewAxes = layout.directions.map((direction) => frameOf(direction).axes[2]);
   const raise = liftOf(settings.lift);
-  const [drawn, leaves]: [Drawn[], Drawn[]] = [[], []];
+  const [drawnCells, leaves]: [Drawn[], Drawn[]] = [[], []];
   const hasGeometry = settings.geometry && layout.geometry;
   const unknown = new Map<string, { tier: number; place: Triple }>();
 
-  function visit(level: number, place: Triple, mask: number, above: Side): void {
+  function visit(level: number, place: Triple, mask: number, parentContainment: Containment): void {
     const side = sideAt(layout, level);
     const corner = cornerOf(layout, level, place);
     const center: Triple = [corner[0] + side / 2, corner[1] + side / 2, corner[2] + side / 2];
-    const lies = above === 'across' ? sideOf(planes, center, side) : above;
-    if (mask === 0 || (lies === 'outside' && !settings.isAround)) return;
+    const containment = parentContainment === 'across' ? containmentOf(planes, center, side) : parentContainment;
+    if (mask === 0 || (containment === 'outside' && !settings.isAround)) return;
     const distance = distanceOf(camera.position, corner, side);
-    const found = { level, place, distance, isInPicture: lies !== 'outside' };
     const draw = (list: Drawn[]): void => {
-      const toward = towardOf(camera.position, center);
-      list.push({ ...found, directions: nearest(units, raise(toward), toward, mask, settings.views) });
+      const toViewer = unit(subtract(camera.position, center));
+      const directions = nearestDirections(viewAxes, raise(toViewer), toViewer, mask, settings.views);
+      list.push({ level, place, distance, isInPicture: containment !== 'outside', directions });
     };
-    if (distance >= reach * 2 ** level) draw(drawn);
-    else if (level === 0 && hasGeometry) {
+    const isFine = distance >= reach * 2 ** level;
+    if (!isFine && level === 0 && hasGeometry) {
       draw(leaves);
       requireGuests(place);
-    } else if (level === 0) draw(drawn);
-    else if (!refine(level - 1, place, lies)) draw(drawn);
+    } else if (isFine || level === 0 || !refine(level - 1, place, containment)) draw(drawnCells);
   }
 
   /** Requires the records of a leaf's guests, which locate their geometry. */
@@ -81,80 +151,70 @@ export function cut(cells: Cells, camera: Camera, settings: Settings): Cut {
   }
 
   /** Visits the children of a cell; false if they are unknown. */
-  function refine(level: number, parent: Triple, lies: Side): boolean {
+  function refine(level: number, parent: Triple, containment: Containment): boolean {
     const children = childrenOf(parent).map((place) => ({ place, cell: cells.at(level, place) }));
-    for (const { place, cell } of children) {
-      if (cell) continue;
-      // All children of a cell lie in one subtree.
-      addUnknown(level, place);
-      return false;
-    }
-    for (const { place, cell } of children) if (cell) visit(level, place, cell.mask, lies);
-    return true;
+    // All children of a cell lie in one subtree.
+    const unknownChild = children.find(({ cell }) => !cell);
+    if (unknownChild) addUnknown(level, unknownChild.place);
+    else for (const { place, cell } of children) visit(level, place, cell?.mask ?? 0, containment);
+    return !unknownChild;
   }
 
   function addUnknown(level: number, place: Triple): void {
-    const found = subtreeOf(layout, level, place);
-    unknown.set(`${found.tier}/${found.place}`, found);
+    const subtree = subtreeOf(layout, level, place);
+    unknown.set(`${subtree.tier}/${subtree.place}`, subtree);
   }
 
   const top = layout.levels - 1;
   const root = cells.at(top, [0, 0, 0]);
   if (root) visit(top, [0, 0, 0], root.mask, 'across');
   else addUnknown(top, [0, 0, 0]);
-  for (const list of [drawn, leaves]) list.sort((a, b) => a.distance - b.distance);
-  return { cells: drawn, leaves, reach, unknown: [...unknown.values()] };
+  for (const list of [drawnCells, leaves]) list.sort((a, b) => a.distance - b.distance);
+  return { cells: drawnCells, leaves, reach, unknown: [...unknown.values()] };
 }
 
 /** Distance of a cube's nearest point. */
 function distanceOf(eye: Triple, corner: Triple, side: number): number {
-  const along = eye.map((at, axis) => {
+  const offset = eye.map((coordinate, axis) => {
     const low = corner[axis] as number;
-    return at - Math.min(Math.max(at, low), low + side);
+    return coordinate - Math.min(Math.max(coordinate, low), low + side);
   }) as unknown as Triple;
-  return Math.sqrt(dot(along, along));
-}
-
-/** Direction from a cell's centre to the viewer. */
-function towardOf(eye: Triple, center: Triple): Triple {
-  return unit([eye[0] - center[0], eye[1] - center[1], eye[2] - center[2]]);
+  return Math.sqrt(dot(offset, offset));
 }
 
 /**
- * Directions of a mask that are nearest to the raised direction. Equally high directions are equally near to the
- * zenith; then those nearest to the viewer's own direction count; of equally near ones the first.
+ * Numbers of a mask's directions that are nearest to the raised direction to the viewer. The zenith is equally near to
+ * directions of equal height; of such, those nearest to the unraised direction come first, then the least numbers.
  */
-function nearest(units: readonly Triple[], raised: Triple, toward: Triple, mask: number, most: number): number[] {
-  const shown = units
-    .map((axis, number) => ({ number, cosine: dot(axis, raised), own: dot(axis, toward) }))
-    .filter(({ number }) => (mask >>> number) & 1);
-  return shown
-    .sort((a, b) => b.cosine - a.cosine || b.own - a.own)
-    .slice(0, most)
+function nearestDirections(units: readonly Triple[], raised: Triple, toViewer: Triple, mask: number, count: number) {
+  return units.map((axis, number) => ({ number, cosine: dot(axis, raised), unraised: dot(axis, toViewer) }))
+    .filter(({ number }) => (mask >>> number) & 1)
+    .sort((a, b) => b.cosine - a.cosine || b.unraised - a.unraised)
+    .slice(0, count)
     .map(({ number }) => number);
 }
 
 /** Number of views of a non-empty cell: the requested number, if available. */
 export function countOf(mask: number, { views }: Pick<Settings, 'views'>): number {
-  let [count, left] = [0, mask];
-  for (; left !== 0; left &= left - 1) count += 1;
+  let count = 0;
+  for (let bits = mask; bits !== 0; bits &= bits - 1) count += 1;
   return Math.min(count, views);
 }
 
-/** Sine of the angle from straight down within which a direction cannot be raised to a side. */
-const STRAIGHT = 1e-9;
+/** Horizontal part of a unit vector below which it has no side to be raised to. */
+const MIN_HORIZONTAL = 1e-9;
 
 /** Function that rotates unit vectors by an angle in degrees towards +y, at most to +y. Straight down stays. */
-export function liftOf(degrees: number): (way: Triple) => Triple {
+export function liftOf(degrees: number): (direction: Triple) => Triple {
   const angle = (degrees * Math.PI) / 180;
   const [sine, cosine] = [Math.sin(angle), Math.cos(angle)];
-  return (way) => {
-    const [x, y, z] = way;
-    const flat = Math.hypot(x, z);
-    if (sine === 0 || (flat < STRAIGHT && y < 0)) return way;
-    const across = flat * cosine - y * sine;
-    if (across <= 0) return [0, 1, 0];
-    return [(x / flat) * across, y * cosine + flat * sine, (z / flat) * across];
+  return (direction) => {
+    const [x, y, z] = direction;
+    const horizontal = Math.hypot(x, z);
+    if (sine === 0 || (horizontal < MIN_HORIZONTAL && y < 0)) return direction;
+    const raised = horizontal * cosine - y * sine;
+    if (raised <= 0) return [0, 1, 0];
+    return [(x / horizontal) * raised, y * cosine + horizontal * sine, (z / horizontal) * raised];
   };
 }
 
@@ -165,18 +225,14 @@ export type ToCutter =
   /** Retries failed reads. */
   | { readonly kind: 'retry' };
 
+/** Content of a store's records that the viewer needs. */
+export type Opened = Pick<Records, 'layout' | 'shards' | 'geometry'>;
+
 export type FromCutter =
-  | {
-      readonly kind: 'opened';
-      readonly layout: Layout;
-      readonly generation: number;
-      readonly shards: readonly Shard[];
-      readonly geometry: readonly Shard[];
-    }
-  | { readonly kind: 'learned'; readonly subtree: Subtree }
-  | { readonly kind: 'cut'; readonly cut: Cut }
-  /** Coarse cells all around the viewer, which are few: shown first when a viewer turns. */
-  | { readonly kind: 'base'; readonly cut: Cut }
+  | ({ readonly kind: 'opened' } & Opened)
+  | { readonly kind: 'subtree'; readonly subtree: Subtree }
+  /** The base has coarse cells all around the viewer, which are few: shown first when a viewer turns. */
+  | { readonly kind: 'cut'; readonly cut: Cut; readonly base: Cut }
   | { readonly kind: 'received'; readonly bytes: number }
   /** `isFatal` if nothing can be shown. */
   | { readonly kind: 'failed'; readonly failure: Failure; readonly isFatal: boolean };

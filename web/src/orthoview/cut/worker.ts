@@ -1,20 +1,19 @@
 /** Worker that reads a store's records of cells, and cuts the tree for the viewer. */
-import { failureOf, isPassing } from '../store/error';
+import { canRetry, failureOf } from '../store/error';
 import { createFiles } from '../store/files';
 import { nameOf, type Triple } from '../store/layout';
 import { openRecords, type Records } from '../store/records';
 import type { Camera } from './camera';
-import { Cells } from './cells';
-import { cut, type Cut, type FromCutter, type Settings, type ToCutter } from './cut';
+import { Cells, cut, type Cut, type FromCutter, type Settings, type ToCutter } from './cut';
 
-/** Factor by which the base cells, which are kept all around, are coarser. */
-const COARSER = 6;
+/** Factor by which the base cells, which are kept all around, are coarser than those of the cut. */
+const BASE_FACTOR = 6;
 /** Milliseconds before a failed subtree is requested again. */
-const AGAIN = 3000;
+const RETRY_MS = 3000;
 
 let records: Records | null = null;
 let cells: Cells | null = null;
-let looking: { camera: Camera; settings: Settings } | null = null;
+let view: { readonly camera: Camera; readonly settings: Settings } | null = null;
 /** Subtrees that are being read, or that failed. */
 const requested = new Set<string>();
 
@@ -24,12 +23,12 @@ self.onmessage = ({ data }: MessageEvent<ToCutter>): void => {
       void open(new URL(data.base));
       break;
     case 'look':
-      looking = { camera: data.camera, settings: data.settings };
-      look();
+      view = data;
+      sendCut();
       break;
     case 'retry':
       requested.clear();
-      look();
+      sendCut();
   }
 };
 
@@ -37,35 +36,32 @@ async function open(base: URL): Promise<void> {
   try {
     records = await openRecords(createFiles(base, (bytes) => post({ kind: 'received', bytes })));
     cells = new Cells(records.layout);
-    const { layout, generation, shards, geometry } = records;
-    post({ kind: 'opened', layout, generation, shards, geometry });
-    look();
+    const { layout, shards, geometry } = records;
+    post({ kind: 'opened', layout, shards, geometry });
+    sendCut();
   } catch (reason) {
     post({ kind: 'failed', failure: failureOf(reason), isFatal: true });
   }
 }
 
-function look(): void {
-  if (!looking || !cells) return;
-  const { camera, settings } = looking;
-  const base = baseOf(cells, camera, settings);
-  post({ kind: 'base', cut: base });
-  const found = cut(cells, camera, settings);
-  post({ kind: 'cut', cut: found });
+function sendCut(): void {
+  if (!view || !cells) return;
+  const { camera, settings } = view;
+  const [base, fine] = [baseOf(cells, camera, settings), cut(cells, camera, settings)];
+  post({ kind: 'cut', cut: fine, base });
   requestUnknown(base);
-  requestUnknown(found);
+  requestUnknown(fine);
 }
 
 /** Coarse cells all around, from the coarsest level down. */
 function baseOf(known: Cells, camera: Camera, settings: Settings): Cut {
-  const cuts = Array.from({ length: known.layout.levels }, (_, finer) => {
-    const error = settings.error * COARSER * 2 ** (known.layout.levels - 1 - finer);
-    return cut(known, camera, { ...settings, error, isAround: true, geometry: false });
-  });
-  // With this error only the root cell is drawn.
-  const whole = cut(known, camera, { ...settings, error: Number.MAX_VALUE, isAround: true, geometry: false });
-  const finest = cuts.at(-1) ?? whole;
-  return { ...finest, cells: [whole, ...cuts].flatMap(({ cells: drawn }) => drawn) };
+  const { levels } = known.layout;
+  const errors = Array.from({ length: levels }, (_, n) => settings.error * BASE_FACTOR * 2 ** (levels - 1 - n));
+  // With the greatest error only the root cell is drawn.
+  const cuts = [Number.MAX_VALUE, ...errors].map((error) =>
+    cut(known, camera, { ...settings, error, isAround: true, geometry: false }),
+  );
+  return { ...(cuts.at(-1) as Cut), cells: cuts.flatMap(({ cells: drawn }) => drawn) };
 }
 
 function requestUnknown({ unknown }: Cut): void {
@@ -73,25 +69,25 @@ function requestUnknown({ unknown }: Cut): void {
     const name = nameOf(tier, place);
     if (requested.has(name)) continue;
     requested.add(name);
-    void learn(tier, place, name);
+    void readSubtree(tier, place, name);
   }
 }
 
-async function learn(tier: number, place: Triple, name: string): Promise<void> {
+async function readSubtree(tier: number, place: Triple, name: string): Promise<void> {
   if (!records || !cells) return;
   try {
     const subtree = await records.subtree(tier, place);
     cells.add(subtree);
-    post({ kind: 'learned', subtree });
-    look();
+    post({ kind: 'subtree', subtree });
+    sendCut();
   } catch (reason) {
     const failure = failureOf(reason);
     post({ kind: 'failed', failure, isFatal: false });
-    if (!isPassing(failure)) return;
+    if (!canRetry(failure)) return;
     setTimeout(() => {
       requested.delete(name);
-      look();
-    }, AGAIN);
+      sendCut();
+    }, RETRY_MS);
   }
 }
 

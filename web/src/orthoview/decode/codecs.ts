@@ -53,16 +53,14 @@ export function decompressZstd(frame: Uint8Array): Uint8Array {
   return content;
 }
 
-interface Meta {
-  readonly shape: readonly number[];
-}
-
 function rejectEncoding(): never {
   throw new Error('stores are only read here');
 }
 
+type FromConfig = (config: unknown, meta: { readonly shape: readonly number[] }) => object;
+
 /** Registers a codec; zarrita's registry type lacks codecs between arrays and bytes. */
-function register(name: string, fromConfig: (config: unknown, meta: Meta) => object): void {
+function register(name: string, fromConfig: FromConfig): void {
   zarr.registry.set(name, async () => ({ fromConfig }) as never);
 }
 
@@ -110,7 +108,7 @@ const [P1, P2, P3, P4, P5] = [
   0x27d4_eb2f_1656_67c5n,
 ] as const;
 
-const STRIPE = 32;
+const STRIPE_BYTES = 32;
 
 const mask = (value: bigint): bigint => BigInt.asUintN(64, value);
 const rotateLeft = (value: bigint, bits: bigint): bigint => mask((value << bits) | (value >> (64n - bits)));
@@ -121,8 +119,8 @@ export function xxh64(bytes: Uint8Array): bigint {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   let offset = 0;
   let sum: bigint = P5;
-  if (bytes.length >= STRIPE) {
-    offset = bytes.length - (bytes.length % STRIPE);
+  if (bytes.length >= STRIPE_BYTES) {
+    offset = bytes.length - (bytes.length % STRIPE_BYTES);
     const lanes = [mask(P1 + P2), P2, 0n, mask(-P1)].map((start, lane) => laneSum(view, start, 8 * lane, offset));
     const [a, b, c, d] = lanes as [bigint, bigint, bigint, bigint];
     sum = mask(rotateLeft(a, 1n) + rotateLeft(b, 7n) + rotateLeft(c, 12n) + rotateLeft(d, 18n));
@@ -146,7 +144,7 @@ export function xxh64(bytes: Uint8Array): bigint {
 /** A lane's sum over all stripes, in 32-bit arithmetic: 64-bit BigInts take ten times as long. */
 function laneSum(view: DataView, start: bigint, first: number, end: number): bigint {
   let [high, low] = [Number(start >> 32n), Number(start & 0xffff_ffffn)];
-  for (let offset = first; offset < end; offset += STRIPE) {
+  for (let offset = first; offset < end; offset += STRIPE_BYTES) {
     const [inputLow, inputHigh] = [view.getUint32(offset, true), view.getUint32(offset + 4, true)];
     // sum + input × P2
     let product = upperOf(inputLow, 0x27d4_eb4f);

@@ -1,27 +1,22 @@
 /** Reads the geometry of leaves: GLB files, and shared textures. */
+import { sha256 } from '../../base/bytes';
 import { LruCache } from '../../base/cache';
 import { messageOf } from '../../base/errors';
 import { pictureOf } from '../../decode/files';
 import { entries, entryAt, type Glb, openGlb } from '../../decode/glb';
 import type { Material } from '../../decode/messages';
-import { placementsOf } from '../../decode/placements';
-import { FOLDER, primitiveOf } from '../../decode/surfaces';
-import { sha256 } from '../../base/bytes';
+import { arraysOf } from '../../decode/pieces';
+import { originOf, placedByMesh } from '../../decode/placements';
+import { type Arrays, FOLDER, primitiveOf } from '../../decode/surfaces';
 import { damaged, StoreError } from '../store/error';
 import type { Bytes, Files } from '../store/files';
 import type { Triple } from '../store/layout';
 import type { Shard } from '../store/records';
 
 /** Placed triangles of one material. */
-export interface Piece {
+export interface Piece extends Omit<Arrays, 'material'> {
   /** World position that placements are relative to, metres. */
   readonly origin: Triple;
-  readonly positions: Float32Array;
-  /** Unit vectors, or null for flat shading. */
-  readonly normals: Float32Array | null;
-  readonly uvs: Float32Array | null;
-  readonly colors: Uint16Array | null;
-  readonly indices: Uint16Array | Uint32Array;
   /** Twelve numbers for each copy: rows of 3 × 4. */
   readonly placements: Float32Array;
   readonly material: Omit<Material, 'image' | 'glow'>;
@@ -34,44 +29,34 @@ const MAX_BYTES = 2 ** 28;
 const PICTURE = /^(?:\.\.\/)+(images\/([0-9a-f]{16}\.webp))$/;
 
 /** Size of the texture cache in bytes; leaves share textures. */
-const KEPT = 1 << 25;
+const CACHE_BYTES = 1 << 25;
 
-/** Texture cache. */
-export class Textures {
-  readonly #kept = new LruCache<Promise<Bytes>>(KEPT);
+/** Reads a texture of a version at a path, or returns it from the cache. */
+export type TextureReader = (path: string, version: string) => Promise<Bytes>;
 
-  constructor(readonly files: Files) {}
-
-  read(path: string, version: string): Promise<Bytes> {
-    const found = this.#kept.get(path);
-    if (found) return found;
+export function createTextureReader(files: Files): TextureReader {
+  const cache = new LruCache<Promise<Bytes>>(CACHE_BYTES);
+  return (path, version) => {
+    const cached = cache.get(path);
+    if (cached) return cached;
     // Other leaves may wait for the same texture, so it is read even if this leaf is no longer needed.
-    const content = contentOf(this.files, path, version, undefined, undefined);
-    this.#kept.add(path, content, 0);
-    content.then(
-      ({ length }) => this.#kept.add(path, content, length),
-      () => this.#kept.delete(path),
-    );
+    const content = files.read({ path, version }).then(({ bytes }) => bytes);
+    cache.add(path, content, 0);
+    content.then(({ length }) => cache.add(path, content, length), () => cache.delete(path));
     return content;
-  }
-
+  };
 }
 
 /** Pieces of the files of a leaf. */
-export async function readLeaf(
-  files: Files,
-  textures: Textures,
-  listed: readonly Shard[],
-  signal: AbortSignal,
-): Promise<Piece[]> {
+export async function readLeaf(files: Files, read: TextureReader, shards: readonly Shard[], signal: AbortSignal) {
   const parts = await Promise.all(
-    listed.map(async ([path, size, version]) => {
+    shards.map(async ([path, size, version]) => {
       // A range request, so that no server compresses compressed data again.
-      const bytes = await contentOf(files, path, version, [0, size], signal);
+      const { bytes } = await files.read({ path, version, part: [0, size], signal });
       const digest = await sha256(bytes);
-      if (bytes.length !== size || (digest !== null && !digest.startsWith(version)))
-        throw damaged(path, 'it is not the file that the record lists');
-      return piecesOf(textures, path, bytes, signal);
+      const isListed = bytes.length === size && (digest === null || digest.startsWith(version));
+      if (!isListed) throw damaged(path, 'it is not the file that the record lists');
+      return piecesOf(read, path, bytes, signal);
     }),
   );
   return parts.flat();
@@ -79,58 +64,33 @@ export async function readLeaf(
 
 /** Buffers to transfer without copying. */
 export function buffersOf(pieces: readonly Piece[]): Transferable[] {
-  const arrays = pieces.flatMap((piece) => [
-    piece.positions,
-    piece.normals,
-    piece.uvs,
-    piece.colors,
-    piece.indices,
-    piece.placements,
-  ]);
-  const images = pieces.flatMap(({ image, glow }) => [image, glow]);
-  const buffers = arrays.flatMap((array): Transferable[] => (array ? [array.buffer as ArrayBuffer] : []));
-  return [...new Set([...buffers, ...images.filter((image) => image !== null)])];
+  const buffers = pieces.flatMap(arraysOf).map((array) => array.buffer as ArrayBuffer);
+  const images = pieces.flatMap(({ image, glow }) => [image, glow]).filter((image) => image !== null);
+  return [...new Set([...buffers, ...images])];
 }
 
-async function contentOf(
-  files: Files,
-  path: string,
-  version: string,
-  part: readonly [number, number] | undefined,
-  signal: AbortSignal | undefined,
-): Promise<Bytes> {
-  const found = await files.read({ path, version, signal, ...(part ? { part } : {}) });
-  if (!found) throw new StoreError('gone', `${path}: the file is gone`);
-  return found.bytes;
-}
-
-async function piecesOf(textures: Textures, path: string, bytes: Bytes, signal: AbortSignal): Promise<Piece[]> {
+async function piecesOf(read: TextureReader, path: string, bytes: Bytes, signal: AbortSignal): Promise<Piece[]> {
   try {
-    const opened = openGlb(bytes, new Map(), MAX_BYTES);
-    const [glb, pictures] = [withNames(opened), picturesOf(opened)];
+    const { glb, paths } = withNames(openGlb(bytes, new Map(), MAX_BYTES));
     const [root, ...nodes] = entries(glb.document.nodes, 'nodes');
     const origin = originOf(root?.translation);
-    const byMesh = new Map<number, Float64Array[]>();
-    for (const node of nodes) {
-      if (node.mesh === undefined) continue;
-      byMesh.set(node.mesh, [...(byMesh.get(node.mesh) ?? []), await placementsOf(glb, node)]);
-    }
+    const byMesh = await placedByMesh(glb, nodes);
     // Textures lie beside the folders of all levels.
     const folder = path.slice(0, path.lastIndexOf('geometry/')) + 'geometry/';
     const picture = async (name: string | null): Promise<ImageBitmap | null> => {
       if (name === null) return null;
-      const place = pictures.get(name.slice(FOLDER.length));
       // Its name is a hash of its content.
-      return pictureOf(name, await textures.read(folder + place, name.slice(FOLDER.length, -5)));
+      const [file, hash] = [name.slice(FOLDER.length), name.slice(FOLDER.length, -'.webp'.length)];
+      return pictureOf(name, await read(folder + paths.get(file), hash));
     };
     const pieces: Piece[] = [];
-    for (const [mesh, rows] of byMesh) {
-      const placements = Float32Array.from(rows.flatMap((each) => [...each]));
+    for (const [mesh, placed] of byMesh) {
+      const placements = Float32Array.from(placed.flatMap(({ rows }) => [...rows]));
       for (const primitive of entries(entryAt(glb.document.meshes, mesh, 'mesh').primitives, 'primitives')) {
         const { material, ...arrays } = await primitiveOf(glb, primitive);
         const { image, glow, ...plain } = material;
-        const [own, light] = [await picture(image), await picture(glow)];
-        pieces.push({ ...arrays, origin, placements: placements.slice(), material: plain, image: own, glow: light });
+        const pictures = { image: await picture(image), glow: await picture(glow) };
+        pieces.push({ ...arrays, ...pictures, origin, placements: placements.slice(), material: plain });
       }
     }
     return pieces;
@@ -140,25 +100,17 @@ async function piecesOf(textures: Textures, path: string, bytes: Bytes, signal: 
   }
 }
 
-/** Paths of textures below the geometry folder, by their names. */
-function picturesOf({ document }: Glb): Map<string, string> {
-  const found = entries(document.images, 'images').map(({ uri }): readonly [string, string] => {
-    const [, place, name] = PICTURE.exec(String(uri)) ?? [];
-    if (place === undefined || name === undefined) throw new Error('expected textures of the store');
-    return [name, place];
+/**
+ * Rewrites texture URIs to the names that readers of materials expect; returns also the paths below the geometry folder
+ * by these names.
+ */
+function withNames(glb: Glb): { glb: Glb; paths: ReadonlyMap<string, string> } {
+  const paths = new Map<string, string>();
+  const images = entries(glb.document.images, 'images').map(({ uri }) => {
+    const [, path, name] = PICTURE.exec(String(uri)) ?? [];
+    if (path === undefined || name === undefined) throw new Error('expected textures of the store');
+    paths.set(name, path);
+    return { uri: name };
   });
-  return new Map(found);
-}
-
-/** Rewrites texture URIs to the names that readers of materials expect. */
-function withNames(glb: Glb): Glb {
-  const images = entries(glb.document.images, 'images').map(({ uri }) => ({ uri: String(uri).replace(PICTURE, '$2') }));
-  return { ...glb, document: { ...glb.document, images } };
-}
-
-function originOf(translation: readonly number[] = [0, 0, 0]): Triple {
-  const [x, y, z] = translation.map(Number);
-  const origin = [x, y, z] as Triple;
-  if (!origin.every(Number.isFinite)) throw new Error('expected an origin of three numbers');
-  return origin;
+  return { glb: { ...glb, document: { ...glb.document, images } }, paths };
 }

@@ -5,8 +5,10 @@ import { CONNECTION_BITS, type Layout } from '../store/layout';
 export const WORDS = 3;
 /** Parts along each axis of a view. */
 const PARTS = 4;
-/** Greatest number of connected neighbours of a ball; number of all neighbours. */
-const [MAX_NEIGHBOURS, ALL] = [4, 8] as const;
+/** Greatest number of connected neighbours of a ball. */
+const MAX_BALL_NEIGHBOURS = 4;
+/** Number of all neighbours of a pixel. */
+const ALL_NEIGHBOURS = 8;
 
 /** Splats [first, first + count), and their range of columns, rows and depth steps; `high` is exclusive. */
 export interface Part {
@@ -34,30 +36,31 @@ export function pack(color: Numbers, depth: Numbers, normal: Numbers, layout: La
   const neighbours = neighboursOf(depth, size);
   const words = new Uint32Array(WORDS * countSplats(depth));
   const parts: Part[] = [];
-  const along = Math.ceil(size / PARTS);
+  const partSize = Math.ceil(size / PARTS);
   let count = 0;
 
   function put(x: number, y: number): number {
     const pixel = y * size + x;
     const steps = (depth[pixel] as number) >>> CONNECTION_BITS;
     if (steps === 0) return 0;
-    const at = WORDS * count;
+    const index = WORDS * count;
     const [r, g, b] = [color[3 * pixel], color[3 * pixel + 1], color[3 * pixel + 2]] as [number, number, number];
-    words[at] = r | (g << 8) | (b << 16) | ((steps >>> 8) << 24);
-    words[at + 1] = normalOf(normal, pixel, layout.normalBits) | ((steps & 255) << 24);
-    const near = neighbours[pixel] as number;
-    words[at + 2] = x | (y << 12) | (near > MAX_NEIGHBOURS ? 1 << 24 : 0) | (near === ALL ? 1 << 25 : 0);
+    words[index] = r | (g << 8) | (b << 16) | ((steps >>> 8) << 24);
+    words[index + 1] = normalOf(normal, pixel, layout.normalBits) | ((steps & 255) << 24);
+    const connected = neighbours[pixel] as number;
+    const flags = (connected > MAX_BALL_NEIGHBOURS ? 1 << 24 : 0) | (connected === ALL_NEIGHBOURS ? 1 << 25 : 0);
+    words[index + 2] = x | (y << 12) | flags;
     count += 1;
     return steps;
   }
 
-  for (let row = 0; row < size; row += along) {
-    for (let column = 0; column < size; column += along) {
+  for (let row = 0; row < size; row += partSize) {
+    for (let column = 0; column < size; column += partSize) {
       const first = count;
       const low: [number, number, number] = [size, size, 2 ** 16];
       const high: [number, number, number] = [0, 0, 0];
-      for (let y = row; y < Math.min(row + along, size); y++) {
-        for (let x = column; x < Math.min(column + along, size); x++) {
+      for (let y = row; y < Math.min(row + partSize, size); y++) {
+        for (let x = column; x < Math.min(column + partSize, size); x++) {
           const steps = put(x, y);
           if (steps === 0) continue;
           if (x < low[0]) low[0] = x;
@@ -83,11 +86,8 @@ function countSplats(depth: Numbers): number {
 /** Both components of a normal in 24 bits; 8-bit components are unchanged. */
 function normalOf(normal: Numbers, pixel: number, bits: number): number {
   if (bits === 16) return (normal[2 * pixel] as number) | ((normal[2 * pixel + 1] as number) << 12);
-  const [high, middle, low] = [normal[3 * pixel], normal[3 * pixel + 1], normal[3 * pixel + 2]] as [
-    number,
-    number,
-    number,
-  ];
+  const first = 3 * pixel;
+  const [high, middle, low] = [normal[first], normal[first + 1], normal[first + 2]] as [number, number, number];
   return (high << 4) | (middle >> 4) | ((((middle & 15) << 8) | low) << 12);
 }
 
@@ -102,9 +102,9 @@ function neighboursOf(depth: Numbers, size: number): Uint8Array {
         // Bits that point outside of the picture are ignored.
         const isOut = (bit !== 1 && (bit === 3 ? x === 0 : x === size - 1)) || (bit > 0 && y === size - 1);
         if (!((bits >> bit) & 1) || isOut) continue;
-        const other = pixel + (steps[bit] as number);
+        const neighbour = pixel + (steps[bit] as number);
         counts[pixel] = (counts[pixel] as number) + 1;
-        counts[other] = (counts[other] as number) + 1;
+        counts[neighbour] = (counts[neighbour] as number) + 1;
       }
     }
   }

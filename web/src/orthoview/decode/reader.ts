@@ -2,44 +2,36 @@
 import * as zarr from 'zarrita';
 import { damaged, type Failure, StoreError } from '../store/error';
 import { createFiles } from '../store/files';
-import { arrayOf, BEHIND, CHANNELS, generationFolder, type Layout, type Triple } from '../store/layout';
+import { arrayOf, BEHIND_PREFIX, CHANNELS, generationFolder, type Layout, type Triple, type ViewKey } from '../store/layout';
 import type { Shard } from '../store/records';
 import { registerCodecs } from './codecs';
-import { type Piece, readLeaf, Textures } from './leaf';
+import { createTextureReader, type Piece, readLeaf } from './leaf';
 import { pack, type Splats } from './pack';
 import { Shards } from './shards';
 
 /** A requested view or, with the direction `GEOMETRY`, a leaf's geometry. */
-export interface Wanted {
-  readonly level: number;
-  readonly place: Triple;
-  readonly direction: number;
+export interface ViewRequest extends ViewKey {
   readonly generation: number;
-  /** Shards with its chunks, including those of a second layer if there is one; or the files of geometry. */
+  /** Shards with the view's chunks in all layers; or the files of the leaf's geometry. */
   readonly shards: readonly Shard[];
 }
 
 type Values = Uint8Array | Uint16Array | Uint32Array;
 
-export interface Reader {
-  /** Splats of a view's layers; empty layers are omitted. */
-  read(wanted: Wanted, signal: AbortSignal): Promise<Splats[]>;
-  leaf(wanted: Wanted, signal: AbortSignal): Promise<Piece[]>;
-}
+export type Reader = ReturnType<typeof createReader>;
 
-export function createReader(base: URL, layout: Layout, receive: (bytes: number) => void): Reader {
+export function createReader(base: URL, layout: Layout, receive: (bytes: number) => void) {
   registerCodecs();
-  const known = new Map<string, { size: number; version: string }>();
   const files = createFiles(base, receive);
-  const store = new Shards(files, layout, known);
-  const textures = new Textures(files);
+  const store = new Shards(files, layout);
+  const readTexture = createTextureReader(files);
   const root = zarr.root(store);
   const arrays = new Map<string, Promise<zarr.Array<zarr.DataType>>>();
 
   function openArray(name: string): Promise<zarr.Array<zarr.DataType>> {
-    const found = arrays.get(name) ?? zarr.open.v3(root.resolve(name), { kind: 'array' });
-    arrays.set(name, found);
-    return found;
+    const array = arrays.get(name) ?? zarr.open.v3(root.resolve(name), { kind: 'array' });
+    arrays.set(name, array);
+    return array;
   }
 
   async function valuesOf(name: string, place: Triple, signal: AbortSignal): Promise<Values> {
@@ -49,33 +41,32 @@ export function createReader(base: URL, layout: Layout, receive: (bytes: number)
     } catch (reason) {
       if (signal.aborted || reason instanceof StoreError) throw reason;
       // Errors of zarrita's codecs.
-      const why = reason instanceof Error && reason.cause instanceof Error ? reason.cause.message : String(reason);
-      throw damaged(name, `the chunk of the cell ${place.join(', ')}: ${why}`);
+      const cause = reason instanceof Error && reason.cause instanceof Error ? reason.cause.message : String(reason);
+      throw damaged(name, `the chunk of the cell ${place.join(', ')}: ${cause}`);
     }
   }
 
   return {
-    leaf: ({ shards }, signal) => readLeaf(files, textures, shards, signal),
-    async read({ level, place, direction, generation, shards }, signal) {
-      for (const [path, size, version] of shards) known.set(path, { size, version });
+    leaf: ({ shards }: ViewRequest, signal: AbortSignal): Promise<Piece[]> =>
+      readLeaf(files, readTexture, shards, signal),
+    /** Splats of a view's layers; empty layers are omitted. */
+    async read(request: ViewRequest, signal: AbortSignal): Promise<Splats[]> {
+      const { level, place, direction, generation, shards } = request;
+      for (const [path, size, version] of shards) store.shardByPath.set(path, { size, version });
       const folder = generationFolder(generation);
       const layer = async (prefix: string): Promise<Splats | null> => {
         const name = (channel: string): string => folder + arrayOf(layout, level, direction, prefix + channel);
-        const [color, depth, normal] = await Promise.all(
-          CHANNELS.map((channel) => valuesOf(name(channel), place, signal)),
-        );
-        if (!color || !depth || !normal) return null;
-        return pack(color, depth, normal, layout);
+        const channels = await Promise.all(CHANNELS.map((channel) => valuesOf(name(channel), place, signal)));
+        const [color, depth, normal] = channels;
+        return color && depth && normal ? pack(color, depth, normal, layout) : null;
       };
       const first = await layer('');
       if (!first?.count) {
-        throw damaged(
-          folder + arrayOf(layout, level, direction, ''),
-          `the chunk of the cell ${place.join(', ')} is missing`,
-        );
+        const array = folder + arrayOf(layout, level, direction, '');
+        throw damaged(array, `the chunk of the cell ${place.join(', ')} is missing`);
       }
-      const hasSecond = shards.some(([path]) => path.includes(`/${BEHIND}depth/`));
-      const second = hasSecond ? await layer(BEHIND) : null;
+      const hasSecond = shards.some(([path]) => path.includes(`/${BEHIND_PREFIX}depth/`));
+      const second = hasSecond ? await layer(BEHIND_PREFIX) : null;
       return second?.count ? [first, second] : [first];
     },
   };
@@ -83,7 +74,7 @@ export function createReader(base: URL, layout: Layout, receive: (bytes: number)
 
 export type ToReader =
   | { readonly kind: 'open'; readonly base: string; readonly layout: Layout }
-  | { readonly kind: 'read'; readonly id: number; readonly wanted: Wanted }
+  | { readonly kind: 'read'; readonly id: number; readonly request: ViewRequest }
   | { readonly kind: 'cancel'; readonly id: number };
 
 export type FromReader =

@@ -2,7 +2,7 @@
 import { failureOf } from '../store/error';
 import { GEOMETRY } from '../store/layout';
 import { buffersOf } from './leaf';
-import { createReader, type FromReader, type Reader, type ToReader, type Wanted } from './reader';
+import { createReader, type FromReader, type Reader, type ToReader, type ViewRequest } from './reader';
 
 let reader: Reader | null = null;
 /** Views that are being read. */
@@ -14,28 +14,25 @@ self.onmessage = ({ data }: MessageEvent<ToReader>): void => {
       reader = createReader(new URL(data.base), data.layout, (bytes) => post({ kind: 'received', bytes }));
       break;
     case 'read':
-      void read(data.id, data.wanted);
+      void read(data.id, data.request);
       break;
     case 'cancel':
       running.get(data.id)?.abort();
   }
 };
 
-async function read(id: number, wanted: Wanted): Promise<void> {
+async function read(id: number, request: ViewRequest): Promise<void> {
   if (!reader) return;
   const control = new AbortController();
   running.set(id, control);
   try {
-    if (wanted.direction === GEOMETRY) {
-      const pieces = await reader.leaf(wanted, control.signal);
+    if (request.direction === GEOMETRY) {
+      const pieces = await reader.leaf(request, control.signal);
       post({ kind: 'leaf', id, pieces }, buffersOf(pieces));
-      return;
+    } else {
+      const layers = await reader.read(request, control.signal);
+      post({ kind: 'view', id, layers }, layers.map(({ words }) => words.buffer));
     }
-    const layers = await reader.read(wanted, control.signal);
-    post(
-      { kind: 'view', id, layers },
-      layers.map(({ words }) => words.buffer),
-    );
   } catch (reason) {
     if (control.signal.aborted) post({ kind: 'cancelled', id });
     else post({ kind: 'failed', id, failure: failureOf(reason) });

@@ -2,7 +2,8 @@
 import type { Camera } from '../cut/camera';
 import type { Piece } from '../decode/leaf';
 import type { Splats } from '../decode/pack';
-import type { Box, Model } from './sight';
+import type { CellKey } from '../store/layout';
+import type { Model } from './sight';
 
 /** A resource on the GPU. */
 export interface GpuResource {
@@ -12,7 +13,7 @@ export interface GpuResource {
 /** A layer of a view to draw; `box` bounds the splats' centres if it is known. */
 export interface Item<Layer> {
   readonly layer: Layer;
-  readonly box: Box | null;
+  readonly box: CellKey | null;
 }
 
 export interface FrameCounts {
@@ -28,25 +29,21 @@ export interface FrameCounts {
 export interface Drawer<Layer extends GpuResource, Mesh extends GpuResource> {
   upload(model: Model, splats: Splats): Layer;
   drop(layer: Layer): void;
-  uploadMesh(piece: Piece): Mesh;
-  dropMesh(mesh: Mesh): void;
+  readonly meshes: { upload(piece: Piece): Mesh; drop(mesh: Mesh): void };
   /** Draws meshes and layers with `grid` × `grid` samples per pixel; the nearest of each should come first. */
   draw(meshes: readonly Mesh[], items: readonly Item<Layer>[], camera: Camera, grid: number): FrameCounts;
   /** Whether the GPU has finished the last picture. */
   readonly isDone: boolean;
   /** Waits until the GPU has finished the last picture. */
   finish(): Promise<void>;
-  /**
-   * Splats of unoccluded parts in the last finished picture; a part counts once for each band of rows. Null if occluded
-   * parts are drawn, too.
-   */
+  /** Splats of unoccluded parts in the last finished picture, by bands of rows; null if occluded ones are drawn. */
   readonly unhidden: number | null;
 }
 
 /** Greatest near distance with meshes, metres along the viewing axis. */
 const MESH_NEAR_DISTANCE = 0.05;
 
-/** Near distance in metres along the viewing axis; a depth value is the near distance divided by the point's. */
+/** Near distance in metres along the viewing axis; depth values are this divided by the point's distance. */
 export function nearDistanceOf(items: readonly Item<{ readonly model: Model }>[], hasMeshes: boolean): number {
   let least = 1e6;
   for (const { layer } of items) least = Math.min(least, Math.max(layer.model.pitch[0], layer.model.pitch[1]));

@@ -1,16 +1,7 @@
 /** Shards and geometry files that the records list so far, and the requests for views that need them. */
-import type { Cells } from '../cut/cells';
-import type { Wanted } from '../decode/reader';
-import {
-  arrayOf,
-  channelsOf,
-  generationFolder,
-  GEOMETRY,
-  geometryOf,
-  type Layout,
-  shardOf,
-  type Triple,
-} from '../store/layout';
+import type { Cells } from '../cut/cut';
+import type { ViewRequest } from '../decode/reader';
+import { GEOMETRY, geometryOf, type Layout, shardPaths, type Triple, type ViewKey } from '../store/layout';
 import type { Shard } from '../store/records';
 
 /** Path prefix of a generation after the first. */
@@ -37,14 +28,12 @@ export class Catalog {
   }
 
   /** Request for a view or, with the direction `GEOMETRY`, for a leaf's geometry. */
-  request(cells: Cells, level: number, place: Triple, direction: number): Wanted {
+  request(cells: Cells, view: ViewKey): ViewRequest {
     const { layout } = cells;
-    if (direction === GEOMETRY) return { level, place, direction, generation: 0, shards: this.filesOf(layout, place) };
+    const { level, place, direction } = view;
+    if (direction === GEOMETRY) return { ...view, generation: 0, shards: this.filesOf(layout, place) };
     const generation = cells.at(level, place)?.generation ?? 0;
-    const shards = channelsOf(layout).map((channel) => {
-      const array = arrayOf(layout, level, direction, channel);
-      return this.#shards.get(generationFolder(generation) + shardOf(layout, level, place, array));
-    });
-    return { level, place, direction, generation, shards: shards.filter((shard) => shard !== undefined) };
+    const shards = shardPaths(layout, view, generation).map((path) => this.#shards.get(path));
+    return { ...view, generation, shards: shards.filter((shard) => shard !== undefined) };
   }
 }

@@ -1,69 +1,42 @@
 /** Interface to the workers that read views and leaves. */
-import type { Piece } from '../decode/leaf';
-import type { Splats } from '../decode/pack';
-import type { FromReader, ToReader, Wanted } from '../decode/reader';
+import type { FromReader, ToReader, ViewRequest } from '../decode/reader';
 import type { Failure } from '../store/error';
 import { GEOMETRY, type Layout } from '../store/layout';
 
-export interface Listener {
-  view(id: number, layers: readonly Splats[]): void;
-  leaf(id: number, pieces: readonly Piece[]): void;
-  failed(id: number, failure: Failure): void;
-  cancelled(id: number): void;
-  received(bytes: number): void;
-}
+export type Readers = ReturnType<typeof startReaders>;
 
-export interface Readers {
-  read(id: number, request: Wanted): void;
-  cancel(id: number): void;
-}
-
-/** Starts workers for the store at an address. */
-export function startReaders(script: URL, count: number, base: URL, layout: Layout, listener: Listener): Readers {
+/** Starts workers for the store at an address; `receive` is called with their messages. */
+export function startReaders(
+  script: URL,
+  count: number,
+  base: URL,
+  layout: Layout,
+  receive: (message: FromReader) => void,
+) {
   const workerOfRequest = new Map<number, Worker>();
   const workers = Array.from({ length: count }, () => new Worker(script, { type: 'module' }));
   for (const worker of workers) {
     worker.onmessage = ({ data }: MessageEvent<FromReader>): void => {
-      switch (data.kind) {
-        case 'view':
-          workerOfRequest.delete(data.id);
-          listener.view(data.id, data.layers);
-          break;
-        case 'leaf':
-          workerOfRequest.delete(data.id);
-          listener.leaf(data.id, data.pieces);
-          break;
-        case 'failed':
-          workerOfRequest.delete(data.id);
-          listener.failed(data.id, data.failure);
-          break;
-        case 'cancelled':
-          workerOfRequest.delete(data.id);
-          listener.cancelled(data.id);
-          break;
-        case 'received':
-          listener.received(data.bytes);
-      }
+      if ('id' in data) workerOfRequest.delete(data.id);
+      receive(data);
     };
     worker.onerror = ({ message }): void => {
-      const failure: Failure = {
-        kind: 'other',
-        message: `a worker stopped: ${message || 'the browser gives no reason'}`,
-      };
-      for (const [id, owner] of workerOfRequest) if (owner === worker) listener.failed(id, failure);
+      const reason = message || 'the browser gives no reason';
+      const failure: Failure = { kind: 'other', message: `a worker stopped: ${reason}` };
+      for (const [id, owner] of workerOfRequest) if (owner === worker) receive({ kind: 'failed', id, failure });
     };
     send(worker, { kind: 'open', base: base.href, layout });
   }
   return {
-    read(id, request) {
+    read(id: number, request: ViewRequest): void {
       // One worker reads all views of a shard, so that it reads the shard's index only once. One worker reads all
       // leaves, because they share textures.
       const group = request.direction === GEOMETRY ? '' : (request.shards[0]?.[0] ?? '');
       const worker = workers[hash(group) % workers.length] as Worker;
       workerOfRequest.set(id, worker);
-      send(worker, { kind: 'read', id, wanted: request });
+      send(worker, { kind: 'read', id, request });
     },
-    cancel(id) {
+    cancel(id: number): void {
       const worker = workerOfRequest.get(id);
       if (worker) send(worker, { kind: 'cancel', id });
     },

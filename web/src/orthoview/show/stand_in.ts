@@ -1,137 +1,124 @@
 /** Choice of stand-ins for missing views: no hole where a coarser view is loaded. */
-import { ancestorOf, type Cells, childrenOf } from '../cut/cells';
-import { countOf, type Cut, type Drawn } from '../cut/cut';
-import type { Box } from '../draw/sight';
-import { nameOf, type Triple } from '../store/layout';
+import { ancestorOf, type Cells, childrenOf, countOf, type Cut, type Drawn } from '../cut/cut';
+import { type CellKey, nameOf, type Triple, type ViewKey, viewName } from '../store/layout';
 
 /** Number of levels below a cell that are searched for its descendants. */
-const DEEP = 3;
+const MAX_DEPTH = 3;
 
 /** View that is drawn. */
-export interface Shown {
-  readonly level: number;
-  readonly place: Triple;
-  readonly direction: number;
+export interface DrawnView extends ViewKey {
   /** Cell for which it stands in, to which drawing is limited; null for no limit. */
-  readonly box: Box | null;
-}
-
-/** View that is missing. */
-export interface Missing {
-  readonly level: number;
-  readonly place: Triple;
-  readonly direction: number;
+  readonly box: CellKey | null;
 }
 
 export interface Choice {
-  readonly shown: readonly Shown[];
+  readonly views: readonly DrawnView[];
   /** Leaves whose geometry is drawn, then those whose geometry is missing. */
-  readonly near: readonly Triple[];
-  readonly coming: readonly Triple[];
-  readonly missing: readonly Missing[];
+  readonly leaves: readonly Triple[];
+  readonly missingLeaves: readonly Triple[];
+  readonly missingViews: readonly ViewKey[];
   /** Number of cells for which nothing is loaded. */
   readonly holes: number;
 }
 
 /** Directions of a cell's loaded views, the latest one last. */
-export type There = (level: number, place: Triple) => readonly number[];
+export type LoadedDirections = (level: number, place: Triple) => readonly number[];
 
-/** State of a leaf's geometry; `never` if it cannot be drawn. */
-export type Near = (place: Triple) => 'there' | 'coming' | 'never';
+/** State of a leaf's geometry. */
+export type GeometryState = 'loaded' | 'coming' | 'undrawable';
 
 /**
- * Chooses for each cell of a cut its own views, or those of the cells below it, or those of a cell above it. Leaves
- * that are to be drawn as geometry are treated alike until it is loaded, with that of their guests.
+ * Chooses for each cell of a cut its own views, or the views of cells below it, or of a cell above it. A leaf that is
+ * to be drawn as geometry is drawn from views, too, until its geometry and that of its guests is loaded.
  */
-export function choose(cut: Cut, cells: Cells, there: There, views: number, near: Near): Choice {
-  const shown: Shown[] = [];
-  const missing: Missing[] = [];
-  const leaves = new Map<string, Triple>();
-  const coming = new Map<string, Triple>();
+export function choose(
+  cut: Cut,
+  cells: Cells,
+  loadedDirections: LoadedDirections,
+  views: number,
+  stateOf: (leaf: Triple) => GeometryState,
+): Choice {
+  const drawn: DrawnView[] = [];
+  const missingViews: ViewKey[] = [];
+  const [leaves, missingLeaves] = [new Map<string, Triple>(), new Map<string, Triple>()];
   let holes = 0;
 
-  const all = (level: number, place: Triple, box: Box | null = null): Shown[] =>
-    there(level, place).map((direction) => ({ level, place, direction, box }));
+  const viewsOf = (level: number, place: Triple, box: CellKey | null = null): DrawnView[] =>
+    loadedDirections(level, place).map((direction) => ({ level, place, direction, box }));
 
-  /** Whether enough views are loaded to draw a cell; after a turn they may differ from the wanted ones. */
+  /** Whether enough views are loaded to draw a cell; after a turn they may differ from the chosen ones. */
   const isFull = (level: number, place: Triple): boolean => {
     const mask = cells.at(level, place)?.mask ?? 0;
-    return mask !== 0 && there(level, place).length >= countOf(mask, { views });
+    return mask !== 0 && loadedDirections(level, place).length >= countOf(mask, { views });
   };
 
   /** Returns the views of the cells below that cover a cell; null if they do not. */
-  function below(level: number, place: Triple, depth: number): Shown[] | null {
+  function descendantViews(level: number, place: Triple, depth: number): DrawnView[] | null {
     if (level === 0 || depth === 0) return null;
-    const found: Shown[] = [];
+    const covering: DrawnView[] = [];
     for (const child of childrenOf(place)) {
       const cell = cells.at(level - 1, child);
       if (!cell) return null;
       if (cell.mask === 0) continue;
-      const own = isFull(level - 1, child) ? all(level - 1, child).slice(-views) : below(level - 1, child, depth - 1);
-      if (!own) return null;
-      found.push(...own);
+      const full = isFull(level - 1, child) ? viewsOf(level - 1, child).slice(-views) : null;
+      const childViews = full ?? descendantViews(level - 1, child, depth - 1);
+      if (!childViews) return null;
+      covering.push(...childViews);
     }
-    return found;
+    return covering;
   }
 
   /** Returns the views of the nearest cell above with any loaded, fully loaded cells first. */
-  function standIn(cell: Drawn): Shown[] {
-    let some: Shown[] = [];
+  function ancestorViews(cell: Drawn): DrawnView[] {
+    let firstViews: DrawnView[] = [];
     for (let level = cell.level + 1; level < cells.layout.levels; level++) {
       const place = ancestorOf(cell.place, level - cell.level);
       const box = { level: cell.level, place: cell.place };
-      if (isFull(level, place)) return all(level, place, box).slice(-views);
-      if (some.length === 0) some = all(level, place, box);
+      if (isFull(level, place)) return viewsOf(level, place, box).slice(-views);
+      if (firstViews.length === 0) firstViews = viewsOf(level, place, box);
     }
-    return some;
+    return firstViews;
   }
 
-  function show(cell: Drawn, isWanted: boolean): void {
+  function show(cell: Drawn, isRequested: boolean): void {
     const { level, place, directions } = cell;
-    const have = new Set(there(level, place));
-    const own = directions.filter((direction) => have.has(direction));
-    const absent = directions.filter((direction) => isWanted && !have.has(direction));
-    missing.push(...absent.map((direction) => ({ level, place, direction })));
-    if (own.length === directions.length) {
-      shown.push(...own.map((direction) => ({ level, place, direction, box: null })));
-      return;
-    }
-    const instead = isFull(level, place) ? fill(own, have, directions.length) : null;
-    if (instead) {
-      shown.push(...instead.map((direction) => ({ level, place, direction, box: null })));
-      return;
-    }
-    let found = below(level, place, DEEP) ?? standIn(cell);
-    if (found.length === 0) found = all(level, place);
-    if (found.length === 0) holes += 1;
-    shown.push(...found);
+    const loaded = new Set(loadedDirections(level, place));
+    const draw = (list: readonly number[]): void => {
+      drawn.push(...list.map((direction) => ({ level, place, direction, box: null })));
+    };
+    const ready = directions.filter((direction) => loaded.has(direction));
+    const absent = directions.filter((direction) => !loaded.has(direction));
+    if (isRequested) missingViews.push(...absent.map((direction) => ({ level, place, direction })));
+    if (absent.length === 0) return draw(ready);
+    if (isFull(level, place)) return draw(complete(ready, loaded, directions.length));
+    let standIns = descendantViews(level, place, MAX_DEPTH) ?? ancestorViews(cell);
+    if (standIns.length === 0) standIns = viewsOf(level, place);
+    if (standIns.length === 0) holes += 1;
+    drawn.push(...standIns);
   }
 
   for (const leaf of cut.leaves) {
     const files = [leaf.place, ...cells.guestsOf(leaf.place)];
-    const states = files.map(near);
-    const isDrawable = !states.includes('never');
+    const states = files.map(stateOf);
+    const isDrawable = !states.includes('undrawable');
     const absent = files.filter((_, n) => states[n] === 'coming');
     if (isDrawable && absent.length === 0) for (const file of files) leaves.set(nameOf(0, file), file);
     else show(leaf, !isDrawable);
-    if (isDrawable) for (const file of absent) coming.set(nameOf(0, file), file);
+    if (isDrawable) for (const file of absent) missingLeaves.set(nameOf(0, file), file);
   }
   for (const cell of cut.cells) show(cell, true);
-  return { shown: unique(shown), near: [...leaves.values()], coming: [...coming.values()], missing, holes };
+  const nearLeaves = { leaves: [...leaves.values()], missingLeaves: [...missingLeaves.values()] };
+  return { views: unique(drawn), ...nearLeaves, missingViews, holes };
 }
 
-/** Returns the wanted directions that are loaded, completed with the latest others. */
-function fill(own: readonly number[], have: ReadonlySet<number>, count: number): number[] {
-  const others = [...have].filter((direction) => !own.includes(direction));
-  return [...own, ...others.slice(others.length - (count - own.length))];
+/** Completes loaded directions to a count with the latest of the others. */
+function complete(ready: readonly number[], loaded: ReadonlySet<number>, count: number): number[] {
+  const others = [...loaded].filter((direction) => !ready.includes(direction));
+  return [...ready, ...others.slice(others.length - (count - ready.length))];
 }
 
 /** Removes duplicates: several cells may have the same cells above them or below. */
-function unique(shown: readonly Shown[]): Shown[] {
-  const found = new Map<string, Shown>();
-  for (const each of shown) {
-    const box = each.box ? nameOf(each.box.level, each.box.place) : '';
-    found.set(`${nameOf(each.level, each.place)}/${each.direction}/${box}`, each);
-  }
-  return [...found.values()];
+function unique(views: readonly DrawnView[]): DrawnView[] {
+  const names = ({ box, ...view }: DrawnView) => `${viewName(view)}/${box ? nameOf(box.level, box.place) : ''}`;
+  return [...new Map(views.map((view) => [names(view), view])).values()];
 }

@@ -1,10 +1,7 @@
 /** Choice of the graphics back end, and of the WebGPU device. */
-import { WebglDrawer } from '../draw/webgl/drawer';
-import type { WebgpuDrawer } from '../draw/webgpu/drawer';
+import { createWebglDrawer } from '../draw/webgl/drawer';
 import type { Layout } from '../store/layout';
-import { type Stock, stockOf } from './stock';
-
-export type Graphics = 'webgl' | 'webgpu';
+import { type Graphics, stockOf } from './stock';
 
 export interface StartSettings {
   /** Requested back end; null for WebGPU if available, else WebGL 2. */
@@ -14,33 +11,24 @@ export interface StartSettings {
   /** Limit of bytes for views. */
   readonly bytes: number;
   /** Called if the graphics fail: fatal if the device is lost, not fatal if memory is short. */
-  failed(message: string, isFatal: boolean): void;
+  onFailure(message: string, isFatal: boolean): void;
 }
 
 /** Creates the stock of a tree that is drawn on a canvas. */
-export async function startStock(
-  canvas: HTMLCanvasElement,
-  layout: Layout,
-  { graphics, script, bytes, failed }: StartSettings,
-): Promise<{ readonly stock: Stock; readonly graphics: Graphics }> {
-  const webgpu = graphics === 'webgl' ? null : await startWebgpu(canvas, layout, graphics === 'webgpu', script, failed);
-  if (webgpu) return { stock: stockOf(layout, webgpu, bytes), graphics: 'webgpu' };
-  return { stock: stockOf(layout, new WebglDrawer(canvas, layout), bytes), graphics: 'webgl' };
+export async function startStock(canvas: HTMLCanvasElement, layout: Layout, settings: StartSettings) {
+  const { graphics, bytes } = settings;
+  const webgpu = graphics === 'webgl' ? null : await startWebgpu(canvas, layout, graphics === 'webgpu', settings);
+  if (webgpu) return { stock: stockOf(layout, webgpu, bytes), graphics: 'webgpu' as Graphics };
+  return { stock: stockOf(layout, createWebglDrawer(canvas, layout), bytes), graphics: 'webgl' as Graphics };
 }
 
 /** Returns a WebGPU drawer; null if none is available, an error if WebGPU was requested by name. */
-async function startWebgpu(
-  canvas: HTMLCanvasElement,
-  layout: Layout,
-  isNamed: boolean,
-  script: URL,
-  failed: StartSettings['failed'],
-): Promise<WebgpuDrawer | null> {
+async function startWebgpu(canvas: HTMLCanvasElement, layout: Layout, isNamed: boolean, settings: StartSettings) {
   try {
     const device = await deviceOf(isNamed);
     if (device) {
-      const { start }: typeof import('../draw/webgpu/start') = await import(script.href);
-      return await start(canvas, layout, device, failed);
+      const { start }: typeof import('../draw/webgpu/start') = await import(settings.script.href);
+      return await start(canvas, layout, device, settings.onFailure);
     }
     if (isNamed) throw new Error('this browser has no WebGPU');
   } catch (reason) {
@@ -51,13 +39,13 @@ async function startWebgpu(
 }
 
 /** Limits that are raised: samples and views of a picture lie in few buffers. */
-const WANTED = ['maxBufferSize', 'maxStorageBufferBindingSize', 'maxTextureDimension2D'] as const;
+const RAISED_LIMITS = ['maxBufferSize', 'maxStorageBufferBindingSize', 'maxTextureDimension2D'] as const;
 
 /** Returns a device; null if there is none, or only a software one that was not requested by name. */
 export async function deviceOf(isNamed: boolean): Promise<GPUDevice | null> {
   const adapter = await navigator.gpu?.requestAdapter({ powerPreference: 'high-performance' });
   if (!adapter || (isSoftware(adapter) && !isNamed)) return null;
-  const requiredLimits = Object.fromEntries(WANTED.map((name) => [name, adapter.limits[name]]));
+  const requiredLimits = Object.fromEntries(RAISED_LIMITS.map((name) => [name, adapter.limits[name]]));
   return adapter.requestDevice({ requiredLimits });
 }
 

@@ -4,101 +4,109 @@ import type { Piece } from '../decode/leaf';
 import type { Splats } from '../decode/pack';
 import type { Drawer, FrameCounts, GpuResource, Item } from '../draw/drawer';
 import { modelOf } from '../draw/sight';
-import { GEOMETRY, type Layout, nameOf, type Triple } from '../store/layout';
+import { GEOMETRY, type Layout, nameOf, type Triple, type ViewKey, viewName } from '../store/layout';
 import type { Choice } from './stand_in';
 
 /** Cells and leaves that are evicted last although the picture does not show them. */
-export interface Kept {
+export interface EvictedLast {
   /** Names of cells. */
   readonly cells: ReadonlySet<string>;
   readonly leaves: ReadonlySet<string>;
 }
 
 /** Views and geometry on the GPU, independent of the back end. */
-export interface Stock {
-  addView(level: number, place: Triple, direction: number, layers: readonly Splats[]): void;
-  addLeaf(place: Triple, pieces: readonly Piece[]): void;
-  /** Directions of a cell's loaded views, the latest one last. */
-  there(level: number, place: Triple): readonly number[];
-  /** Whether a leaf's geometry is loaded. */
-  hasLeaf(place: Triple): boolean;
-  draw(choice: Choice, camera: Camera, grid: number, kept: Kept): FrameCounts;
-  /** Bytes on the GPU; number of views. */
-  readonly bytes: number;
-  readonly views: number;
-  readonly isDone: boolean;
-  finish(): Promise<void>;
-  readonly unhidden: number | null;
-}
+export type Stock = ReturnType<typeof stockOf>;
 
 /** Creates a stock that is limited to this many bytes of views and a quarter as many of geometry. */
 export function stockOf<Layer extends GpuResource, Mesh extends GpuResource>(
   layout: Layout,
   drawer: Drawer<Layer, Mesh>,
   bytes: number,
-): Stock {
-  const views = new Resident<Layer>((layer) => drawer.drop(layer), bytes);
-  const leaves = new Resident<Mesh>((mesh) => drawer.dropMesh(mesh), bytes / 4);
+) {
+  const views = new GpuCache<Layer>((layer) => drawer.drop(layer), bytes);
+  const leaves = new GpuCache<Mesh>((mesh) => drawer.meshes.drop(mesh), bytes / 4);
   return {
-    addView(level, place, direction, layers) {
+    drawer: drawer as Pick<Drawer<Layer, Mesh>, 'isDone' | 'finish' | 'unhidden'>,
+    addView({ level, place, direction }: ViewKey, layers: readonly Splats[]): void {
       const model = modelOf(layout, level, place, direction);
-      views.add(
-        level,
-        place,
-        direction,
-        layers.map((splats) => drawer.upload(model, splats)),
-      );
+      views.add(level, place, direction, layers.map((splats) => drawer.upload(model, splats)));
     },
-    addLeaf(place, pieces) {
-      leaves.add(
-        0,
-        place,
-        GEOMETRY,
-        pieces.map((piece) => drawer.uploadMesh(piece)),
-      );
+    addLeaf(place: Triple, pieces: readonly Piece[]): void {
+      leaves.add(0, place, GEOMETRY, pieces.map((piece) => drawer.meshes.upload(piece)));
     },
-    there: (level, place) => views.there(level, place),
-    hasLeaf: (place) => leaves.there(0, place).length > 0,
-    draw({ near, shown }, camera, grid, kept) {
+    /** Directions of a cell's loaded views, the latest one last. */
+    directionsOf: (level: number, place: Triple): readonly number[] => views.directionsOf(level, place),
+    hasLeaf: (place: Triple): boolean => leaves.directionsOf(0, place).length > 0,
+    draw(choice: Choice, camera: Camera, grid: number, evictedLast: EvictedLast): FrameCounts {
       views.begin();
       leaves.begin();
-      const meshes = near.flatMap((place) => leaves.use(0, place, GEOMETRY));
-      const items = shown.flatMap(({ level, place, direction, box }): Item<Layer>[] =>
+      const meshes = choice.leaves.flatMap((place) => leaves.use(0, place, GEOMETRY));
+      const items = choice.views.flatMap(({ level, place, direction, box }): Item<Layer>[] =>
         views.use(level, place, direction).map((layer) => ({ layer, box })),
       );
-      const drawn = drawer.draw(meshes, items, camera, grid);
-      views.trim((level, place) => kept.cells.has(nameOf(level, place)));
-      leaves.trim((level, place) => kept.leaves.has(nameOf(level, place)));
-      return drawn;
+      const counts = drawer.draw(meshes, items, camera, grid);
+      views.trim((level, place) => evictedLast.cells.has(nameOf(level, place)));
+      leaves.trim((level, place) => evictedLast.leaves.has(nameOf(level, place)));
+      return counts;
     },
-    get bytes() {
+    /** Bytes on the GPU. */
+    get bytes(): number {
       return views.bytes + leaves.bytes;
     },
-    get views() {
+    /** Number of views. */
+    get views(): number {
       return views.count;
-    },
-    get isDone() {
-      return drawer.isDone;
-    },
-    finish: () => drawer.finish(),
-    get unhidden() {
-      return drawer.unhidden;
     },
   };
 }
 
-interface Entry<Layer> {
-  readonly level: number;
-  readonly place: Triple;
-  readonly direction: number;
+export type Graphics = 'webgl' | 'webgpu';
+
+/** Facts of the last picture of a tree, for the panel and for tests. */
+export interface Facts extends FrameCounts {
+  /** Views in the picture; stand-ins among them; outstanding requests. */
+  readonly views: number;
+  readonly standIns: number;
+  readonly waiting: number;
+  /** Number of cells for which nothing is loaded. */
+  readonly holes: number;
+  /** Splats of unoccluded parts in the last finished picture; null if it is unknown. */
+  readonly unhidden: number | null;
+  /** Leaves drawn as geometry, with their guests. */
+  readonly leaves: number;
+  /** Bytes on the GPU; number of views. */
+  readonly bytes: number;
+  readonly kept: number;
+  /** Whether all views of the cut for this camera are loaded. */
+  readonly isComplete: boolean;
+  readonly graphics: Graphics | null;
+}
+
+/** Facts before the first picture. */
+export const INITIAL_FACTS: Omit<Facts, 'unhidden'> = {
+  ...factsOf({ views: [], leaves: [], holes: 0 }, { splats: 0, triangles: 0, calls: 0 }, { bytes: 0, views: 0 }),
+  ...{ waiting: 0, isComplete: false, graphics: null },
+};
+
+/** Facts of a picture that do not depend on requests. */
+export function factsOf(
+  { views, leaves, holes }: Pick<Choice, 'views' | 'leaves' | 'holes'>,
+  counts: FrameCounts,
+  { bytes, views: kept }: Pick<Stock, 'bytes' | 'views'>,
+) {
+  const standIns = views.filter(({ box }) => box !== null).length;
+  return { views: views.length, standIns, holes, ...counts, leaves: leaves.length, bytes, kept };
+}
+
+interface Entry<Layer> extends ViewKey {
   readonly layers: readonly Layer[];
   readonly bytes: number;
   /** Index of the picture that last used it. */
-  used: number;
+  lastPicture: number;
 }
 
 /** Cache of views, which have layers, or of leaves, which have direction `GEOMETRY` and pieces. */
-export class Resident<Layer extends { readonly bytes: number }> {
+export class GpuCache<Layer extends { readonly bytes: number }> {
   /** Views by name, least recently used first. */
   readonly #views = new Map<string, Entry<Layer>>();
   /** Directions by cell name. */
@@ -106,26 +114,23 @@ export class Resident<Layer extends { readonly bytes: number }> {
   #picture = 0;
   bytes = 0;
 
-  constructor(
-    readonly drop: (layer: Layer) => void,
-    readonly most: number,
-  ) {}
+  constructor(readonly drop: (layer: Layer) => void, readonly maxBytes: number) {}
 
   get count(): number {
     return this.#views.size;
   }
 
   add(level: number, place: Triple, direction: number, layers: readonly Layer[]): void {
-    const name = `${nameOf(level, place)}/${direction}`;
+    const name = viewName({ level, place, direction });
     this.#remove(name);
     const bytes = layers.reduce((sum, layer) => sum + layer.bytes, 0);
-    this.#views.set(name, { level, place, direction, layers, bytes, used: this.#picture });
-    this.#directions.set(nameOf(level, place), [...this.there(level, place), direction]);
+    this.#views.set(name, { level, place, direction, layers, bytes, lastPicture: this.#picture });
+    this.#directions.set(nameOf(level, place), [...this.directionsOf(level, place), direction]);
     this.bytes += bytes;
   }
 
   /** Directions of a cell's loaded views, the latest one last. */
-  there(level: number, place: Triple): readonly number[] {
+  directionsOf(level: number, place: Triple): readonly number[] {
     return this.#directions.get(nameOf(level, place)) ?? [];
   }
 
@@ -136,11 +141,11 @@ export class Resident<Layer extends { readonly bytes: number }> {
 
   /** Returns the layers of a view and marks it as used by the current picture. */
   use(level: number, place: Triple, direction: number): readonly Layer[] {
-    const name = `${nameOf(level, place)}/${direction}`;
+    const name = viewName({ level, place, direction });
     const view = this.#views.get(name);
     if (!view) return [];
-    if (view.used !== this.#picture) {
-      view.used = this.#picture;
+    if (view.lastPicture !== this.#picture) {
+      view.lastPicture = this.#picture;
       this.#views.delete(name);
       this.#views.set(name, view);
     }
@@ -150,22 +155,22 @@ export class Resident<Layer extends { readonly bytes: number }> {
   /** Evicts least recently used views, except those that the picture uses or `isKept` selects. */
   trim(isKept: (level: number, place: Triple) => boolean): void {
     for (const [name, view] of this.#views) {
-      if (this.bytes <= this.most) break;
-      if (view.used === this.#picture || isKept(view.level, view.place)) continue;
+      if (this.bytes <= this.maxBytes) break;
+      if (view.lastPicture === this.#picture || isKept(view.level, view.place)) continue;
       this.#remove(name);
     }
   }
 
   #remove(name: string): void {
-    const found = this.#views.get(name);
-    if (!found) return;
-    const { level, place, direction, layers, bytes } = found;
+    const entry = this.#views.get(name);
+    if (!entry) return;
+    const { level, place, direction, layers, bytes } = entry;
     layers.forEach((layer) => this.drop(layer));
     this.#views.delete(name);
     this.bytes -= bytes;
     const cell = nameOf(level, place);
-    const left = this.there(level, place).filter((each) => each !== direction);
-    if (left.length > 0) this.#directions.set(cell, left);
+    const remaining = this.directionsOf(level, place).filter((each) => each !== direction);
+    if (remaining.length > 0) this.#directions.set(cell, remaining);
     else this.#directions.delete(cell);
   }
 }

@@ -5,10 +5,7 @@ import { messageOf } from '../../base/errors';
 export type Kind = 'gone' | 'refused' | 'unreachable' | 'damaged' | 'newer';
 
 export class StoreError extends Error {
-  constructor(
-    readonly kind: Kind,
-    message: string,
-  ) {
+  constructor(readonly kind: Kind, message: string) {
     super(message);
     this.name = 'StoreError';
   }
@@ -30,6 +27,6 @@ export function failureOf(reason: unknown): Failure {
 }
 
 /** Whether a retry may help. */
-export function isPassing({ kind }: Failure): boolean {
+export function canRetry({ kind }: Failure): boolean {
   return kind === 'refused' || kind === 'unreachable';
 }

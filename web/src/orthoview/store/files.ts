@@ -6,6 +6,8 @@ export type Bytes = Uint8Array<ArrayBuffer>;
 /** Timeout of a request, milliseconds. */
 const REQUEST_TIMEOUT = 60_000;
 
+const MISSING = 'the store refers to this file, and the server does not have it';
+
 /** File or byte range, as stored. */
 export interface FileRequest {
   /** Path below the store. */
@@ -15,23 +17,22 @@ export interface FileRequest {
   /** Offset of the first byte, and number of bytes; the whole file by default. */
   readonly part?: readonly [number, number];
   readonly signal?: AbortSignal | undefined;
+  /** Message if the server has no such file. */
+  readonly missing?: string;
 }
 
 export interface FileContent {
   readonly bytes: Bytes;
-  /** Whether the server has sent the whole file although a range was requested. */
+  /** Whether this is the whole file; servers without range requests send it although a range was requested. */
   readonly isWhole: boolean;
 }
 
-export interface Files {
-  /** Returns the content; null if the server has no such file. */
-  read(request: FileRequest): Promise<FileContent | null>;
-}
+export type Files = ReturnType<typeof createFiles>;
 
 /** Creates access to files below an address, which ends with a slash. `receive` is called with received bytes. */
-export function createFiles(base: URL, receive: (bytes: number) => void): Files {
+export function createFiles(base: URL, receive: (bytes: number) => void) {
   return {
-    async read({ path, version = '', part, signal }) {
+    async read({ path, version = '', part, signal, missing = MISSING }: FileRequest): Promise<FileContent> {
       const url = new URL(path, base);
       url.search = base.search;
       if (version) url.searchParams.set('v', version);
@@ -41,13 +42,12 @@ export function createFiles(base: URL, receive: (bytes: number) => void): Files 
       // Documents that may have changed are revalidated.
       if (!version) init.cache = 'no-cache';
       const response = await withFileName(() => fetch(url, init), path, signal);
-      if (response.status === 404 || response.status === 410) return null;
+      if (response.status === 404 || response.status === 410) throw new StoreError('gone', `${path}: ${missing}`);
       if (!response.ok)
         throw new StoreError('refused', `${path}: the server answers ${response.status} ${response.statusText}`);
       const bytes: Bytes = new Uint8Array(await withFileName(() => response.arrayBuffer(), path, signal));
       receive(bytes.length);
-      if (!part || response.status === 206) return { bytes, isWhole: !part };
-      return { bytes, isWhole: true };
+      return { bytes, isWhole: !part || response.status !== 206 };
     },
   };
 }
@@ -63,8 +63,7 @@ async function withFileName<T>(request: () => Promise<T>, path: string, signal: 
     return await request();
   } catch (reason) {
     if (signal?.aborted) throw reason;
-    const isTimeout = reason instanceof DOMException && reason.name === 'TimeoutError';
-    const problem = isTimeout ? 'is too slow' : 'does not answer';
+    const problem = (reason as Error).name === 'TimeoutError' ? 'is too slow' : 'does not answer';
     throw new StoreError('unreachable', `${path}: the server ${problem}`);
   }
 }

@@ -6,7 +6,7 @@ export type Triple = readonly [number, number, number];
 export const CHANNELS = ['color', 'depth', 'normal'] as const;
 
 /** Prefix of the second layer's channels. */
-export const BEHIND = 'behind_';
+export const BEHIND_PREFIX = 'behind_';
 
 /** Lowest bits of a depth: connections with the neighbour to the right, below, below right and below left. */
 export const CONNECTION_BITS = 4;
@@ -16,6 +16,19 @@ export const FOLDER = 'nearfar';
 
 /** Value of a direction that denotes the geometry of a leaf. */
 export const GEOMETRY = -1;
+
+/** Object of JSON. */
+export type Fields = Readonly<Record<string, unknown>>;
+
+export interface CellKey {
+  readonly level: number;
+  readonly place: Triple;
+}
+
+/** View of a cell or, with the direction `GEOMETRY`, the geometry of a leaf. */
+export interface ViewKey extends CellKey {
+  readonly direction: number;
+}
 
 export interface Layout {
   /** Least corner of leaf (0, 0, 0), metres. */
@@ -50,9 +63,7 @@ export function parseLayout(described: unknown): Layout {
     cell: number(from['cell'], 'cell', (value) => Number.isFinite(value) && value > 0),
     counts: triple(from['counts'], 'counts', (value) => isWhole(value, 1, 2 ** 31)),
     levels: number(from['levels'], 'levels', (value) => isWhole(value, 1, 32)),
-    directions: list(from['directions'], 'directions').map((each) =>
-      triple(each, 'directions', (n) => isWhole(n, -1, 1)),
-    ),
+    directions: list(from['directions'], 'directions').map((axes) => triple(axes, 'directions', isSign)),
     names: list(from['names'], 'names').map(String),
     size: number(from['size'], 'size', (value) => isWhole(value, 4, 4096) && value % 4 === 0),
     depthBits: number(from['depth_bits'], 'depth_bits', (value) => isWhole(value, 8, 16)),
@@ -63,11 +74,10 @@ export function parseLayout(described: unknown): Layout {
     geometry: from['geometry'] === true,
   };
   const { counts, levels, directions, names } = layout;
-  const are26 =
-    directions.length > 0 && directions.length <= 26 && directions.every((each) => each.some((n) => n !== 0));
-  const isNamed = names.length === directions.length && names.every((name) => /^[a-z_]+$/.test(name));
-  if (!are26 || !isNamed || 2 ** (levels - 1) < Math.max(...counts))
-    throw damaged('zarr.json', 'its layout is inconsistent');
+  const areDirections = isWhole(directions.length, 1, 26) && directions.every((axes) => axes.some((n) => n !== 0));
+  const areNames = names.length === directions.length && names.every((name) => /^[a-z_]+$/.test(name));
+  const isTree = areDirections && areNames && 2 ** (levels - 1) >= Math.max(...counts);
+  if (!isTree) throw damaged('zarr.json', 'its layout is inconsistent');
   return layout;
 }
 
@@ -111,6 +121,10 @@ export function nameOf(level: number, [x, y, z]: Triple): string {
   return `${level}/${x}/${y}/${z}`;
 }
 
+export function viewName({ level, place, direction }: ViewKey): string {
+  return `${nameOf(level, place)}/${direction}`;
+}
+
 /** Folder of a generation below the store, with a slash at its end; empty for the first one. */
 export function generationFolder(generation: number): string {
   return generation === 0 ? '' : `${FOLDER}/generations/${generation}/`;
@@ -121,9 +135,12 @@ export function arrayOf({ names }: Layout, level: number, direction: number, cha
   return `${level}/${names[direction]}/${channel}`;
 }
 
-/** Path of the shard that holds a cell's chunk, below the generation's folder. */
-export function shardOf(layout: Layout, level: number, place: Triple, array: string): string {
-  return `${array}/c/${subtreeOf(layout, level, place).place.join('/')}/0/0/0`;
+/** Paths of the shards with the chunks of a view in all layers, with the folder of its generation. */
+export function shardPaths(layout: Layout, { level, place, direction }: ViewKey, generation: number): string[] {
+  const shard = subtreeOf(layout, level, place).place.join('/');
+  const channels = layout.layers === 2 ? [...CHANNELS, ...CHANNELS.map((channel) => BEHIND_PREFIX + channel)] : CHANNELS;
+  const arrays = channels.map((channel) => arrayOf(layout, level, direction, channel));
+  return arrays.map((array) => `${generationFolder(generation)}${array}/c/${shard}/0/0/0`);
 }
 
 /** Paths of the files of a leaf's static and moving geometry, below the generation's folder. */
@@ -131,14 +148,9 @@ export function geometryOf({ levels }: Layout, place: Triple): readonly string[]
   return ['content', 'moving'].map((folder) => `geometry/${folder}/${levels - 1}/${place.join('/')}.glb`);
 }
 
-/** Channels of all layers. */
-export function channelsOf({ layers }: Layout): readonly string[] {
-  return layers === 2 ? [...CHANNELS, ...CHANNELS.map((channel) => BEHIND + channel)] : CHANNELS;
-}
-
-export function fields(value: unknown, file: string): Readonly<Record<string, unknown>> {
+export function fields(value: unknown, file: string): Fields {
   if (typeof value !== 'object' || value === null || Array.isArray(value)) throw damaged(file, 'expected an object');
-  return value as Readonly<Record<string, unknown>>;
+  return value as Fields;
 }
 
 function list(value: unknown, name: string): readonly unknown[] {
@@ -146,16 +158,20 @@ function list(value: unknown, name: string): readonly unknown[] {
   return value;
 }
 
-function number(value: unknown, name: string, isGood: (value: number) => boolean): number {
-  if (typeof value !== 'number' || !isGood(value))
+function number(value: unknown, name: string, isValid: (value: number) => boolean): number {
+  if (typeof value !== 'number' || !isValid(value))
     throw damaged('zarr.json', `layout.${name} cannot be ${JSON.stringify(value)}`);
   return value;
 }
 
-function triple(value: unknown, name: string, isGood: (value: number) => boolean): Triple {
+function triple(value: unknown, name: string, isValid: (value: number) => boolean): Triple {
   const [x, y, z, ...rest] = list(value, name);
   if (rest.length > 0) throw damaged('zarr.json', `layout.${name} has more than three numbers`);
-  return [number(x, name, isGood), number(y, name, isGood), number(z, name, isGood)];
+  return [number(x, name, isValid), number(y, name, isValid), number(z, name, isValid)];
+}
+
+function isSign(value: number): boolean {
+  return isWhole(value, -1, 1);
 }
 
 function isWhole(value: number, least: number, greatest: number): boolean {

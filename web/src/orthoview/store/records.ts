@@ -1,8 +1,10 @@
 /** Documents of a store: its layout, its generations, and the visible directions of a subtree's cells. */
-import { sha256 } from '../../base/bytes';
+import { inflate, sha256 } from '../../base/bytes';
+import { messageOf } from '../../base/errors';
 import { damaged, StoreError } from './error';
 import type { Bytes, Files } from './files';
 import {
+  type Fields,
   fields,
   FOLDER,
   generationFolder,
@@ -11,15 +13,16 @@ import {
   parseLayout,
   shapesOf,
   shardSide,
-  subtreeOf as ownerOf,
+  subtreeOf as subtreeAt,
   type Triple,
 } from './layout';
-import { checkFormat, documentOf, numbersOf, rowsOf } from './unpack';
 
 /** Value for a cell that is unchanged since the generations before. */
 const AS_BEFORE = 0x8000_0000;
 
 const VERSION = 1;
+/** Greatest decompressed size of a list of guests, bytes. */
+const MAX_GUEST_BYTES = 2 ** 26;
 
 /** Path of a shard or a geometry file, with its generation's folder; its size; the prefix of its SHA-256. */
 export type Shard = readonly [path: string, size: number, version: string];
@@ -52,7 +55,7 @@ export interface Records {
 
 interface Overlay {
   readonly number: number;
-  readonly cells: Readonly<Record<string, unknown>>;
+  readonly cells: Fields;
 }
 
 /** Opens a complete store. */
@@ -61,21 +64,18 @@ export async function openRecords(files: Files): Promise<Records> {
   const layout = parseLayout(attributes['layout']);
   if (attributes['complete'] !== true) throw damaged('zarr.json', 'the tree is not complete; build it again');
   const generation = Number(attributes['generation']);
-  if (!Number.isInteger(generation) || generation < 0)
-    throw damaged('zarr.json', 'expected the number of a generation');
-  const digests = fields(
-    (await document(files, `${FOLDER}/records.json`, 'orthoview_records'))['records'],
-    'records.json',
-  );
+  if (!(Number.isInteger(generation) && generation >= 0)) throw damaged('zarr.json', 'expected a generation number');
+  const list = await readDocument(files, `${FOLDER}/records.json`, 'orthoview_records');
+  const digests = fields(list['records'], 'records.json');
   const overlays: Overlay[] = [];
   const [shards, geometry]: [Shard[], Shard[]] = [[], []];
   // Newest first.
   for (let number = generation; number > 0; number--) {
     const path = `${generationFolder(number)}generation.json`;
-    const found = await document(files, path, 'orthoview_generation');
-    overlays.push({ number, cells: fields(found['cells'], path) });
-    shards.push(...shardsOf(found['shards'], generationFolder(number), path));
-    geometry.push(...shardsOf(found['geometry'], generationFolder(number), path));
+    const document = await readDocument(files, path, 'orthoview_generation');
+    overlays.push({ number, cells: fields(document['cells'], path) });
+    shards.push(...shardsOf(document['shards'], generationFolder(number), path));
+    geometry.push(...shardsOf(document['geometry'], generationFolder(number), path));
   }
   return {
     layout,
@@ -90,7 +90,7 @@ async function subtreeOf(
   files: Files,
   layout: Layout,
   overlays: readonly Overlay[],
-  digests: Readonly<Record<string, unknown>>,
+  digests: Fields,
   tier: number,
   place: Triple,
 ): Promise<Subtree> {
@@ -99,117 +99,126 @@ async function subtreeOf(
   const masks = shapes.map((count) => new Uint32Array(count).fill(AS_BEFORE));
   const generations = shapes.map((count) => new Uint16Array(count));
   const guests = new Map<string, Triple[]>();
-  const put = async (cells: Readonly<Record<string, unknown>>, number: number, file: string): Promise<void> => {
-    const known = await masksOf(cells['views'], layout, shapes, file);
-    for (const [at, leaf, guest] of await guestsOf(cells['guests'], layout, tier, place, file)) {
-      if (masks[0]?.[at] !== AS_BEFORE) continue;
-      const name = nameOf(0, leaf);
-      guests.set(name, [...(guests.get(name) ?? []), guest]);
+  const addCells = async (cells: Fields, number: number, file: string): Promise<void> => {
+    const newMasks = await masksOf(cells['views'], layout, shapes, file);
+    for (const { index, leaf, guest } of await guestsOf(cells['guests'], layout, tier, place, file)) {
+      if (masks[0]?.[index] !== AS_BEFORE) continue;
+      const leafName = nameOf(0, leaf);
+      guests.set(leafName, [...(guests.get(leafName) ?? []), guest]);
     }
-    known.forEach((own, level) => {
+    newMasks.forEach((newMask, level) => {
       const [mask, generation] = [masks[level], generations[level]];
-      own.forEach((bits, at) => {
-        if (!mask || !generation || mask[at] !== AS_BEFORE || bits === AS_BEFORE) return;
-        mask[at] = bits;
-        generation[at] = number;
+      newMask.forEach((bits, index) => {
+        if (!mask || !generation || mask[index] !== AS_BEFORE || bits === AS_BEFORE) return;
+        mask[index] = bits;
+        generation[index] = number;
       });
     });
   };
   for (const { number, cells } of overlays) {
     if (!Object.hasOwn(cells, name)) continue;
     const file = `${generationFolder(number)}generation.json`;
-    await put(fields(cells[name], file), number, file);
+    await addCells(fields(cells[name], file), number, file);
   }
   const digest = digests[`${name}.json`];
   let [shards, geometry]: [readonly Shard[], readonly Shard[]] = [[], []];
   if (digest !== undefined) {
     const file = `${FOLDER}/done/${name}.json`;
-    const record = await document(files, file, 'orthoview_subtree', String(digest));
-    await put(record, 0, file);
+    const record = await readDocument(files, file, 'orthoview_subtree', String(digest));
+    await addCells(record, 0, file);
     shards = shardsOf(record['shards'], '', file);
     geometry = shardsOf(record['geometry'], '', file);
   }
-  for (const mask of masks) mask.forEach((bits, at) => bits === AS_BEFORE && (mask[at] = 0));
+  for (const mask of masks) mask.forEach((bits, index) => bits === AS_BEFORE && (mask[index] = 0));
   return { tier, place, masks, generations, shards, geometry, guests };
 }
 
-async function attributesOf(files: Files): Promise<Readonly<Record<string, unknown>>> {
+async function attributesOf(files: Files): Promise<Fields> {
   const file = 'zarr.json';
-  const found = await files.read({ path: file });
-  if (!found) throw new StoreError('gone', `${file}: there is no store of orthoviews at this address`);
-  let group: unknown;
+  const { bytes } = await files.read({ path: file, missing: 'there is no store of orthoviews at this address' });
+  const attributes = fields(parseJson(bytes, file)['attributes'], file);
+  return checkFormat(fields(attributes['nearfar'], file), file, 'orthoview');
+}
+
+async function readDocument(files: Files, path: string, kind: string, digest?: string): Promise<Fields> {
+  const { bytes } = await files.read(digest === undefined ? { path } : { path, version: versionOf(digest) });
+  if (digest !== undefined) {
+    const found = await sha256(bytes);
+    if (found !== null && found !== digest) throw damaged(path, `its SHA-256 is not ${digest}`);
+  }
+  return checkFormat(parseJson(bytes, path), path, kind);
+}
+
+function parseJson(bytes: Bytes, file: string): Fields {
+  let parsed: unknown;
   try {
-    group = JSON.parse(new TextDecoder().decode(found.bytes));
+    parsed = JSON.parse(new TextDecoder().decode(bytes));
   } catch {
     throw damaged(file, 'expected JSON');
   }
-  return checkFormat(fields(fields(fields(group, file)['attributes'], file)['nearfar'], file), file, 'orthoview', VERSION);
+  return fields(parsed, file);
 }
 
-async function document(
-  files: Files,
-  path: string,
-  kind: string,
-  digest?: string,
-): Promise<Readonly<Record<string, unknown>>> {
-  const found = await files.read(digest === undefined ? { path } : { path, version: versionOf(digest) });
-  if (!found) throw new StoreError('gone', `${path}: the store refers to this file, and the server does not have it`);
-  if (digest !== undefined) await compare(found.bytes, path, digest);
-  return documentOf(found.bytes, path, kind, VERSION);
+/** Returns the document if its kind and version match. */
+function checkFormat(found: Fields, file: string, kind: string): Fields {
+  if (found['format'] !== `nearfar.${kind}`) throw damaged(file, `expected a document nearfar.${kind}`);
+  if (found['version'] === VERSION) return found;
+  throw new StoreError('newer', `${file}: version ${JSON.stringify(found['version'])}`);
 }
 
-async function compare(bytes: Bytes, path: string, digest: string): Promise<void> {
-  const found = await sha256(bytes);
-  if (found !== null && found !== digest) throw damaged(path, `its SHA-256 is not ${digest}`);
-}
-
-async function masksOf(
-  views: unknown,
-  { directions }: Layout,
-  shapes: readonly number[],
-  file: string,
-): Promise<Uint32Array[]> {
+async function masksOf(views: unknown, { directions }: Layout, shapes: readonly number[], file: string) {
   if (!Array.isArray(views) || views.length !== shapes.length)
     throw damaged(file, `expected views of ${shapes.length} levels`);
-  const masks = await Promise.all(shapes.map((count, level) => numbersOf(views[level], count, file)));
-  const most = 2 ** directions.length;
-  const isWrong = (bits: number): boolean => bits >= most && bits !== AS_BEFORE;
+  const masks = await Promise.all(shapes.map((count, level) => wordsOf(views[level], 4 * count, 'views', file)));
+  if (masks.some((mask, level) => mask.length !== shapes[level]))
+    throw damaged(file, `views: expected levels of ${shapes} cells, got ${masks.map((mask) => mask.length)}`);
+  const maskLimit = 2 ** directions.length;
+  const isWrong = (bits: number): boolean => bits >= maskLimit && bits !== AS_BEFORE;
   if (masks.some((mask) => mask.some(isWrong)))
     throw damaged(file, `views: expected bits of ${directions.length} directions`);
   return masks;
 }
 
 /** Leaves of a subtree, by index in it and by place, and their guests. */
-async function guestsOf(
-  text: unknown,
-  layout: Layout,
-  tier: number,
-  place: Triple,
-  file: string,
-): Promise<[at: number, leaf: Triple, guest: Triple][]> {
-  const rows = await rowsOf(text, 6, file);
+async function guestsOf(text: unknown, layout: Layout, tier: number, place: Triple, file: string) {
+  const words = await wordsOf(text, MAX_GUEST_BYTES, 'guests', file);
+  if (words.length % 6 !== 0) throw damaged(file, `guests: expected rows of 6 numbers, got ${words.length} numbers`);
   const side = shardSide(layout, 0);
-  return Array.from({ length: rows.length / 6 }, (_, n) => {
-    const [a, b, c, x, y, z] = rows.subarray(6 * n, 6 * n + 6) as unknown as readonly number[] as [
-      number,
-      number,
-      number,
-      number,
-      number,
-      number,
-    ];
-    const isOwn = tier === 0 && ownerOf(layout, 0, [a, b, c]).place.join() === place.join();
-    const isWithin = [x, y, z].every((number, axis) => number < (layout.counts[axis] as number));
-    if (!isOwn || !isWithin) throw damaged(file, 'guests: expected leaves of the subtree, and others of the tree');
-    return [((a % side) * side + (b % side)) * side + (c % side), [a, b, c], [x, y, z]];
+  return Array.from({ length: words.length / 6 }, (_, row) => {
+    const tripleAt = (start: number): Triple => [...words.subarray(start, start + 3)] as unknown as Triple;
+    const [leaf, guest] = [tripleAt(6 * row), tripleAt(6 * row + 3)];
+    const isInSubtree = tier === 0 && subtreeAt(layout, 0, leaf).place.join() === place.join();
+    const isInTree = guest.every((number, axis) => number < (layout.counts[axis] as number));
+    if (!isInSubtree || !isInTree) throw damaged(file, 'guests: expected leaves of the subtree, and others of the tree');
+    const [x, y, z] = leaf;
+    return { index: ((x % side) * side + (y % side)) * side + (z % side), leaf, guest };
   });
+}
+
+/** Decodes little-endian uint32 numbers from base64 of zlib. Damaged data could decompress to more than `maxBytes`. */
+async function wordsOf(text: unknown, maxBytes: number, what: string, file: string): Promise<Uint32Array> {
+  let packed: Bytes;
+  try {
+    if (typeof text !== 'string') throw new TypeError('no text');
+    packed = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
+  } catch {
+    throw damaged(file, `${what}: expected base64`);
+  }
+  try {
+    const bytes = await inflate(packed, maxBytes);
+    if (bytes.length % 4 !== 0) throw new Error(`expected 32-bit numbers, got ${bytes.length} bytes`);
+    const view = new DataView(bytes.buffer);
+    return Uint32Array.from({ length: bytes.length / 4 }, (_, index) => view.getUint32(4 * index, true));
+  } catch (reason) {
+    throw damaged(file, `${what}: ${messageOf(reason)}`);
+  }
 }
 
 function shardsOf(listed: unknown, folder: string, file: string): Shard[] {
   return Object.entries(fields(listed, file)).map(([path, entry]) => {
     const [size, digest]: unknown[] = Array.isArray(entry) ? entry : [];
-    if (typeof size !== 'number' || typeof digest !== 'string')
-      throw damaged(file, `${path}: expected a size and a hash`);
+    const isListed = typeof size === 'number' && typeof digest === 'string';
+    if (!isListed) throw damaged(file, `${path}: expected a size and a hash`);
     return [folder + path, size, versionOf(digest)];
   });
 }

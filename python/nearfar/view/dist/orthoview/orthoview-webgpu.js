@@ -1,20 +1,20 @@
-var Ue=Object.defineProperty;var u=(a,e)=>Ue(a,"name",{value:e,configurable:!0});function Q(a,e){let r=1e6;for(let{layer:t}of a)r=Math.min(r,Math.max(t.model.pitch[0],t.model.pitch[1]));return e?Math.min(r/2,.05):r/2}u(Q,"nearDistanceOf");function J(a,e,r){return Math.max(Math.min(a,Math.floor(r/e)),1)}u(J,"gridOf");function V({right:a,up:e,back:r,fov:t,width:n,height:o},s,i){let l=t.left+(t.right-t.left)*s/n,c=t.up+(t.down-t.up)*i/o;return[0,1,2].map(d=>{let[f,m,y]=[a[d],e[d],r[d]];return l*f+c*m-y})}u(V,"directionAt");function N(a,e){return a[0]*e[0]+a[1]*e[1]+a[2]*e[2]}u(N,"dot");function Y({cell:a},e){return a*2**e}u(Y,"sideAt");function ee(a,e,[r,t,n]){let[o,[s,i,l]]=[Y(a,e),a.origin];return[s+r*o,i+t*o,l+n*o]}u(ee,"cornerOf");var[j,z]=[1.27,.5],q=.25,Se=8,L=10;function re(a){let{position:e,right:r,up:t,back:n,fov:o,width:s,height:i}=a,[l,c]=[s/(o.right-o.left),i/(o.up-o.down)],d=u(p=>[p(0),p(1),p(2)],"row"),f=[d(p=>l*(r[p]+o.left*n[p])),d(p=>-c*(t[p]+o.up*n[p])),d(p=>-n[p])],m=V(a,0,0),y=u((p,h)=>{let b=V(a,p,h);return[b[0]-m[0],b[1]-m[1],b[2]-m[2]]},"step");return{eye:e,rows:f,rays:[m,y(1,0),y(0,1)],width:s,height:i}}u(re,"projectorOf");function te(a,{eye:e,rows:r}){let{start:t,steps:n,pitch:o}=a,s=[t[0]-e[0],t[1]-e[1],t[2]-e[2]],i=u(m=>[N(r[0],m),N(r[1],m),N(r[2],m)],"along"),[l,c]=[j*Math.sqrt(z),ne(a)],d=u(m=>Math.max(l,c/m)-.5,"across"),f=l*(o[0]+o[1])/q;return{start:i(s),steps:[i(n[0]),i(n[1]),i(n[2])],least:Math.max(o[0],o[1]),margin:[d(o[0]),d(o[1]),Math.max(f,c)/o[2]]}}u(te,"sightOf");function ne({pitch:a}){return Math.hypot(a[0],a[1])/2}u(ne,"ballOf");function oe({start:a,steps:e,least:r,margin:t},{low:n,high:o},s,i){let[l,c,d,f,m]=[!0,!0,!0,!0,!0],y=Number.POSITIVE_INFINITY,p=[Number.POSITIVE_INFINITY,Number.POSITIVE_INFINITY],h=[Number.NEGATIVE_INFINITY,Number.NEGATIVE_INFINITY];for(let P=0;P<8;P++){let _=n.map((S,I)=>P>>I&1?o[I]+t[I]:S-t[I]),w=u(S=>a[S]+_[0]*e[0][S]+_[1]*e[1][S]+_[2]*e[2][S],"value"),[x,g,v]=[w(0),w(1),w(2)];l&&=x<-v,c&&=x>(s+1)*v,d&&=g<-v,f&&=g>(i+1)*v,m&&=v<r,y=Math.min(y,v),p[0]=Math.min(p[0],x/v),p[1]=Math.min(p[1],g/v),h[0]=Math.max(h[0],x/v),h[1]=Math.max(h[1],g/v)}if(l||c||d||f||m)return null;let b=y<r?Number.POSITIVE_INFINITY:1/y;return y<Se*r?{low:[0,0],high:[s,i],nearness:b}:{low:[Math.max(Math.floor(p[0])-1,0),Math.max(Math.floor(p[1])-1,0)],high:[Math.min(Math.floor(h[0])+2,s),Math.min(Math.floor(h[1])+2,i)],nearness:b}}u(oe,"seenOf");function ae(a,{low:e,high:r}){return a.every(([t,n,o,s])=>{let i=[t,n,o].map((c,d)=>{let[f,m]=[c*e[d],c*r[d]];return[Math.min(f,m),Math.max(f,m)]}),l=u(c=>i.reduce((d,f)=>d+f[c],s),"sum");return l(0)<1&&l(1)>=0})}u(ae,"isIn");function se(a,e,r){if(!r)return[0,1,2].map(()=>[0,0,0,.5]);let t=Y(e,r.level),n=ee(e,r.level,r.place);return[0,1,2].map(o=>{let s=u(i=>a.steps[i][o]/t,"factor");return[s(0),s(1),s(2),(a.start[o]-n[o])/t]})}u(se,"rowsOf");function ie(a,e,r,t){let{frame:n,pitch:o}=e,[s,i,l]=n.axes,c=2/(2**e.normalBits-2),d=u((m,[y,p,h],b)=>a.set([y,p,h,b],4*m),"put"),f=u((m,y)=>[m[0]*y,m[1]*y,m[2]*y],"scaled");d(0,r.start,r.least),d(1,r.steps[0],c),d(2,r.steps[1],ne(e)/Math.sqrt(z)),d(3,r.steps[2],0),d(4,f(s,o[0]/o[2]),0),d(5,f(i,o[1]/o[2]),0),d(6,l,0),t.forEach((m,y)=>a.set(m,4*(7+y)))}u(ie,"writeView");var G=class{constructor(e,r,t){this.device=e;this.label=r;this.usage=t}device;label;usage;static{u(this,"Room")}#e=null;ofSize(e){if(this.#e&&this.#e.size>=e)return this.#e;this.#e?.destroy();let r=Math.max(2**Math.ceil(Math.log2(Math.max(e,1))),256),t=this.usage|GPUBufferUsage.COPY_DST;return this.#e=this.device.createBuffer({label:this.label,size:r,usage:t}),this.#e}with(e){let r=this.ofSize(e.byteLength);return this.device.queue.writeBuffer(r,0,e),r}},Oe=1<<23,C=64,k=class{constructor(e){this.device=e}device;static{u(this,"Arena")}#e=[];put(e){let r=Math.max(Math.ceil(e.length/C),1)*C,{page:t,gap:n}=this.#t(r)??this.#n(r),o={page:t,first:n.first,words:r,bytes:4*r};return n.first+=r,n.words-=r,n.words===0&&t.gaps.splice(t.gaps.indexOf(n),1),this.device.queue.writeBuffer(t.buffer,4*o.first,e),o}free({page:e,first:r,words:t}){let{gaps:n}=e,o=n.findIndex(i=>i.first>r),s=o<0?n.length:o;n.splice(s,0,{first:r,words:t}),this.#r(n,s),this.#r(n,s-1),n[0]?.words===e.words&&(e.buffer.destroy(),this.#e.splice(this.#e.indexOf(e),1))}#r(e,r){let[t,n]=[e[r],e[r+1]];!t||!n||t.first+t.words!==n.first||(t.words+=n.words,e.splice(r+1,1))}#t(e){for(let r of this.#e){let t=r.gaps.find(n=>n.words>=e);if(t)return{page:r,gap:t}}return null}#n(e){let{maxBufferSize:r,maxStorageBufferBindingSize:t}=this.device.limits,n=Math.floor(Math.min(r,t)/4/C)*C;if(e>n)throw new Error(`a view of ${4*e} bytes is larger than the graphics allow`);let o=Math.min(Math.max(e,Oe),n),s=GPUBufferUsage.STORAGE|GPUBufferUsage.COPY_DST,i=this.device.createBuffer({label:"page of views",size:4*o,usage:s}),l={first:0,words:o},c={buffer:i,words:o,gaps:[l]};return this.#e.push(c),{page:c,gap:l}}};var Ee={SUN_DIRECTION:[.5263158,.7894737,.3157895],SUN:[.6,.56,.5],SKY_DIRECTION:[-.2062843,.9282791,.3094264],SKY_LOW:[.13,.135,.15],SKY_HIGH:[.38,.42,.48],HORIZON:[.66,.74,.82],ZENITH:[.16,.34,.66],NADIR:[.24,.25,.26]},le=["SUN_DIRECTION","SUN","SKY_DIRECTION","SKY_LOW","SKY_HIGH"],ue=["HORIZON","ZENITH","NADIR"],O=u(a=>Number.isInteger(a)?a.toFixed(1):String(a),"float"),ce=u(a=>Ee[a].map(O).join(", "),"vector"),de=u(a=>a.map(e=>`const vec3 ${e} = vec3(${ce(e)});`).join(`
-`),"glsl"),Me=u(a=>a.map(e=>`const ${e} = vec3<f32>(${ce(e)});`).join(`
-`),"wgsl"),yr=`
-${de(le)}
+var je=Object.defineProperty;var n=(e,t)=>je(e,"name",{value:t,configurable:!0});function pe(e,t){let r=1e6;for(let{layer:a}of e)r=Math.min(r,Math.max(a.model.pitch[0],a.model.pitch[1]));return t?Math.min(r/2,.05):r/2}n(pe,"nearDistanceOf");function me(e,t,r){return Math.max(Math.min(e,Math.floor(r/t)),1)}n(me,"gridOf");function te({right:e,up:t,back:r,fov:a,width:i,height:o},s,l){let u=a.left+(a.right-a.left)*s/i,c=a.up+(a.down-a.up)*l/o,f=n(p=>u*e[p]+c*t[p]-r[p],"component");return[f(0),f(1),f(2)]}n(te,"directionAt");function ne(e,t){return[e[0]-t[0],e[1]-t[1],e[2]-t[2]]}n(ne,"subtract");function oe(e,t){return e[0]*t[0]+e[1]*t[1]+e[2]*t[2]}n(oe,"dot");function le({cell:e},t){return e*2**t}n(le,"sideAt");function ye(e,t,[r,a,i]){let[o,[s,l,u]]=[le(e,t),e.origin];return[s+r*o,l+a*o,u+i*o]}n(ye,"cornerOf");var ue=1.27,J=.5,ce=.25,qe=8,ee=10;function ge(e,t){return[e[0]*t,e[1]*t,e[2]*t]}n(ge,"scaled");function be(e){let{position:t,right:r,up:a,back:i,fov:o,width:s,height:l}=e,[u,c]=[s/(o.right-o.left),l/(o.up-o.down)],f=n(b=>[b(0),b(1),b(2)],"gradient"),p=[f(b=>u*(r[b]+o.left*i[b])),f(b=>-c*(a[b]+o.up*i[b])),f(b=>-i[b])],w=te(e,0,0),[g,_]=[te(e,1,0),te(e,0,1)];return{eye:t,rows:p,rays:[w,ne(g,w),ne(_,w)],width:s,height:l}}n(be,"projectorOf");function he(e,{eye:t,rows:r}){let{start:a,steps:i,pitch:o}=e,s=n(p=>[oe(r[0],p),oe(r[1],p),oe(r[2],p)],"project"),[l,u]=[ue*Math.sqrt(J),xe(e)],c=n(p=>Math.max(l,u/p)-.5,"marginOf"),f=l*(o[0]+o[1])/ce;return{start:s(ne(a,t)),steps:[s(i[0]),s(i[1]),s(i[2])],least:Math.max(o[0],o[1]),margin:[c(o[0]),c(o[1]),Math.max(f,u)/o[2]]}}n(he,"sightOf");function xe({pitch:e}){return Math.hypot(e[0],e[1])/2}n(xe,"ballRadius");function we(e,{low:t,high:r},a,i){let{start:o,steps:s,least:l,margin:u}=e,[c,f,p,w,g]=[!0,!0,!0,!0,!0],_=Number.POSITIVE_INFINITY,b=[Number.POSITIVE_INFINITY,Number.POSITIVE_INFINITY],G=[Number.NEGATIVE_INFINITY,Number.NEGATIVE_INFINITY];for(let R=0;R<8;R++){let N=n(d=>R>>d&1?r[d]+u[d]:t[d]-u[d],"coordinate"),[h,O,E]=[N(0),N(1),N(2)],P=n(d=>o[d]+h*s[0][d]+O*s[1][d]+E*s[2][d],"valueOf"),[U,y,m]=[P(0),P(1),P(2)];c&&=U<-m,f&&=U>(a+1)*m,p&&=y<-m,w&&=y>(i+1)*m,g&&=m<l,_=Math.min(_,m),b[0]=Math.min(b[0],U/m),b[1]=Math.min(b[1],y/m),G[0]=Math.max(G[0],U/m),G[1]=Math.max(G[1],y/m)}if(c||f||p||w||g)return null;let I=_<l?Number.POSITIVE_INFINITY:1/_;return _<qe*l?{low:[0,0],high:[a,i],nearness:I}:{low:[Math.max(Math.floor(b[0])-1,0),Math.max(Math.floor(b[1])-1,0)],high:[Math.min(Math.floor(G[0])+2,a),Math.min(Math.floor(G[1])+2,i)],nearness:I}}n(we,"boundsOf");function ve(e,{low:t,high:r}){return e.every(([a,i,o,s])=>{let[l,u]=[s,s];return[a,i,o].forEach((c,f)=>{let p=[c*t[f],c*r[f]];l+=Math.min(...p),u+=Math.max(...p)}),l<1&&u>=0})}n(ve,"mayLieIn");function _e(e,t,r){if(!r)return[0,1,2].map(()=>[0,0,0,.5]);let a=le(t,r.level),i=ye(t,r.level,r.place);return[0,1,2].map(o=>{let[s,l,u]=e.steps.map(c=>c[o]/a);return[s,l,u,(e.start[o]-i[o])/a]})}n(_e,"rowsOf");function Pe(e,t,r,a){let{frame:i,pitch:o}=t,[s,l,u]=i.axes,c=2/(2**t.normalBits-2),f=n((p,[w,g,_],b)=>e.set([w,g,_,b],4*p),"put");f(0,r.start,r.least),f(1,r.steps[0],c),f(2,r.steps[1],xe(t)/Math.sqrt(J)),f(3,r.steps[2],0),f(4,ge(s,o[0]/o[2]),0),f(5,ge(l,o[1]/o[2]),0),f(6,u,0),a.forEach((p,w)=>e.set(p,4*(7+w)))}n(Pe,"writeView");var $=class{constructor(t,r,a){this.device=t;this.label=r;this.usage=a}device;label;usage;static{n(this,"GrowingBuffer")}#e=null;ofSize(t){if(this.#e&&this.#e.size>=t)return this.#e;this.#e?.destroy();let r=Math.max(2**Math.ceil(Math.log2(Math.max(t,1))),256),a=this.usage|GPUBufferUsage.COPY_DST;return this.#e=this.device.createBuffer({label:this.label,size:r,usage:a}),this.#e}with(t){let r=this.ofSize(t.byteLength);return this.device.queue.writeBuffer(r,0,t),r}},Xe=1<<23,ae=64,se=class{constructor(t){this.device=t}device;static{n(this,"Arena")}#e=[];put(t){let r=Math.max(Math.ceil(t.length/ae),1)*ae,{page:a,gap:i}=this.#t(r)??this.#n(r),o={page:a,first:i.first,words:r,bytes:4*r};return i.first+=r,i.words-=r,i.words===0&&a.gaps.splice(a.gaps.indexOf(i),1),this.device.queue.writeBuffer(a.buffer,4*o.first,t),o}free({page:t,first:r,words:a}){let{gaps:i}=t,o=i.findIndex(l=>l.first>r),s=o<0?i.length:o;i.splice(s,0,{first:r,words:a}),this.#r(i,s),this.#r(i,s-1),i[0]?.words===t.words&&(t.buffer.destroy(),this.#e.splice(this.#e.indexOf(t),1))}#r(t,r){let[a,i]=[t[r],t[r+1]];!a||!i||a.first+a.words!==i.first||(a.words+=i.words,t.splice(r+1,1))}#t(t){for(let r of this.#e){let a=r.gaps.find(i=>i.words>=t);if(a)return{page:r,gap:a}}return null}#n(t){let{maxBufferSize:r,maxStorageBufferBindingSize:a}=this.device.limits,i=Math.min(r,a),o=Math.floor(i/4/ae)*ae;if(t>o)throw new Error(`a view of ${4*t} bytes is larger than the graphics allow`);let s=Math.min(Math.max(t,Xe),o),l=GPUBufferUsage.STORAGE|GPUBufferUsage.COPY_DST,u=this.device.createBuffer({label:"page of views",size:4*s,usage:l}),c={first:0,words:s},f={buffer:u,words:s,gaps:[c]};return this.#e.push(f),{page:f,gap:c}}};var Ze={SUN_DIRECTION:[.5263158,.7894737,.3157895],SUN:[.6,.56,.5],SKY_DIRECTION:[-.2062843,.9282791,.3094264],SKY_LOW:[.13,.135,.15],SKY_HIGH:[.38,.42,.48],HORIZON:[.66,.74,.82],ZENITH:[.16,.34,.66],NADIR:[.24,.25,.26]},Te=["SUN_DIRECTION","SUN","SKY_DIRECTION","SKY_LOW","SKY_HIGH"],Se=["HORIZON","ZENITH","NADIR"],j=n(e=>Number.isInteger(e)?e.toFixed(1):String(e),"float"),Oe=n(e=>Ze[e].map(j).join(", "),"vector"),Ge=n(e=>e.map(t=>`const vec3 ${t} = vec3(${Oe(t)});`).join(`
+`),"glsl"),Qe=n(e=>e.map(t=>`const ${t} = vec3<f32>(${Oe(t)});`).join(`
+`),"wgsl"),Dr=`
+${Ge(Te)}
 
 vec3 irradiance(vec3 n) {
 float sky = 0.5 + 0.5 * dot(n, SKY_DIRECTION);
 return SKY_LOW + (SKY_HIGH - SKY_LOW) * sky + SUN * max(dot(n, SUN_DIRECTION), 0.0);
 }
-`;var hr=`
-${de(ue)}
+`;var Fr=`
+${Ge(Se)}
 
 vec3 background(vec3 direction) {
 return mix(HORIZON, direction.y < 0.0 ? NADIR : ZENITH, sqrt(abs(direction.y)));
 }
-`;var E=`
-${Me([...le,...ue])}
+`;var q=`
+${Qe([...Te,...Se])}
 
 fn irradiance(n: vec3<f32>) -> vec3<f32> {
 let sky = 0.5 + 0.5 * dot(n, SKY_DIRECTION);
@@ -33,7 +33,7 @@ return select(1.055 * pow(c, vec3<f32>(1.0 / 2.4)) - 0.055, 12.92 * c, c <= vec3
 fn linear_of(c: vec3<f32>) -> vec3<f32> {
 return select(pow((c + 0.055) / 1.055, vec3<f32>(2.4)), c / 12.92, c <= vec3<f32>(0.04045));
 }
-`;var[U,M]=[64,16384],A=16,R=`
+`;var W=64,X=16384,re=16,Z=`
 struct Draw {
 gradients: array<vec4<f32>, 3>,
 rays: array<vec4<f32>, 3>,
@@ -44,7 +44,7 @@ nearest: f32,
 }
 
 @group(0) @binding(0) var<uniform> draw: Draw;
-`,fe=`
+`,Ue=`
 @compute @workgroup_size(GROUP)
 fn farthest_of_tiles(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
 let number = (group.y * ROW + group.x) * GROUP + lane;
@@ -62,57 +62,57 @@ farthest = min(farthest, atomicLoad(&orders[y * draw.size.x + x]));
 }
 atomicStore(&tiles[1u + number], farthest);
 }
-`,me=`
-${R}
+`,Me=`
+${Z}
 @group(0) @binding(1) var depths: texture_depth_2d;
 @group(0) @binding(2) var<storage, read_write> orders: array<u32>;
 
-@compute @workgroup_size(${U})
+@compute @workgroup_size(${W})
 fn begin(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
-let sample = (group.y * ${M}u + group.x) * ${U}u + lane;
+let sample = (group.y * ${X}u + group.x) * ${W}u + lane;
 if sample >= draw.size.x * draw.size.y {
 return;
 }
-let at = vec2<u32>(sample % draw.size.x, sample / draw.size.x);
-orders[sample] = bitcast<u32>(textureLoad(depths, at, 0));
+let position = vec2<u32>(sample % draw.size.x, sample / draw.size.x);
+orders[sample] = bitcast<u32>(textureLoad(depths, position, 0));
 }
-`,pe=`
-${R}
+`,Ee=`
+${Z}
 @group(0) @binding(1) var geometry: texture_2d<f32>;
 @group(0) @binding(2) var<storage, read> orders: array<u32>;
 @group(0) @binding(3) var<storage, read> colors: array<u32>;
-${E}
+${q}
 @vertex
-fn whole(@builtin(vertex_index) n: u32) -> @builtin(position) vec4<f32> {
+fn cover_picture(@builtin(vertex_index) n: u32) -> @builtin(position) vec4<f32> {
 return vec4<f32>(f32(n & 1u) * 4.0 - 1.0, f32(n >> 1u) * 4.0 - 1.0, 0.0, 1.0);
 }
 
 @fragment
-fn resolve(@builtin(position) place: vec4<f32>) -> @location(0) vec4<f32> {
+fn resolve(@builtin(position) pixel: vec4<f32>) -> @location(0) vec4<f32> {
 let grid = draw.size.w;
-let first = vec2<u32>(place.xy) * grid;
+let first = vec2<u32>(pixel.xy) * grid;
 var sum = vec3<f32>(0.0);
 for (var row = 0u; row < grid; row++) {
 for (var column = 0u; column < grid; column++) {
-let at = first + vec2<u32>(column, row);
-let own = vec2<u32>(at.x, at.y - draw.size.z);
-let sample = own.y * draw.size.x + own.x;
+let position = first + vec2<u32>(column, row);
+let in_band = vec2<u32>(position.x, position.y - draw.size.z);
+let sample = in_band.y * draw.size.x + in_band.x;
 let code = colors[sample];
 if code != 0u {
 let bits = vec3<u32>(code >> 20u, code >> 10u, code) & vec3<u32>(1023u);
 sum += linear_of(vec3<f32>(bits) / 1023.0);
 } else if orders[sample] != 0u {
-sum += textureLoad(geometry, own, 0).rgb;
+sum += textureLoad(geometry, in_band, 0).rgb;
 } else {
-let middle = vec2<f32>(at) + 0.5;
-sum += background(normalize(draw.rays[0].xyz + middle.x * draw.rays[1].xyz + middle.y * draw.rays[2].xyz));
+let center = vec2<f32>(position) + 0.5;
+sum += background(normalize(draw.rays[0].xyz + center.x * draw.rays[1].xyz + center.y * draw.rays[2].xyz));
 }
 }
 }
 return vec4<f32>(srgb_of(sum / f32(grid * grid)), 1.0);
 }
-`;var Re=256,ye=`
-${R}
+`;var Je=256,Ae=`
+${Z}
 struct Part {
 view: u32,
 first: u32,
@@ -131,13 +131,13 @@ page: u32,
 @group(0) @binding(5) var<storage, read_write> tiles: array<atomic<u32>>;
 @group(0) @binding(6) var<storage, read_write> orders: array<atomic<u32>>;
 @group(0) @binding(7) var<storage, read_write> colors: array<atomic<u32>>;
-${E}
-const TILE = ${A}u;
-const GROUP = ${U}u;
-const ROW = ${M}u;
-const TURN = 1024u;
-const RADIUS = ${O(Math.sqrt(z))};
-const SQUARED_RADIUS = ${O(z)};
+${q}
+const TILE = ${re}u;
+const GROUP = ${W}u;
+const ROW = ${X}u;
+const BATCH = 1024u;
+const RADIUS = ${j(Math.sqrt(J))};
+const SQUARED_RADIUS = ${j(J)};
 
 struct Ellipse {
 middle: vec2<f32>,
@@ -153,12 +153,12 @@ const SLACK = 4u;
 const LAST = 0x7fffffffu;
 const COLOR = 0x80000000u;
 
-fn column_of(view: u32, n: u32) -> vec4<f32> {
-return views[view * ${L}u + n];
+fn view_vector(view: u32, n: u32) -> vec4<f32> {
+return views[view * ${ee}u + n];
 }
 
-fn disc(view: u32, own: vec3<f32>, place: f32, over: f32) -> f32 {
-return length((own - place * draw.gradients[2].xyz) * over) * column_of(view, 2u).w;
+fn half_extent(view: u32, gradient: vec3<f32>, ratio: f32, inverse_w: f32) -> f32 {
+return length((gradient - ratio * draw.gradients[2].xyz) * inverse_w) * view_vector(view, 2u).w;
 }
 
 fn normal_of(codes: u32, scale: f32) -> vec3<f32> {
@@ -169,83 +169,83 @@ return normalize(vec3<f32>(flat - select(vec2<f32>(fold), vec2<f32>(-fold), flat
 }
 
 fn ellipse_of(part: Part, number: u32) -> Ellipse {
-let at_word = part.first + 3u * number;
-let word = vec3<u32>(words[at_word], words[at_word + 1u], words[at_word + 2u]);
-let own = part.view;
-let column = column_of(own, 1u);
-let row = column_of(own, 2u);
-let step = column_of(own, 3u).xyz;
+let word_index = part.first + 3u * number;
+let word = vec3<u32>(words[word_index], words[word_index + 1u], words[word_index + 2u]);
+let view = part.view;
+let column = view_vector(view, 1u);
+let row = view_vector(view, 2u);
+let step = view_vector(view, 3u).xyz;
 let depth = f32(((word.x >> 24u) << 8u) | (word.y >> 24u)) - 0.5;
-let at = vec3<f32>(f32(word.z & 4095u) + 0.5, f32((word.z >> 12u) & 4095u) + 0.5, depth);
-let box_x = column_of(own, 7u);
-let box_y = column_of(own, 8u);
-let box_z = column_of(own, 9u);
-let inside = vec3<f32>(dot(box_x.xyz, at) + box_x.w, dot(box_y.xyz, at) + box_y.w, dot(box_z.xyz, at) + box_z.w);
-let start = column_of(own, 0u);
-let function = start.xyz + at.x * column.xyz + at.y * row.xyz + at.z * step;
-let over = 1.0 / function.z;
-let middle = function.xy * over;
+let p = vec3<f32>(f32(word.z & 4095u) + 0.5, f32((word.z >> 12u) & 4095u) + 0.5, depth);
+let box_x = view_vector(view, 7u);
+let box_y = view_vector(view, 8u);
+let box_z = view_vector(view, 9u);
+let inside = vec3<f32>(dot(box_x.xyz, p) + box_x.w, dot(box_y.xyz, p) + box_y.w, dot(box_z.xyz, p) + box_z.w);
+let start = view_vector(view, 0u);
+let xyw = start.xyz + p.x * column.xyz + p.y * row.xyz + p.z * step;
+let inverse_w = 1.0 / xyw.z;
+let middle = xyw.xy * inverse_w;
 
 var normal = normal_of(word.y, column.w);
-let facing = 1.0 / max(dot(column_of(own, 6u).xyz, normal), ${O(q)});
-let u = column.xyz + dot(column_of(own, 4u).xyz, normal) * facing * step;
-let v = row.xyz - dot(column_of(own, 5u).xyz, normal) * facing * step;
+let facing = 1.0 / max(dot(view_vector(view, 6u).xyz, normal), ${j(ce)});
+let u = column.xyz + dot(view_vector(view, 4u).xyz, normal) * facing * step;
+let v = row.xyz - dot(view_vector(view, 5u).xyz, normal) * facing * step;
 let is_surfel = ((word.z >> 24u) & 1u) == 1u;
-let factor = select(0.0, select(${O(j)}, 1.0, ((word.z >> 25u) & 1u) == 1u), is_surfel);
+let factor = select(0.0, select(${j(ue)}, 1.0, ((word.z >> 25u) & 1u) == 1u), is_surfel);
 
-var found: Ellipse;
-found.middle = middle;
-found.nearness = vec3<f32>(over, 0.0, 0.0);
-let du = (u.xy - middle * u.z) * over * factor;
-let dv = (v.xy - middle * v.z) * over * factor;
-let slope = -vec2<f32>(u.z, v.z) * over * over * factor;
+var ellipse: Ellipse;
+ellipse.middle = middle;
+ellipse.nearness = vec3<f32>(inverse_w, 0.0, 0.0);
+let du = (u.xy - middle * u.z) * inverse_w * factor;
+let dv = (v.xy - middle * v.z) * inverse_w * factor;
+let slope = -vec2<f32>(u.z, v.z) * inverse_w * inverse_w * factor;
 var half_size = vec2<f32>(0.0);
 if is_surfel {
 let determinant = du.x * dv.y - dv.x * du.y;
 let is_flat = abs(determinant) <= 1.2e-7 * (abs(du.x) + abs(dv.x)) * (abs(du.y) + abs(dv.y));
 if is_flat {
-found.inverse = vec4<f32>(1e9);
+ellipse.inverse = vec4<f32>(1e9);
 } else {
 let inverse = vec4<f32>(dv.y, -dv.x, -du.y, du.x) / determinant;
-found.inverse = inverse;
-found.nearness.y = slope.x * inverse.x + slope.y * inverse.z;
-found.nearness.z = slope.x * inverse.y + slope.y * inverse.w;
+ellipse.inverse = inverse;
+ellipse.nearness.y = slope.x * inverse.x + slope.y * inverse.z;
+ellipse.nearness.z = slope.x * inverse.y + slope.y * inverse.w;
 half_size = RADIUS * sqrt(vec2<f32>(du.x * du.x + dv.x * dv.x, du.y * du.y + dv.y * dv.y));
 }
 } else {
 let ball = vec2<f32>(
-disc(own, draw.gradients[0].xyz, middle.x, over),
-disc(own, draw.gradients[1].xyz, middle.y, over),
+half_extent(view, draw.gradients[0].xyz, middle.x, inverse_w),
+half_extent(view, draw.gradients[1].xyz, middle.y, inverse_w),
 );
-found.inverse = vec4<f32>(1.0 / ball.x, 0.0, 0.0, 1.0 / ball.y);
+ellipse.inverse = vec4<f32>(1.0 / ball.x, 0.0, 0.0, 1.0 / ball.y);
 half_size = RADIUS * ball;
 }
 let first = f32(draw.size.z);
-let least = vec2<f32>(0.0, first);
-let most = vec2<f32>(f32(draw.size.x), first + f32(draw.size.y)) - 1.0;
-found.low = vec2<i32>(max(min(ceil(middle - half_size - 0.5), floor(middle)), least));
-found.high = vec2<i32>(min(max(floor(middle + half_size - 0.5), floor(middle)), most));
-found.code = word.x & 0xffffffu;
-found.normal = normal;
-let is_shown = function.z - RADIUS * factor * length(vec2<f32>(u.z, v.z)) >= start.w
+let first_sample = vec2<f32>(0.0, first);
+let last_sample = vec2<f32>(f32(draw.size.x), first + f32(draw.size.y)) - 1.0;
+ellipse.low = vec2<i32>(max(min(ceil(middle - half_size - 0.5), floor(middle)), first_sample));
+ellipse.high = vec2<i32>(min(max(floor(middle + half_size - 0.5), floor(middle)), last_sample));
+ellipse.code = word.x & 0xffffffu;
+ellipse.normal = normal;
+let is_shown = xyw.z - RADIUS * factor * length(vec2<f32>(u.z, v.z)) >= start.w
 && all(inside >= vec3<f32>(0.0)) && all(inside < vec3<f32>(1.0));
 if !is_shown {
-found.low = vec2<i32>(0);
-found.high = vec2<i32>(-1);
+ellipse.low = vec2<i32>(0);
+ellipse.high = vec2<i32>(-1);
 }
-return found;
+return ellipse;
 }
 
-fn cover(own: Ellipse, at: vec2<i32>, number: u32) {
-let p = vec2<f32>(at) + 0.5 - own.middle;
-let q = vec2<f32>(dot(own.inverse.xy, p), dot(own.inverse.zw, p));
+fn cover(ellipse: Ellipse, position: vec2<i32>, number: u32) {
+let p = vec2<f32>(position) + 0.5 - ellipse.middle;
+let q = vec2<f32>(dot(ellipse.inverse.xy, p), dot(ellipse.inverse.zw, p));
 let is_inside = dot(q, q) <= SQUARED_RADIUS;
-if !is_inside && any(at != vec2<i32>(floor(own.middle))) {
+if !is_inside && any(position != vec2<i32>(floor(ellipse.middle))) {
 return;
 }
-let nearness = own.nearness.x + select(0.0, dot(own.nearness.yz, p), is_inside);
+let nearness = ellipse.nearness.x + select(0.0, dot(ellipse.nearness.yz, p), is_inside);
 let order = bitcast<u32>(clamp(draw.nearest * nearness, 1e-30, 1.0));
-let sample = (u32(at.y) - draw.size.z) * draw.size.x + u32(at.x);
+let sample = (u32(position.y) - draw.size.z) * draw.size.x + u32(position.x);
 if draw.work.z == 0u {
 atomicMax(&orders[sample], order);
 } else if order + SLACK >= atomicLoad(&orders[sample]) {
@@ -253,8 +253,8 @@ atomicMax(&colors[sample], LAST - number);
 }
 }
 
-fn extent_of(own: Ellipse) -> vec2<u32> {
-return vec2<u32>(max(own.high - own.low + 1, vec2<i32>(0)));
+fn extent_of(ellipse: Ellipse) -> vec2<u32> {
+return vec2<u32>(max(ellipse.high - ellipse.low + 1, vec2<i32>(0)));
 }
 
 fn tiles_of(part: Part) -> vec4<u32> {
@@ -271,10 +271,10 @@ fn tile_columns() -> u32 {
 return (draw.size.x + TILE - 1u) / TILE;
 }
 
-var<workgroup> reached: atomic<u32>;
-var<workgroup> is_seen: u32;
+var<workgroup> is_reached: atomic<u32>;
+var<workgroup> is_visible: u32;
 var<workgroup> large_count: atomic<u32>;
-var<workgroup> large: array<u32, TURN>;
+var<workgroup> large: array<u32, BATCH>;
 
 @compute @workgroup_size(GROUP)
 fn splats(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
@@ -283,46 +283,46 @@ if number >= draw.work.y {
 return;
 }
 let part = parts[draw.work.x + number];
-let around = tiles_of(part);
-for (var n = lane; n < around.z * around.w; n += GROUP) {
-let tile = (around.y + n / around.z) * tile_columns() + around.x + n % around.z;
+let part_tiles = tiles_of(part);
+for (var n = lane; n < part_tiles.z * part_tiles.w; n += GROUP) {
+let tile = (part_tiles.y + n / part_tiles.z) * tile_columns() + part_tiles.x + n % part_tiles.z;
 if atomicLoad(&tiles[1u + tile]) <= part.order {
-atomicStore(&reached, 1u);
+atomicStore(&is_reached, 1u);
 }
 }
 workgroupBarrier();
 if lane == 0u {
-is_seen = atomicLoad(&reached);
-if is_seen == 1u && draw.work.z == 0u {
+is_visible = atomicLoad(&is_reached);
+if is_visible == 1u && draw.work.z == 0u {
 atomicAdd(&tiles[0], part.count);
 }
 }
-if workgroupUniformLoad(&is_seen) == 0u {
+if workgroupUniformLoad(&is_visible) == 0u {
 return;
 }
-for (var first = 0u; first < part.count; first += TURN) {
-let end = min(first + TURN, part.count);
+for (var first = 0u; first < part.count; first += BATCH) {
+let end = min(first + BATCH, part.count);
 for (var n = first + lane; n < end; n += GROUP) {
-let own = ellipse_of(part, n);
-let extent = extent_of(own);
-if extent.x * extent.y > ${Re}u {
+let ellipse = ellipse_of(part, n);
+let extent = extent_of(ellipse);
+if extent.x * extent.y > ${Je}u {
 large[atomicAdd(&large_count, 1u)] = n;
 continue;
 }
-for (var y = own.low.y; y <= own.high.y; y++) {
-for (var x = own.low.x; x <= own.high.x; x++) {
-cover(own, vec2<i32>(x, y), part.number + n);
+for (var y = ellipse.low.y; y <= ellipse.high.y; y++) {
+for (var x = ellipse.low.x; x <= ellipse.high.x; x++) {
+cover(ellipse, vec2<i32>(x, y), part.number + n);
 }
 }
 }
 workgroupBarrier();
 let count = atomicLoad(&large_count);
-for (var turn = 0u; turn < count; turn++) {
-let n = large[turn];
-let own = ellipse_of(part, n);
-let extent = extent_of(own);
-for (var at = lane; at < extent.x * extent.y; at += GROUP) {
-cover(own, own.low + vec2<i32>(vec2<u32>(at % extent.x, at / extent.x)), part.number + n);
+for (var large_index = 0u; large_index < count; large_index++) {
+let n = large[large_index];
+let ellipse = ellipse_of(part, n);
+let extent = extent_of(ellipse);
+for (var position = lane; position < extent.x * extent.y; position += GROUP) {
+cover(ellipse, ellipse.low + vec2<i32>(vec2<u32>(position % extent.x, position / extent.x)), part.number + n);
 }
 }
 workgroupBarrier();
@@ -361,15 +361,16 @@ let part = parts[part_of(LAST - code)];
 if part.page != draw.all.y {
 return;
 }
-let own = ellipse_of(part, LAST - code - part.number);
-let ray = draw.rays[0].xyz + own.middle.x * draw.rays[1].xyz + own.middle.y * draw.rays[2].xyz;
-let normal = select(own.normal, -own.normal, dot(own.normal, ray) > 0.0);
-let albedo = linear_of(vec3<f32>(vec3<u32>(own.code, own.code >> 8u, own.code >> 16u) & vec3<u32>(255u)) / 255.0);
+let ellipse = ellipse_of(part, LAST - code - part.number);
+let ray = draw.rays[0].xyz + ellipse.middle.x * draw.rays[1].xyz + ellipse.middle.y * draw.rays[2].xyz;
+let normal = select(ellipse.normal, -ellipse.normal, dot(ellipse.normal, ray) > 0.0);
+let bytes = vec3<u32>(ellipse.code, ellipse.code >> 8u, ellipse.code >> 16u) & vec3<u32>(255u);
+let albedo = linear_of(vec3<f32>(bytes) / 255.0);
 let bits = vec3<u32>(srgb_of(albedo * irradiance(normal)) * 1023.0 + 0.5);
 atomicStore(&colors[sample], COLOR | (bits.x << 20u) | (bits.y << 10u) | bits.z);
 }
-${fe}`;function he(a,e){let r=u((b,P)=>{let w=[{buffer:{hasDynamicOffset:!0}},...P].map((x,g)=>({binding:g,visibility:b,...x}));return a.createBindGroupLayout({entries:w})},"layoutOf"),{COMPUTE:t,FRAGMENT:n,VERTEX:o}=GPUShaderStage,s={buffer:{type:"read-only-storage"}},i={buffer:{type:"storage"}},l=r(o|n,[]),c=r(t,[s,s,s,s,i,i,i]),d=r(t,[{texture:{sampleType:"depth"}},i]),f=r(n,[{texture:{sampleType:"unfilterable-float"}},s,s]),m=u((b,P)=>a.createShaderModule({label:b,code:P}),"moduleOf"),y=u((b,P,_)=>a.createComputePipeline({label:_,layout:a.createPipelineLayout({bindGroupLayouts:[b]}),compute:{module:P,entryPoint:_}}),"computed"),[p,h]=[m("splats",ye),m("resolve",pe)];return{numbered:l,splatLayout:c,beginLayout:d,resolveLayout:f,splats:y(c,p,"splats"),tiles:y(c,p,"farthest_of_tiles"),shade:y(c,p,"shade"),begin:y(d,m("begin",me),"begin"),resolve:a.createRenderPipeline({label:"resolve",layout:a.createPipelineLayout({bindGroupLayouts:[f]}),vertex:{module:h},fragment:{module:h,targets:[{format:e}]}})}}u(he,"kernelsOf");var F=class{constructor(e,r){this.common=e;this.#e=new ArrayBuffer(256*r)}common;static{u(this,"Numbers")}#e;#r=0;get all(){return new Uint32Array(this.#e)}put(e,{first:r=0,count:t=0,round:n=0,page:o=0}){let{projector:s,grid:i,nearest:l,parts:c}=this.common,d=256*this.#r,f=new Float32Array(this.#e,d,256/4);return[...s.rows,...s.rays].forEach((m,y)=>f.set(m,4*y)),new Uint32Array(this.#e,d+96,12).set([s.width,e.rows,e.first,i,r,t,n,0,c,o,0,0]),f[36]=l,this.#r+=1,d}};var be=`
-${R}
+${Ue}`;function ze(e,t){let r=n((G,I)=>{let R=[{buffer:{hasDynamicOffset:!0}},...I];return e.createBindGroupLayout({entries:R.map((N,h)=>({binding:h,visibility:G,...N}))})},"layoutOf"),{COMPUTE:a,FRAGMENT:i,VERTEX:o}=GPUShaderStage,s={buffer:{type:"read-only-storage"}},l={buffer:{type:"storage"}},u=r(o|i,[]),c=r(a,[s,s,s,s,l,l,l]),f=r(a,[{texture:{sampleType:"depth"}},l]),p=r(i,[{texture:{sampleType:"unfilterable-float"}},s,s]),w=n((G,I)=>e.createShaderModule({label:G,code:I}),"moduleOf"),g=n((G,I,R)=>e.createComputePipeline({label:R,layout:e.createPipelineLayout({bindGroupLayouts:[G]}),compute:{module:I,entryPoint:R}}),"computed"),[_,b]=[w("splats",Ae),w("resolve",Ee)];return{uniformLayout:u,splatLayout:c,beginLayout:f,resolveLayout:p,splats:g(c,_,"splats"),tiles:g(c,_,"farthest_of_tiles"),shade:g(c,_,"shade"),begin:g(f,w("begin",Me),"begin"),resolve:e.createRenderPipeline({label:"resolve",layout:e.createPipelineLayout({bindGroupLayouts:[p]}),vertex:{module:b},fragment:{module:b,targets:[{format:t}]}})}}n(ze,"kernelsOf");var ie=class{constructor(t,r){this.common=t;this.#e=new ArrayBuffer(256*r)}common;static{n(this,"Numbers")}#e;#r=0;get all(){return new Uint32Array(this.#e)}put(t,{first:r=0,count:a=0,round:i=0,page:o=0}){let{projector:s,grid:l,nearest:u,parts:c}=this.common,f=256*this.#r,p=new Float32Array(this.#e,f,256/4);return[...s.rows,...s.rays].forEach((w,g)=>p.set(w,4*g)),new Uint32Array(this.#e,f+96,12).set([s.width,t.rows,t.first,l,r,a,i,0,c,o,0,0]),p[36]=u,this.#r+=1,f}};var Be=`
+${Z}
 struct Mesh {
 offset: vec4<f32>,
 base: vec4<f32>,
@@ -380,7 +381,7 @@ emission: vec4<f32>,
 @group(2) @binding(0) var image: texture_2d<f32>;
 @group(2) @binding(1) var glow: texture_2d<f32>;
 @group(2) @binding(2) var smooth_texels: sampler;
-${E}
+${q}
 struct Corner {
 @builtin(position) place: vec4<f32>,
 @location(0) point: vec3<f32>,
@@ -390,7 +391,7 @@ struct Corner {
 }
 
 @vertex
-fn corner(
+fn transform(
 @location(0) position: vec3<f32>,
 @location(1) normal: vec3<f32>,
 @location(2) uv: vec2<f32>,
@@ -402,38 +403,28 @@ fn corner(
 let at = vec4<f32>(position, 1.0);
 var out: Corner;
 out.point = vec3<f32>(dot(row_x, at), dot(row_y, at), dot(row_z, at)) + mesh.offset.xyz;
-let x = cross(row_y.xyz, row_z.xyz);
-let y = cross(row_z.xyz, row_x.xyz);
-let z = cross(row_x.xyz, row_y.xyz);
-out.normal = vec3<f32>(dot(x, normal), dot(y, normal), dot(z, normal));
+let cofactors = mat3x3<f32>(cross(row_y.xyz, row_z.xyz), cross(row_z.xyz, row_x.xyz), cross(row_x.xyz, row_y.xyz));
+out.normal = normal * cofactors;
 out.uv = uv;
 out.color = color.rgb;
-let gradients = draw.gradients;
-let shown = vec3<f32>(
-dot(gradients[0].xyz, out.point),
-dot(gradients[1].xyz, out.point),
-dot(gradients[2].xyz, out.point),
-);
-let row = shown.y - f32(draw.size.z) * shown.z;
-out.place = vec4<f32>(
-2.0 * shown.x / f32(draw.size.x) - shown.z,
-shown.z - 2.0 * row / f32(draw.size.y),
-draw.nearest,
-shown.z,
-);
+let p = out.point;
+let xyw = vec3<f32>(dot(draw.gradients[0].xyz, p), dot(draw.gradients[1].xyz, p), dot(draw.gradients[2].xyz, p));
+let row = xyw.y - f32(draw.size.z) * xyw.z;
+let clip = vec2<f32>(2.0 * xyw.x / f32(draw.size.x) - xyw.z, xyw.z - 2.0 * row / f32(draw.size.y));
+out.place = vec4<f32>(clip, draw.nearest, xyw.z);
 return out;
 }
 
-fn shading_normal(own: Corner, face_vector: vec3<f32>) -> vec3<f32> {
-let toward = -normalize(own.point);
-let size = length(face_vector);
-var face = select(toward, face_vector / size, size > 0.0);
+fn shading_normal(corner: Corner, face_normal: vec3<f32>) -> vec3<f32> {
+let toward = -normalize(corner.point);
+let face_length = length(face_normal);
+var face = select(toward, face_normal / face_length, face_length > 0.0);
 face = select(face, -face, dot(face, toward) < 0.0);
-let long_normal = length(own.normal);
-if long_normal == 0.0 {
+let vertex_length = length(corner.normal);
+if vertex_length == 0.0 {
 return face;
 }
-let n = own.normal / long_normal;
+let n = corner.normal / vertex_length;
 return select(n, -n, dot(n, face) < 0.0);
 }
 
@@ -445,20 +436,20 @@ return 0.5 * log2(max(abs(dx.x * dy.y - dx.y * dy.x), 1e-30));
 }
 
 @fragment
-fn shade(own: Corner) -> @location(0) vec4<f32> {
-let normal = shading_normal(own, cross(dpdx(own.point), dpdy(own.point)));
-let right = dpdx(own.uv);
-let down = dpdy(own.uv);
-let texel = textureSampleLevel(image, smooth_texels, own.uv, level_of(image, right, down));
-let light = textureSampleLevel(glow, smooth_texels, own.uv, level_of(glow, right, down)).rgb;
-let alpha = mesh.base.a * textureSampleLevel(image, smooth_texels, own.uv, 0.0).a;
+fn shade(corner: Corner) -> @location(0) vec4<f32> {
+let normal = shading_normal(corner, cross(dpdx(corner.point), dpdy(corner.point)));
+let right = dpdx(corner.uv);
+let down = dpdy(corner.uv);
+let texel = textureSampleLevel(image, smooth_texels, corner.uv, level_of(image, right, down));
+let light = textureSampleLevel(glow, smooth_texels, corner.uv, level_of(glow, right, down)).rgb;
+let alpha = mesh.base.a * textureSampleLevel(image, smooth_texels, corner.uv, 0.0).a;
 if alpha < mesh.offset.w {
 discard;
 }
-let albedo = mesh.base.rgb * own.color * texel.rgb;
+let albedo = mesh.base.rgb * corner.color * texel.rgb;
 return vec4<f32>(albedo * mix(irradiance(normal), vec3<f32>(1.0), mesh.emission.w) + mesh.emission.rgb * light, 1.0);
 }
-`,ge=`
+`,Re=`
 @group(0) @binding(0) var finer: texture_2d<f32>;
 @group(0) @binding(1) var smooth_texels: sampler;
 
@@ -468,13 +459,13 @@ struct Corner {
 }
 
 @vertex
-fn whole(@builtin(vertex_index) n: u32) -> Corner {
+fn cover_picture(@builtin(vertex_index) n: u32) -> Corner {
 let at = vec2<f32>(f32(n & 1u) * 2.0, f32(n >> 1u) * 2.0);
 return Corner(vec4<f32>(at.x * 2.0 - 1.0, 1.0 - at.y * 2.0, 0.0, 1.0), at);
 }
 
 @fragment
-fn level(own: Corner) -> @location(0) vec4<f32> {
-return textureSampleLevel(finer, smooth_texels, own.uv, 0.0);
+fn level(corner: Corner) -> @location(0) vec4<f32> {
+return textureSampleLevel(finer, smooth_texels, corner.uv, 0.0);
 }
-`;var B="rgba8unorm-srgb",X="depth32float",ze=[{format:"float32x3",stride:12},{format:"float32x3",stride:12},{format:"float32x2",stride:8},{format:"unorm16x4",stride:8}],Le=0,Ae=12,D=class{constructor(e,r){this.device=e;this.uniformLayout=r;this.#e=e.createShaderModule({label:"meshes",code:be});let t=GPUShaderStage.FRAGMENT;this.#r=e.createBindGroupLayout({entries:[{binding:0,visibility:t,texture:{}},{binding:1,visibility:t,texture:{}},{binding:2,visibility:t,sampler:{}}]}),this.#t=e.createPipelineLayout({bindGroupLayouts:[r,r,this.#r]}),this.#n=new K(e),this.#o=e.createSampler({addressModeU:"repeat",addressModeV:"repeat",minFilter:"linear",magFilter:"linear",mipmapFilter:"linear"}),this.#a=this.#u(new Uint32Array([0,0,0,4294967295,4294967295]),GPUBufferUsage.VERTEX),this.#i=new G(e,"meshes",GPUBufferUsage.UNIFORM),this.#c(!0,!0,!0,!0)}device;uniformLayout;static{u(this,"Meshes")}#e;#r;#t;#n;#o;#a;#s=new Map;#i;upload(e){let{positions:r,normals:t,uvs:n,colors:o,placements:s,indices:i}=e,l=u(p=>p&&this.#u(p,GPUBufferUsage.VERTEX),"fill"),c=[r,t,n,o,s].map(l),d=[e.image,e.glow],f=[...c,this.#u(i,GPUBufferUsage.INDEX)],m=f.reduce((p,h)=>p+(h?.size??0),0);for(let p of d)m+=p?Math.ceil(16*p.width*p.height/3):0;let y=d.map(p=>p&&this.#n.upload(p));return{origin:e.origin,material:e.material,pipeline:this.#c(!0,t!==null,n!==null,o!==null),buffers:c,indices:f.at(-1),format:i instanceof Uint16Array?"uint16":"uint32",corners:i.length,instances:s.length/12,textures:y,group:this.#l(y),bytes:m}}drop({buffers:e,indices:r,textures:t}){for(let n of[...e,r,...t])n?.destroy()}record(e,r,t){let n=new Float32Array(256/4*r.length);r.forEach((i,l)=>n.set(Be(i,t),256/4*l));let o={buffer:this.#i.with(n),size:256},s=this.device.createBindGroup({layout:this.uniformLayout,entries:[{binding:0,resource:o}]});return r.reduce((i,l,c)=>(e.setPipeline(l.pipeline),e.setBindGroup(1,s,[256*c]),e.setBindGroup(2,l.group),l.buffers.forEach((d,f)=>{d?e.setVertexBuffer(f,d):e.setVertexBuffer(f,this.#a,f===3?Ae:Le)}),e.setIndexBuffer(l.indices,l.format),e.drawIndexed(l.corners,l.instances),i+l.corners/3*l.instances),0)}#l(e){let t=[...e.map((n,o)=>({binding:o,resource:(n??this.#n.white).createView()})),{binding:2,resource:this.#o}];return this.device.createBindGroup({layout:this.#r,entries:t})}#c(...e){let r=e.join(),t=this.#s.get(r);if(t)return t;let n=ze.map(({format:l,stride:c},d)=>({arrayStride:e[d]?c:0,attributes:[{shaderLocation:d,offset:0,format:l}]})),o=[0,1,2].map(l=>({shaderLocation:4+l,offset:16*l,format:"float32x4"})),s={arrayStride:48,stepMode:"instance",attributes:o},i=this.device.createRenderPipeline({label:"meshes",layout:this.#t,vertex:{module:this.#e,buffers:[...n,s]},fragment:{module:this.#e,targets:[{format:B}]},depthStencil:{format:X,depthWriteEnabled:!0,depthCompare:"greater"}});return this.#s.set(r,i),i}#u(e,r){let t=4*Math.ceil(Math.max(e.byteLength,4)/4),n=this.device.createBuffer({label:"mesh",size:t,usage:r,mappedAtCreation:!0});return new Uint8Array(n.getMappedRange()).set(new Uint8Array(e.buffer,e.byteOffset,e.byteLength)),n.unmap(),n}};function Be({origin:a,material:e},r){let{color:t,cutoff:n,emission:o,isUnlit:s}=e;return[...[a[0]-r[0],a[1]-r[1],a[2]-r[2]],n??-1,...t,...o??[0,0,0],s?1:0]}u(Be,"uniformsOf");var xe="rgba8unorm-srgb",K=class{constructor(e){this.device=e;let r=e.createShaderModule({label:"mipmaps",code:ge});this.#e=e.createRenderPipeline({label:"mipmaps",layout:"auto",vertex:{module:r},fragment:{module:r,targets:[{format:xe}]}}),this.#r=e.createSampler({minFilter:"linear",magFilter:"linear"}),this.white=this.#t(1,1),e.queue.writeTexture({texture:this.white},new Uint8Array([255,255,255,255]),{},[1,1])}device;static{u(this,"Textures")}#e;#r;white;upload(e){let{width:r,height:t}=e,n=this.#t(r,t);this.device.queue.copyExternalImageToTexture({source:e},{texture:n},[r,t]),e.close();let o=this.device.createCommandEncoder();for(let s=1;s<n.mipLevelCount;s++)this.#n(o,n,s);return this.device.queue.submit([o.finish()]),n}#t(e,r){return this.device.createTexture({label:"image",size:[e,r],format:xe,mipLevelCount:1+Math.floor(Math.log2(Math.max(e,r))),usage:GPUTextureUsage.TEXTURE_BINDING|GPUTextureUsage.COPY_DST|GPUTextureUsage.RENDER_ATTACHMENT})}#n(e,r,t){let n=u(i=>r.createView({baseMipLevel:i,mipLevelCount:1}),"view"),o=e.beginRenderPass({colorAttachments:[{view:n(t),loadOp:"clear",storeOp:"store"}]});o.setPipeline(this.#e);let s=[{binding:0,resource:n(t-1)},{binding:1,resource:this.#r}];o.setBindGroup(0,this.device.createBindGroup({layout:this.#e.getBindGroupLayout(0),entries:s})),o.draw(3),o.end()}};var Ie=1<<26;function ve(a,e,r,t){let{maxStorageBufferBindingSize:n,maxTextureDimension2D:o}=a.limits,s=Math.min(Math.min(n,Ie)/(4*e),o),i=Math.max(Math.floor(s/t),1)*t;return Array.from({length:Math.ceil(r/i)},(l,c)=>({number:c,first:c*i,rows:Math.min(i,r-c*i)}))}u(ve,"bandsOf");function Z(a,e){return Math.ceil(a/A)*Math.ceil(e/A)}u(Z,"tilesOf");var $=class{constructor(e){this.device=e;let r=u(t=>new G(e,t,GPUBufferUsage.STORAGE|GPUBufferUsage.COPY_SRC),"room");[this.#e,this.#r,this.#t]=[r("orders"),r("colors"),r("tiles")]}device;static{u(this,"Samples")}#e;#r;#t;#n=null;get counts(){return this.#t.ofSize(0)}buffers(e,r){let t=4*e*r,n=this.#t.ofSize(4*(1+Z(e,r)));return{orders:this.#e.ofSize(t),colors:this.#r.ofSize(t),tiles:n}}targets(e,r){let t=this.#n;if(t&&t.color.width===e&&t.color.height===r)return t;t?.color.destroy(),t?.depth.destroy();let n=GPUTextureUsage.RENDER_ATTACHMENT|GPUTextureUsage.TEXTURE_BINDING,o=u(s=>this.device.createTexture({label:"samples",size:[e,r],format:s,usage:n}),"made");return this.#n={color:o(B),depth:o(X)},this.#n}};var Pe=3;var Te=8,W=[1/16,1/8,1/4,1/2];function _e(a,e,r,t){let n=[],o=[],s=new Float32Array(4*L),i=0;for(let{layer:l,box:c}of a){let d=te(l.model,e),f=se(l.model,r,c),m=n.length/(4*L),y=o.length;for(let p of l.parts){let h=oe(d,p,e.width,e.height);if(!h||c&&!ae(f,p))continue;let{count:b}=p;o.push({view:m,first:l.first+Pe*p.first,number:i,count:b,place:h,page:l.page}),i+=b}o.length!==y&&(ie(s,l.model,d,f),n.push(...s))}return{views:new Float32Array(n),splats:i,...Fe(o,i,t)}}u(_e,"workOf");var[Ne,Ce]=(a=>[new Float32Array(a),new Uint32Array(a)])(new ArrayBuffer(4));function ke(a){return Ne[0]=a,Ce[0]+(Number.isFinite(a)?1:0)}u(ke,"orderOf");function Fe(a,e,r){let t=[...a].sort((c,d)=>De(d.place.nearness,c.place.nearness)),n=[...new Set(a.map(({page:c})=>c))],o=new Uint32Array(Te*a.length),s=new Map,i=[];for(let c of We(t,e)){let d=!0;for(let f of n){let m=c.filter(y=>y.page===f);if(m.length!==0){i.push({page:f,begins:d,first:s.size,count:m.length}),d=!1;for(let y of m)o.set($e(y,n.indexOf(f),r),Te*s.size),s.set(y,s.size)}}}let l=new Uint32Array(a.map(c=>s.get(c)));return{parts:o,listed:l,pages:n,calls:i}}u(Fe,"assignCalls");function De(a,e){return+(a>e)-+(a<e)}u(De,"compareNumbers");function $e({view:a,first:e,number:r,count:t,place:n},o,s){let{low:i,high:l,nearness:c}=n,d=ke(s*c);return[a,e,t,r,d,i[0]|i[1]<<16,l[0]|l[1]<<16,o]}u($e,"numbersOf");function We(a,e){let r=[],[t,n,o]=[[],0,0];for(let s of a)if(t.push(s),n+=s.count,!(o>=W.length||n<e*W[o])){for(;o<W.length&&n>=e*W[o];)o+=1;r.push(t),t=[]}return t.length>0&&r.push(t),r}u(We,"batchesOf");var H=class{constructor(e,r,t,n,o){this.context=e;this.layout=r;this.device=t;this.kernels=n;this.meshes=o;this.#e=new k(t),this.#r=new $(t),this.#t=new G(t,"calls",GPUBufferUsage.UNIFORM);let s=u(i=>new G(t,i,GPUBufferUsage.STORAGE),"room");[this.#n,this.#o,this.#a]=[s("views"),s("parts"),s("listed")],this.#s=t.createTexture({size:[1,1],format:B,usage:GPUTextureUsage.TEXTURE_BINDING})}context;layout;device;kernels;meshes;static{u(this,"WebgpuDrawer")}#e;#r;#t;#n;#o;#a;#s;#i=Promise.resolve();#l=0;unhidden=null;upload(e,{words:r,parts:t}){let n=this.#e.put(r);return{model:e,parts:t,page:n.page,first:n.first,place:n,bytes:n.bytes}}drop({place:e}){this.#e.free(e)}uploadMesh(e){return this.meshes.upload(e)}dropMesh(e){this.meshes.drop(e)}draw(e,r,t,n){let o=J(n,t.width,this.device.limits.maxTextureDimension2D),s=re({...t,width:t.width*o,height:t.height*o}),i=Q(r,e.length>0),l=_e(r,s,this.layout,i),c=ve(this.device,s.width,s.height,o),d=c.length*(1+4*l.calls.length+l.pages.length),f={meshes:e,projector:s,grid:o,rows:c[0]?.rows??0,work:l,numbers:new F({projector:s,grid:o,nearest:i,parts:l.listed.length},d),bound:{buffer:this.#t.ofSize(256*d),size:256},views:this.#n.with(l.views),parts:this.#o.with(l.parts),listed:this.#a.with(l.listed),target:this.context.getCurrentTexture().createView()},m=this.device.createCommandEncoder(),y=0;for(let h of c)y=this.#c(m,f,h);this.#t.with(f.numbers.all),this.#p(m,c);let p=2*l.calls.length+l.pages.length+e.length;return{splats:l.splats,triangles:y,calls:c.length*p}}get isDone(){return this.#l===0}finish(){return this.#i}#c(e,r,t){let{meshes:n,projector:o}=r,s=4*o.width*t.rows,{orders:i,colors:l,tiles:c}=this.#r.buffers(o.width,t.rows),d=n.length>0?this.#r.targets(o.width,r.rows):null;t.number===0&&e.clearBuffer(c,0,4),e.clearBuffer(l,0,s);let f=r.numbers.put(t,{}),m=0;if(d){m=this.#u(e,r,t,f,d);let p=this.#d(this.kernels.beginLayout,[r.bound,d.depth.createView(),{buffer:i}]),h=e.beginComputePass({label:"begin"});h.setPipeline(this.kernels.begin),h.setBindGroup(0,p,[f]),Ge(h,Math.ceil(o.width*t.rows/U)),h.end()}else e.clearBuffer(i,0,s);this.#f(e,r,t,[{buffer:c},{buffer:i},{buffer:l}]);let y=[r.bound,(d?.color??this.#s).createView(),{buffer:i},{buffer:l}];return this.#m(e,r,t,f,this.#d(this.kernels.resolveLayout,y)),m}#u(e,{meshes:r,projector:t,bound:n},{rows:o},s,{color:i,depth:l}){let c=e.beginRenderPass({label:"meshes",colorAttachments:[{view:i.createView(),loadOp:"clear",storeOp:"store"}],depthStencilAttachment:{view:l.createView(),depthClearValue:0,depthLoadOp:"clear",depthStoreOp:"store"}});c.setViewport(0,0,t.width,o,0,1),c.setBindGroup(0,this.#d(this.kernels.numbered,[n]),[s]);let d=this.meshes.record(c,r,t.eye);return c.end(),d}#f(e,{projector:r,work:t,numbers:n,bound:o,views:s,parts:i,listed:l},c,d){let f=new Map;for(let w of t.pages){let x=[s,i,l,w.buffer].map(g=>({buffer:g}));f.set(w,this.#d(this.kernels.splatLayout,[o,...x,...d]))}let m=e.beginComputePass({label:"splats"}),y=u((w,x,g,v)=>{m.setPipeline(w),m.setBindGroup(0,f.get(x),[n.put(c,v)]),Ge(m,g)},"call"),{splats:p,tiles:h,shade:b}=this.kernels,P=Math.ceil(Z(r.width,c.rows)/U);for(let w of[0,1])for(let[x,g]of t.calls.entries())g.begins&&(w===0||x===0)&&y(h,g.page,P,{}),y(p,g.page,g.count,{first:g.first,count:g.count,round:w});let _=Math.ceil(r.width*c.rows/U);for(let[w,x]of t.pages.entries())y(b,x,_,{page:w});m.end()}#m(e,{projector:r,grid:t,target:n},{number:o,first:s,rows:i},l,c){let d=o===0?"clear":"load",f=e.beginRenderPass({label:"show",colorAttachments:[{view:n,loadOp:d,storeOp:"store"}]});f.setPipeline(this.kernels.resolve),f.setBindGroup(0,c,[l]),f.setScissorRect(0,s/t,r.width/t,i/t),f.draw(3),f.end()}#p(e,r){let t=this.device.createBuffer({size:4,usage:GPUBufferUsage.MAP_READ|GPUBufferUsage.COPY_DST});r.length>0&&e.copyBufferToBuffer(this.#r.counts,0,t,0,4),this.device.queue.submit([e.finish()]),this.#l+=1;let n=u(()=>{this.unhidden=new Uint32Array(t.getMappedRange())[0]??0,t.destroy()},"read");this.#i=t.mapAsync(GPUMapMode.READ).then(n,()=>{}).finally(()=>this.#l-=1)}#d(e,r){let t=r.map((n,o)=>({binding:o,resource:n}));return this.device.createBindGroup({layout:e,entries:t})}};function Ge(a,e){a.dispatchWorkgroups(Math.min(e,M),Math.ceil(e/M))}u(Ge,"dispatch");var He="there is too little graphics memory: ?megabytes= in the address sets the limit";async function ft(a,e,r,t){let n=navigator.gpu.getPreferredCanvasFormat();r.pushErrorScope("validation");let o=he(r,n),s=new D(r,o.numbered),i=await r.popErrorScope();if(i)throw new Error(i.message);let l=a.getContext("webgpu");if(!l)throw new Error("this browser has no WebGPU for pictures");return l.configure({device:r,format:n,alphaMode:"opaque"}),Ve(r,t),new H(l,e,r,o,s)}u(ft,"start");function Ve(a,e){let[r,t]=[!1,!1],n=u(o=>{r||e(o,!0),r=!0},"lose");a.lost.then(({message:o,reason:s})=>s!=="destroyed"&&n(`the graphics device is lost: ${o}`)),a.onuncapturederror=({error:o})=>{o instanceof GPUOutOfMemoryError?t||e(He,!1):n(`the graphics fail: ${o.message}`),t||=o instanceof GPUOutOfMemoryError}}u(Ve,"tellFailures");export{ft as start};
+`;var K="rgba8unorm-srgb",fe="depth32float",er=[{format:"float32x3",stride:12},{format:"float32x3",stride:12},{format:"float32x2",stride:8},{format:"unorm16x4",stride:8}],rr=0,tr=12;function Ie(e,t){let r=e.createShaderModule({label:"meshes",code:Be}),a=GPUShaderStage.FRAGMENT,o=[{texture:{}},{texture:{}},{sampler:{}}].map((h,O)=>({binding:O,visibility:a,...h})),s=e.createBindGroupLayout({entries:o}),l=[t,t,s],u=e.createPipelineLayout({bindGroupLayouts:l}),c=or(e),f=e.createSampler({addressModeU:"repeat",addressModeV:"repeat",minFilter:"linear",magFilter:"linear",mipmapFilter:"linear"}),p=N(new Uint32Array([0,0,0,4294967295,4294967295]),GPUBufferUsage.VERTEX),w=new Map,g=new $(e,"meshes",GPUBufferUsage.UNIFORM);R(!0,!0,!0,!0);function _(h){let{positions:O,normals:E,uvs:P,colors:U,placements:y,indices:m}=h,d=[O,E,P,U,y].map(x=>x&&N(x,GPUBufferUsage.VERTEX)),S=[h.image,h.glow],v=[...d,N(m,GPUBufferUsage.INDEX)],T=v.reduce((x,M)=>x+(M?.size??0),0);for(let x of S)T+=x?Math.ceil(16*x.width*x.height/3):0;let A=S.map(x=>x&&c.upload(x));return{origin:h.origin,material:h.material,pipeline:R(!0,E!==null,P!==null,U!==null),buffers:d,indices:v.at(-1),format:m instanceof Uint16Array?"uint16":"uint32",corners:m.length,instances:y.length/12,textures:A,group:I(A),bytes:T}}n(_,"upload");function b({buffers:h,indices:O,textures:E}){for(let P of[...h,O,...E])P?.destroy()}n(b,"drop");function G(h,O,E){let P=new Float32Array(256/4*O.length);O.forEach((m,d)=>P.set(nr(m,E),256/4*d));let U={buffer:g.with(P),size:256},y=e.createBindGroup({layout:t,entries:[{binding:0,resource:U}]});return O.reduce((m,d,S)=>(h.setPipeline(d.pipeline),h.setBindGroup(1,y,[256*S]),h.setBindGroup(2,d.group),d.buffers.forEach((v,T)=>{v?h.setVertexBuffer(T,v):h.setVertexBuffer(T,p,T===3?tr:rr)}),h.setIndexBuffer(d.indices,d.format),h.drawIndexed(d.corners,d.instances),m+d.corners/3*d.instances),0)}n(G,"record");function I(h){let E=[...h.map(P=>(P??c.white).createView()),f].map((P,U)=>({binding:U,resource:P}));return e.createBindGroup({layout:s,entries:E})}n(I,"groupOf");function R(...h){let O=h.join(),E=w.get(O);if(E)return E;let P=er.map(({format:d,stride:S},v)=>({arrayStride:h[v]?S:0,attributes:[{shaderLocation:v,offset:0,format:d}]})),U=[0,1,2].map(d=>({shaderLocation:4+d,offset:16*d,format:"float32x4"})),y={arrayStride:48,stepMode:"instance",attributes:U},m=e.createRenderPipeline({label:"meshes",layout:u,vertex:{module:r,buffers:[...P,y]},fragment:{module:r,targets:[{format:K}]},depthStencil:{format:fe,depthWriteEnabled:!0,depthCompare:"greater"}});return w.set(O,m),m}n(R,"pipelineOf");function N(h,O){let E=4*Math.ceil(Math.max(h.byteLength,4)/4),P=e.createBuffer({label:"mesh",size:E,usage:O,mappedAtCreation:!0});return new Uint8Array(P.getMappedRange()).set(new Uint8Array(h.buffer,h.byteOffset,h.byteLength)),P.unmap(),P}return n(N,"bufferOf"),{upload:_,drop:b,record:G}}n(Ie,"createMeshes");function nr({origin:e,material:t},r){let{color:a,cutoff:i,emission:o,isUnlit:s}=t;return[...[e[0]-r[0],e[1]-r[1],e[2]-r[2]],i??-1,...a,...o??[0,0,0],s?1:0]}n(nr,"uniformsOf");function or(e){let t=e.createShaderModule({label:"mipmaps",code:Re}),r=e.createRenderPipeline({label:"mipmaps",layout:"auto",vertex:{module:t},fragment:{module:t,targets:[{format:K}]}}),a=e.createSampler({minFilter:"linear",magFilter:"linear"}),i=s(1,1);e.queue.writeTexture({texture:i},new Uint8Array([255,255,255,255]),{},[1,1]);function o(u){let{width:c,height:f}=u,p=s(c,f);e.queue.copyExternalImageToTexture({source:u},{texture:p},[c,f]),u.close();let w=e.createCommandEncoder();for(let g=1;g<p.mipLevelCount;g++)l(w,p,g);return e.queue.submit([w.finish()]),p}n(o,"upload");function s(u,c){return e.createTexture({label:"image",size:[u,c],format:K,mipLevelCount:1+Math.floor(Math.log2(Math.max(u,c))),usage:GPUTextureUsage.TEXTURE_BINDING|GPUTextureUsage.COPY_DST|GPUTextureUsage.RENDER_ATTACHMENT})}n(s,"createTexture");function l(u,c,f){let p=n(b=>c.createView({baseMipLevel:b,mipLevelCount:1}),"view"),w={view:p(f),loadOp:"clear",storeOp:"store"},g=u.beginRenderPass({colorAttachments:[w]});g.setPipeline(r);let _=[{binding:0,resource:p(f-1)},{binding:1,resource:a}];g.setBindGroup(0,e.createBindGroup({layout:r.getBindGroupLayout(0),entries:_})),g.draw(3),g.end()}return n(l,"drawMipmap"),{white:i,upload:o}}n(or,"createTextures");var ar=1<<26;function Ne(e,t,r,a){let{maxStorageBufferBindingSize:i,maxTextureDimension2D:o}=e.limits,s=Math.min(Math.min(i,ar)/(4*t),o),l=Math.max(Math.floor(s/a),1)*a;return Array.from({length:Math.ceil(r/l)},(u,c)=>({number:c,first:c*l,rows:Math.min(l,r-c*l)}))}n(Ne,"bandsOf");function de(e,t){return Math.ceil(e/re)*Math.ceil(t/re)}n(de,"tilesOf");function Ce(e){let t=GPUBufferUsage.STORAGE|GPUBufferUsage.COPY_SRC,r=n(l=>new $(e,l,t),"storage"),[a,i,o]=[r("orders"),r("colors"),r("tiles")],s=null;return{get counts(){return o.ofSize(0)},buffers(l,u){let c=4*l*u,f=4*(1+de(l,u));return{orders:a.ofSize(c),colors:i.ofSize(c),tiles:o.ofSize(f)}},targets(l,u){if(s&&s.color.width===l&&s.color.height===u)return s;s?.color.destroy(),s?.depth.destroy();let c=GPUTextureUsage.RENDER_ATTACHMENT|GPUTextureUsage.TEXTURE_BINDING,f=n(p=>e.createTexture({label:"samples",size:[l,u],format:p,usage:c}),"create");return s={color:f(K),depth:f(fe)},s}}}n(Ce,"createSamples");var De=3;var Fe=8,sr=[1/16,1/8,1/4,1/2];function ke(e,t,r,a){let i=[],o=[],s=new Float32Array(4*ee),l=0;for(let{layer:u,box:c}of e){let f=he(u.model,t),p=_e(u.model,r,c),w=i.length/(4*ee),g=o.length;for(let _ of u.parts){let b=we(f,_,t.width,t.height);if(!b||c&&!ve(p,_))continue;let G=u.first+De*_.first;o.push({view:w,firstWord:G,firstSplat:l,count:_.count,bounds:b,page:u.page}),l+=_.count}o.length!==g&&(Pe(s,u.model,f,p),i.push(...s))}return{views:new Float32Array(i),splats:l,...cr(o,l,a)}}n(ke,"workOf");var[ir,lr]=(e=>[new Float32Array(e),new Uint32Array(e)])(new ArrayBuffer(4));function ur(e){return ir[0]=e,lr[0]+(Number.isFinite(e)?1:0)}n(ur,"orderOf");function cr(e,t,r){let a=[...e].sort((c,f)=>fr(f.bounds.nearness,c.bounds.nearness)),i=[...new Set(e.map(({page:c})=>c))],o=new Uint32Array(Fe*e.length),s=new Map,l=[];for(let c of pr(a,t)){let f=!0;for(let p of i){let w=c.filter(g=>g.page===p);if(w.length!==0){l.push({page:p,begins:f,first:s.size,count:w.length}),f=!1;for(let g of w)o.set(dr(g,i.indexOf(p),r),Fe*s.size),s.set(g,s.size)}}}let u=new Uint32Array(e.map(c=>s.get(c)));return{parts:o,listed:u,pages:i,calls:l}}n(cr,"assignCalls");function fr(e,t){return+(e>t)-+(e<t)}n(fr,"compareNumbers");function dr(e,t,r){let{view:a,firstWord:i,firstSplat:o,count:s,bounds:l}=e,[u,c]=[l.low,l.high].map(([f,p])=>f|p<<16);return[a,i,s,o,ur(r*l.nearness),u,c,t]}n(dr,"wordsOf");function pr(e,t){let r=[[]],[a,i]=[0,0];for(let o of e){let s=sr.filter(l=>a>=t*l).length;s>i&&r.push([]),i=s,r.at(-1)?.push(o),a+=o.count}return r.filter(o=>o.length>0)}n(pr,"batchesOf");function We(e,t,r,a,i){let o=new se(r),s=Ce(r),l=new $(r,"calls",GPUBufferUsage.UNIFORM),u=n(y=>new $(r,y,GPUBufferUsage.STORAGE),"storage"),[c,f,p]=[u("views"),u("parts"),u("listed")],w=r.createTexture({size:[1,1],format:K,usage:GPUTextureUsage.TEXTURE_BINDING}),g=Promise.resolve(),_=0,b=null;function G(y,{words:m,parts:d}){return{model:y,parts:d,...o.put(m)}}n(G,"upload");function I(y){o.free(y)}n(I,"drop");function R(y,m,d,S){let v=me(S,d.width,r.limits.maxTextureDimension2D),T=be({...d,width:d.width*v,height:d.height*v}),A=pe(m,y.length>0),x=ke(m,T,t,A),M=Ne(r,T.width,T.height,v),L=M.length*(1+4*x.calls.length+x.pages.length),B=r.createCommandEncoder(),z={encoder:B,meshes:y,projector:T,grid:v,rows:M[0]?.rows??0,work:x,numbers:new ie({projector:T,grid:v,nearest:A,parts:x.listed.length},L),bound:{buffer:l.ofSize(256*L),size:256},views:c.with(x.views),parts:f.with(x.parts),listed:p.with(x.listed),target:e.getCurrentTexture().createView()},F=0;for(let Q of M)F=N(z,Q);l.with(z.numbers.all),P(B,M);let H=2*x.calls.length+x.pages.length+y.length;return{splats:x.splats,triangles:F,calls:M.length*H}}n(R,"draw");function N(y,m){let{encoder:d,meshes:S,projector:v}=y,T=4*v.width*m.rows,{orders:A,colors:x,tiles:M}=s.buffers(v.width,m.rows),L=S.length>0?s.targets(v.width,y.rows):null;m.number===0&&d.clearBuffer(M,0,4),d.clearBuffer(x,0,T);let B=y.numbers.put(m,{}),z=0;if(L){z=h(y,m,B,L);let Q=[y.bound,L.depth.createView(),{buffer:A}],Y=d.beginComputePass({label:"begin"});Y.setPipeline(a.begin),Y.setBindGroup(0,U(a.beginLayout,Q),[B]),$e(Y,Math.ceil(v.width*m.rows/W)),Y.end()}else d.clearBuffer(A,0,T);O(y,m,[{buffer:M},{buffer:A},{buffer:x}]);let F=(L?.color??w).createView(),H=[y.bound,F,{buffer:A},{buffer:x}];return E(y,m,B,U(a.resolveLayout,H)),z}n(N,"drawBand");function h(y,{rows:m},d,{color:S,depth:v}){let{encoder:T,meshes:A,projector:x,bound:M}=y,L=v.createView(),B=T.beginRenderPass({label:"meshes",colorAttachments:[{view:S.createView(),loadOp:"clear",storeOp:"store"}],depthStencilAttachment:{view:L,depthClearValue:0,depthLoadOp:"clear",depthStoreOp:"store"}});B.setViewport(0,0,x.width,m,0,1),B.setBindGroup(0,U(a.uniformLayout,[M]),[d]);let z=i.record(B,A,x.eye);return B.end(),z}n(h,"drawMeshes");function O(y,m,d){let{encoder:S,projector:v,work:T,numbers:A,bound:x,views:M,parts:L,listed:B}=y,z=new Map;for(let k of T.pages){let V=[M,L,B,k.buffer].map(D=>({buffer:D}));z.set(k,U(a.splatLayout,[x,...V,...d]))}let F=S.beginComputePass({label:"splats"}),H=n((k,V,D,Ye)=>{F.setPipeline(k),F.setBindGroup(0,z.get(V),[A.put(m,Ye)]),$e(F,D)},"call"),{splats:Q,tiles:Y,shade:He}=a,Ve=Math.ceil(de(v.width,m.rows)/W);for(let k of[0,1])for(let[V,D]of T.calls.entries())D.begins&&(k===0||V===0)&&H(Y,D.page,Ve,{}),H(Q,D.page,D.count,{first:D.first,count:D.count,round:k});let Ke=Math.ceil(v.width*m.rows/W);for(let[k,V]of T.pages.entries())H(He,V,Ke,{page:k});F.end()}n(O,"drawSplats");function E(y,{number:m,first:d,rows:S},v,T){let{encoder:A,projector:x,grid:M,target:L}=y,B={view:L,loadOp:m===0?"clear":"load",storeOp:"store"},z=A.beginRenderPass({label:"show",colorAttachments:[B]});z.setPipeline(a.resolve),z.setBindGroup(0,T,[v]),z.setScissorRect(0,d/M,x.width/M,S/M),z.draw(3),z.end()}n(E,"show");function P(y,m){let d=r.createBuffer({size:4,usage:GPUBufferUsage.MAP_READ|GPUBufferUsage.COPY_DST});m.length>0&&y.copyBufferToBuffer(s.counts,0,d,0,4),r.queue.submit([y.finish()]),_+=1;let S=n(()=>{b=new Uint32Array(d.getMappedRange())[0]??0,d.destroy()},"read");g=d.mapAsync(GPUMapMode.READ).then(S,()=>{}).finally(()=>_-=1)}n(P,"submit");function U(y,m){let d=m.map((S,v)=>({binding:v,resource:S}));return r.createBindGroup({layout:y,entries:d})}return n(U,"createGroup"),{upload:G,drop:I,meshes:i,draw:R,get isDone(){return _===0},finish:n(()=>g,"finish"),get unhidden(){return b}}}n(We,"createWebgpuDrawer");function $e(e,t){e.dispatchWorkgroups(Math.min(t,X),Math.ceil(t/X))}n($e,"dispatch");var mr="there is too little graphics memory: ?megabytes= in the address sets the limit";async function It(e,t,r,a){let i=navigator.gpu.getPreferredCanvasFormat();r.pushErrorScope("validation");let o=ze(r,i),s=Ie(r,o.uniformLayout),l=await r.popErrorScope();if(l)throw new Error(l.message);let u=e.getContext("webgpu");if(!u)throw new Error("this browser has no WebGPU for pictures");return u.configure({device:r,format:i,alphaMode:"opaque"}),yr(r,a),We(u,t,r,o,s)}n(It,"start");function yr(e,t){let[r,a]=[!1,!1],i=n(o=>{r||t(o,!0),r=!0},"lose");e.lost.then(({message:o,reason:s})=>{s!=="destroyed"&&i(`the graphics device is lost: ${o}`)}),e.onuncapturederror=({error:o})=>{o instanceof GPUOutOfMemoryError?a||t(mr,!1):i(`the graphics fail: ${o.message}`),a||=o instanceof GPUOutOfMemoryError}}n(yr,"tellFailures");export{It as start};

@@ -1,17 +1,10 @@
 /** Programs and the sample buffer in WebGL 2. */
 
-export interface Program {
-  readonly program: WebGLProgram;
-  /** Location of a uniform. */
-  at(name: string): WebGLUniformLocation | null;
-}
+export type Program = ReturnType<typeof programOf>;
 
-export function programOf(gl: WebGL2RenderingContext, vertex: string, fragment: string): Program {
+export function programOf(gl: WebGL2RenderingContext, vertex: string, fragment: string) {
   const program = gl.createProgram();
-  for (const [kind, source] of [
-    [gl.VERTEX_SHADER, vertex],
-    [gl.FRAGMENT_SHADER, fragment],
-  ] as const) {
+  for (const [kind, source] of [[gl.VERTEX_SHADER, vertex], [gl.FRAGMENT_SHADER, fragment]] as const) {
     const shader = gl.createShader(kind);
     if (!shader) throw new Error('the graphics context is lost');
     gl.shaderSource(shader, source);
@@ -24,26 +17,21 @@ export function programOf(gl: WebGL2RenderingContext, vertex: string, fragment: 
     const logs = (gl.getAttachedShaders(program) ?? []).map((shader) => gl.getShaderInfoLog(shader));
     throw new Error(`a shader does not compile: ${[...logs, gl.getProgramInfoLog(program)].filter(Boolean).join(' ')}`);
   }
-  const places = new Map<string, WebGLUniformLocation | null>();
+  const locations = new Map<string, WebGLUniformLocation | null>();
   return {
     program,
-    at(name) {
-      if (!places.has(name)) places.set(name, gl.getUniformLocation(program, name));
-      return places.get(name) ?? null;
+    /** Location of a uniform. */
+    at(name: string): WebGLUniformLocation | null {
+      if (!locations.has(name)) locations.set(name, gl.getUniformLocation(program, name));
+      return locations.get(name) ?? null;
     },
   };
 }
 
-/** Sample buffer: colours, with alpha marking samples of splats, and depths. */
-export interface Target {
-  readonly frame: WebGLFramebuffer;
-  readonly color: WebGLTexture;
-  readonly width: number;
-  readonly height: number;
-  dispose(): void;
-}
+/** Sample buffer: colours, whose alpha is greater than 0 where a splat or a mesh is, and depths. */
+export type Target = ReturnType<typeof targetOf>;
 
-export function targetOf(gl: WebGL2RenderingContext, width: number, height: number): Target {
+export function targetOf(gl: WebGL2RenderingContext, width: number, height: number) {
   const [frame, color, depth] = [gl.createFramebuffer(), gl.createTexture(), gl.createRenderbuffer()];
   gl.bindTexture(gl.TEXTURE_2D, color);
   // Linear light, stored as 8-bit sRGB.
@@ -61,7 +49,7 @@ export function targetOf(gl: WebGL2RenderingContext, width: number, height: numb
     color,
     width,
     height,
-    dispose() {
+    dispose(): void {
       gl.deleteFramebuffer(frame);
       gl.deleteTexture(color);
       gl.deleteRenderbuffer(depth);

@@ -3,8 +3,8 @@ import { ROWS } from '../../../decode/placements';
 import type { Piece } from '../../decode/leaf';
 import type { Triple } from '../../store/layout';
 import type { Projector } from '../sight';
-import { type Program, programOf } from './gl';
-import { MESH_FRAGMENT, MESH_VERTEX } from './mesh_shaders';
+import { programOf } from './gl';
+import { MESH_FRAGMENT, MESH_VERTEX } from './shaders';
 
 /** A piece of geometry on the GPU. */
 export interface Mesh {
@@ -20,53 +20,40 @@ export interface Mesh {
   readonly bytes: number;
 }
 
-export interface Drawn {
-  readonly triangles: number;
-  readonly calls: number;
-}
+export function createMeshes(gl: WebGL2RenderingContext) {
+  const { at, program } = programOf(gl, MESH_VERTEX, MESH_FRAGMENT);
+  const white = gl.createTexture();
+  gl.bindTexture(gl.TEXTURE_2D, white);
+  gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA, 1, 1, 0, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array([255, 255, 255, 255]));
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
 
-export class Meshes {
-  readonly #gl: WebGL2RenderingContext;
-  readonly #program: Program;
-  readonly #white: WebGLTexture;
-
-  constructor(gl: WebGL2RenderingContext) {
-    this.#gl = gl;
-    this.#program = programOf(gl, MESH_VERTEX, MESH_FRAGMENT);
-    this.#white = gl.createTexture();
-    gl.bindTexture(gl.TEXTURE_2D, this.#white);
-    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA, 1, 1, 0, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array([255, 255, 255, 255]));
-    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
-  }
-
-  upload(piece: Piece): Mesh {
-    const gl = this.#gl;
+  function upload(piece: Piece): Mesh {
     const array = gl.createVertexArray();
     gl.bindVertexArray(array);
     const buffers: WebGLBuffer[] = [];
-    const fill = (target: number, data: ArrayBufferView<ArrayBuffer>): void => {
+    const fillBuffer = (target: number, data: ArrayBufferView<ArrayBuffer>): void => {
       const buffer = gl.createBuffer();
       buffers.push(buffer);
       gl.bindBuffer(target, buffer);
       gl.bufferData(target, data, gl.STATIC_DRAW);
     };
-    const attribute = (place: number, data: Float32Array | Uint16Array | null, width: number): number => {
+    const addAttribute = (place: number, data: Float32Array | Uint16Array | null, width: number): number => {
       if (!data) return 0;
-      fill(gl.ARRAY_BUFFER, data as ArrayBufferView<ArrayBuffer>);
+      fillBuffer(gl.ARRAY_BUFFER, data as ArrayBufferView<ArrayBuffer>);
       const isFloat = data instanceof Float32Array;
       gl.enableVertexAttribArray(place);
       gl.vertexAttribPointer(place, width, isFloat ? gl.FLOAT : gl.UNSIGNED_SHORT, !isFloat, 0, 0);
       return data.byteLength;
     };
-    let bytes = attribute(0, piece.positions, 3) + attribute(1, piece.normals, 3);
-    bytes += attribute(2, piece.uvs, 2) + attribute(3, piece.colors, 4);
-    fill(gl.ARRAY_BUFFER, piece.placements as ArrayBufferView<ArrayBuffer>);
+    let bytes = addAttribute(0, piece.positions, 3) + addAttribute(1, piece.normals, 3);
+    bytes += addAttribute(2, piece.uvs, 2) + addAttribute(3, piece.colors, 4);
+    fillBuffer(gl.ARRAY_BUFFER, piece.placements as ArrayBufferView<ArrayBuffer>);
     for (let row = 0; row < 3; row++) {
       gl.enableVertexAttribArray(4 + row);
       gl.vertexAttribPointer(4 + row, 4, gl.FLOAT, false, 4 * ROWS, 16 * row);
       gl.vertexAttribDivisor(4 + row, 1);
     }
-    fill(gl.ELEMENT_ARRAY_BUFFER, piece.indices as ArrayBufferView<ArrayBuffer>);
+    fillBuffer(gl.ELEMENT_ARRAY_BUFFER, piece.indices as ArrayBufferView<ArrayBuffer>);
     gl.bindVertexArray(null);
     const images = [piece.image, piece.glow];
     // Mipmaps add a third.
@@ -76,7 +63,7 @@ export class Meshes {
       material: piece.material,
       array,
       buffers,
-      textures: images.map((image) => (image ? this.#textureOf(image) : null)),
+      textures: images.map((image) => (image ? createTexture(image) : null)),
       kind: piece.indices instanceof Uint16Array ? gl.UNSIGNED_SHORT : gl.UNSIGNED_INT,
       corners: piece.indices.length,
       copies: piece.placements.length / ROWS,
@@ -84,15 +71,14 @@ export class Meshes {
     };
   }
 
-  drop({ array, buffers, textures }: Mesh): void {
-    this.#gl.deleteVertexArray(array);
-    for (const buffer of buffers) this.#gl.deleteBuffer(buffer);
-    for (const texture of textures) this.#gl.deleteTexture(texture);
+  function drop({ array, buffers, textures }: Mesh): void {
+    gl.deleteVertexArray(array);
+    for (const buffer of buffers) gl.deleteBuffer(buffer);
+    for (const texture of textures) gl.deleteTexture(texture);
   }
 
-  /** Draws meshes into the bound samples; depths are `nearest` divided by distance along the axis. */
-  draw(meshes: readonly Mesh[], { eye, rows, width, height }: Projector, nearest: number): Drawn {
-    const [gl, { at, program }] = [this.#gl, this.#program];
+  /** Draws meshes into the bound samples with `nearest` as the near distance; returns the number of triangles. */
+  function draw(meshes: readonly Mesh[], { eye, rows, width, height }: Projector, nearest: number): number {
     gl.useProgram(program);
     gl.uniform3fv(at('gradients'), rows.flat());
     gl.uniform2f(at('screen'), width, height);
@@ -110,7 +96,7 @@ export class Meshes {
       gl.uniform1f(at('unlit'), material.isUnlit ? 1 : 0);
       textures.forEach((texture, unit) => {
         gl.activeTexture(gl.TEXTURE0 + unit);
-        gl.bindTexture(gl.TEXTURE_2D, texture ?? this.#white);
+        gl.bindTexture(gl.TEXTURE_2D, texture ?? white);
       });
       gl.bindVertexArray(mesh.array);
       // Stand-ins for missing arrays of a piece: face normals, and white.
@@ -120,11 +106,10 @@ export class Meshes {
       triangles += (corners / 3) * copies;
     }
     gl.bindVertexArray(null);
-    return { triangles, calls: meshes.length };
+    return triangles;
   }
 
-  #textureOf(image: ImageBitmap): WebGLTexture {
-    const gl = this.#gl;
+  function createTexture(image: ImageBitmap): WebGLTexture {
     const texture = gl.createTexture();
     gl.bindTexture(gl.TEXTURE_2D, texture);
     gl.texImage2D(gl.TEXTURE_2D, 0, gl.SRGB8_ALPHA8, gl.RGBA, gl.UNSIGNED_BYTE, image);
@@ -133,4 +118,6 @@ export class Meshes {
     image.close();
     return texture;
   }
+
+  return { upload, drop, draw };
 }

@@ -1,8 +1,8 @@
-/** GLSL of splats, of light and of the picture's samples. */
-import { BACKGROUND, float, IRRADIANCE, LINEAR, SRGB } from '../../../shaders/light';
-import { BORDER, MIN_COSINE, SQUARED_RADIUS, VECTORS } from '../sight';
+/** GLSL of splats, of the picture's samples, and of the geometry of near leaves. */
+import { BACKGROUND, float, IRRADIANCE, LEVEL_OF, LINEAR, SHADING_NORMAL, SRGB } from '../../../shaders/light';
+import { BORDER_FACTOR, MIN_COSINE, SQUARED_RADIUS, VECTORS_PER_VIEW } from '../sight';
 
-export const HEAD = /* glsl */ `#version 300 es
+const HEAD = /* glsl */ `#version 300 es
 precision highp float;
 precision highp int;
 `;
@@ -13,7 +13,7 @@ precision highp int;
  */
 export const SPLAT_VERTEX = /* glsl */ `${HEAD}
 layout(location = 0) in uvec3 splat;
-uniform vec4 view[${VECTORS}];
+uniform vec4 view[${VECTORS_PER_VIEW}];
 // The camera's gradients of X, Y and W, and the rays through the corner, a sample to the right and one down.
 uniform vec3 gradients[3];
 uniform vec3 rays[3];
@@ -51,7 +51,7 @@ void main() {
   vec3 u = view[1].xyz + dot(view[4].xyz, normal) * facing * view[3].xyz;
   vec3 v = view[2].xyz - dot(view[5].xyz, normal) * facing * view[3].xyz;
   bool is_surfel = (splat.z >> 24 & 1u) == 1u;
-  float factor = is_surfel ? ((splat.z >> 25 & 1u) == 1u ? 1.0 : ${float(BORDER)}) : 0.0;
+  float factor = is_surfel ? ((splat.z >> 25 & 1u) == 1u ? 1.0 : ${float(BORDER_FACTOR)}) : 0.0;
 
   // The ellipse's axes in the picture, and the changes of nearness along them.
   vec2 du = (u.xy - middle * u.z) * inverse_w * factor;
@@ -62,9 +62,8 @@ void main() {
   if (is_surfel) {
     // A surfel seen edge-on is a line: only the sample of its centre shows it.
     bool is_flat = abs(determinant) <= 1.2e-7 * (abs(du.x) + abs(dv.x)) * (abs(du.y) + abs(dv.y));
-    float inverse = is_flat ? 0.0 : 1.0 / determinant;
-    v_inverse = is_flat ? vec4(1e9) : vec4(dv.y, -dv.x, -du.y, du.x) * inverse;
-    vec4 change = vec4(dv.y, -dv.x, -du.y, du.x) * inverse;
+    vec4 change = vec4(dv.y, -dv.x, -du.y, du.x) * (is_flat ? 0.0 : 1.0 / determinant);
+    v_inverse = is_flat ? vec4(1e9) : change;
     v_nearness = vec3(inverse_w, slope.x * change.x + slope.y * change.z, slope.x * change.y + slope.y * change.w);
     half_size = is_flat ? vec2(0.0) : RADIUS * sqrt(vec2(du.x * du.x + dv.x * dv.x, du.y * du.y + dv.y * dv.y));
   } else {
@@ -150,5 +149,72 @@ void main() {
     }
   }
   shade = vec4(srgb_of(sum / float(grid * grid)), 1.0);
+}
+`;
+
+export const MESH_VERTEX = /* glsl */ `${HEAD}
+layout(location = 0) in vec3 position;
+// Zero for flat shading.
+layout(location = 1) in vec3 normal;
+layout(location = 2) in vec2 uv;
+layout(location = 3) in vec4 color;
+// Rows of the matrix to metres from the leaf's origin, which lies at an offset from the eye.
+layout(location = 4) in vec4 row_x;
+layout(location = 5) in vec4 row_y;
+layout(location = 6) in vec4 row_z;
+uniform vec3 offset;
+// The camera's gradients of X, Y and W.
+uniform vec3 gradients[3];
+uniform vec2 screen;
+// Near distance in metres: depths are this divided by the distance along the axis.
+uniform float nearest;
+out vec3 v_point;
+out vec3 v_normal;
+out vec2 v_uv;
+out vec3 v_color;
+
+void main() {
+  vec4 at = vec4(position, 1.0);
+  v_point = vec3(dot(row_x, at), dot(row_y, at), dot(row_z, at)) + offset;
+  // Normals are transformed by the cofactor matrix, for any scale and handedness.
+  v_normal = normal * mat3(cross(row_y.xyz, row_z.xyz), cross(row_z.xyz, row_x.xyz), cross(row_x.xyz, row_y.xyz));
+  v_uv = uv;
+  v_color = color.rgb;
+  vec3 xyw = vec3(dot(gradients[0], v_point), dot(gradients[1], v_point), dot(gradients[2], v_point));
+  vec2 clip = 2.0 * xyw.xy / screen - xyw.z;
+  gl_Position = vec4(clip.x, -clip.y, xyw.z - 2.0 * nearest, xyw.z);
+}
+`;
+
+export const MESH_FRAGMENT = /* glsl */ `${HEAD}
+uniform sampler2D image;
+uniform sampler2D glow;
+uniform vec4 base;
+uniform vec3 emission;
+// Least alpha that is drawn; negative for opaque materials.
+uniform float cutoff;
+uniform float unlit;
+uniform float nearest;
+in vec3 v_point;
+in vec3 v_normal;
+in vec2 v_uv;
+in vec3 v_color;
+out vec4 shade;
+${IRRADIANCE}
+${SHADING_NORMAL}
+${LEVEL_OF}
+void main() {
+  vec3 normal = shading_normal(cross(dFdx(v_point), dFdy(v_point)), -normalize(v_point), v_normal);
+  vec2 right = dFdx(v_uv);
+  vec2 down = dFdy(v_uv);
+  vec4 texel = textureLod(image, v_uv, level_of(textureSize(image, 0), right, down));
+  vec3 light = textureLod(glow, v_uv, level_of(textureSize(glow, 0), right, down)).rgb;
+  if (base.a * textureLod(image, v_uv, 0.0).a < cutoff) {
+    discard;
+  }
+  vec3 albedo = base.rgb * v_color * texel.rgb;
+  shade = vec4(albedo * mix(irradiance(normal), vec3(1.0), unlit) + emission * light, 1.0);
+  // Same as for splats: the near distance divided by the distance along the axis.
+  gl_FragDepth = nearest * gl_FragCoord.w;
 }
 `;

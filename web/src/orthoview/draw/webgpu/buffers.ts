@@ -1,18 +1,14 @@
-/** Buffers of numbers that change with each picture, and pages of views, so that one call draws many of them. */
+/** Buffers of numbers that change with each picture, and pages of views, so that one call draws many views. */
 import type { GpuResource } from '../drawer';
 
 /** Bytes between two sets of uniforms, because dynamic offsets are aligned. */
 export const SLOT = 256;
 
 /** Buffer that grows as needed. */
-export class Room {
+export class GrowingBuffer {
   #buffer: GPUBuffer | null = null;
 
-  constructor(
-    readonly device: GPUDevice,
-    readonly label: string,
-    readonly usage: GPUBufferUsageFlags,
-  ) {}
+  constructor(readonly device: GPUDevice, readonly label: string, readonly usage: GPUBufferUsageFlags) {}
 
   /** Returns a buffer of at least this many bytes; growth loses its content. */
   ofSize(bytes: number): GPUBuffer {
@@ -25,7 +21,7 @@ export class Room {
   }
 
   /** Returns a buffer that begins with these numbers. */
-  with(numbers: Float32Array<ArrayBuffer> | Uint32Array<ArrayBuffer>): GPUBuffer {
+  write(numbers: Float32Array<ArrayBuffer> | Uint32Array<ArrayBuffer>): GPUBuffer {
     const buffer = this.ofSize(numbers.byteLength);
     this.device.queue.writeBuffer(buffer, 0, numbers);
     return buffer;
@@ -33,12 +29,12 @@ export class Room {
 }
 
 /** Least number of 32-bit words in a page: 32 MB. */
-const PAGE = 1 << 23;
-/** Alignment of all places in words. */
-const UNIT = 64;
+const MIN_PAGE_WORDS = 1 << 23;
+/** Alignment of all ranges, words. */
+const ALIGNMENT_WORDS = 64;
 
 /** Range of words in a page. */
-export interface Place extends GpuResource {
+export interface PageRange extends GpuResource {
   readonly page: Page;
   readonly first: number;
   readonly words: number;
@@ -62,25 +58,25 @@ export class Arena {
   constructor(readonly device: GPUDevice) {}
 
   /** Uploads words to the GPU. */
-  put(words: Uint32Array<ArrayBuffer>): Place {
-    const wanted = Math.max(Math.ceil(words.length / UNIT), 1) * UNIT;
-    const { page, gap } = this.#find(wanted) ?? this.#grow(wanted);
-    const place: Place = { page, first: gap.first, words: wanted, bytes: 4 * wanted };
-    gap.first += wanted;
-    gap.words -= wanted;
+  put(words: Uint32Array<ArrayBuffer>): PageRange {
+    const wordCount = Math.max(Math.ceil(words.length / ALIGNMENT_WORDS), 1) * ALIGNMENT_WORDS;
+    const { page, gap } = this.#find(wordCount) ?? this.#grow(wordCount);
+    const range: PageRange = { page, first: gap.first, words: wordCount, bytes: 4 * wordCount };
+    gap.first += wordCount;
+    gap.words -= wordCount;
     if (gap.words === 0) page.gaps.splice(page.gaps.indexOf(gap), 1);
-    this.device.queue.writeBuffer(page.buffer, 4 * place.first, words);
-    return place;
+    this.device.queue.writeBuffer(page.buffer, 4 * range.first, words);
+    return range;
   }
 
-  /** Frees a place. */
-  free({ page, first, words }: Place): void {
+  /** Frees a range. */
+  free({ page, first, words }: PageRange): void {
     const { gaps } = page;
     const next = gaps.findIndex((gap) => gap.first > first);
-    const at = next < 0 ? gaps.length : next;
-    gaps.splice(at, 0, { first, words });
-    this.#join(gaps, at);
-    this.#join(gaps, at - 1);
+    const index = next < 0 ? gaps.length : next;
+    gaps.splice(index, 0, { first, words });
+    this.#join(gaps, index);
+    this.#join(gaps, index - 1);
     if (gaps[0]?.words !== page.words) return;
     // Destroying a buffer does not affect pictures that were submitted before.
     page.buffer.destroy();
@@ -105,9 +101,10 @@ export class Arena {
 
   #grow(words: number): { page: Page; gap: Gap } {
     const { maxBufferSize, maxStorageBufferBindingSize } = this.device.limits;
-    const most = Math.floor(Math.min(maxBufferSize, maxStorageBufferBindingSize) / 4 / UNIT) * UNIT;
-    if (words > most) throw new Error(`a view of ${4 * words} bytes is larger than the graphics allow`);
-    const size = Math.min(Math.max(words, PAGE), most);
+    const maxBytes = Math.min(maxBufferSize, maxStorageBufferBindingSize);
+    const maxWords = Math.floor(maxBytes / 4 / ALIGNMENT_WORDS) * ALIGNMENT_WORDS;
+    if (words > maxWords) throw new Error(`a view of ${4 * words} bytes is larger than the graphics allow`);
+    const size = Math.min(Math.max(words, MIN_PAGE_WORDS), maxWords);
     const usage = GPUBufferUsage.STORAGE | GPUBufferUsage.COPY_DST;
     const buffer = this.device.createBuffer({ label: 'page of views', size: 4 * size, usage });
     const gap = { first: 0, words: size };

@@ -1,27 +1,24 @@
 /** Draws views with WebGPU: compute shaders raise the depths of samples, and the nearest splats set their colours. */
 import type { Camera } from '../../cut/camera';
-import type { Piece } from '../../decode/leaf';
 import type { Part, Splats } from '../../decode/pack';
 import type { Layout } from '../../store/layout';
-import { type Drawer, type FrameCounts, gridOf, type GpuResource, type Item, nearDistanceOf } from '../drawer';
+import { type Drawer, type FrameCounts, gridOf, type Item, nearDistanceOf } from '../drawer';
 import { type Model, type Projector, projectorOf } from '../sight';
-import { Arena, type Page, type Place, Room, SLOT } from './buffers';
-import { type Called, type Kernels, Numbers } from './kernels';
+import { Arena, GrowingBuffer, type Page, type PageRange, SLOT } from './buffers';
+import { type CallUniforms, type Kernels, Numbers } from './kernels';
 import { COLOR, type Mesh, type Meshes } from './meshes';
 import { GROUP, ROW } from './sample_shaders';
-import { type Band, bandsOf, Samples, type Targets, tilesOf } from './samples';
+import { type Band, bandsOf, createSamples, type Targets, tilesOf } from './samples';
 import { type Work, workOf } from './work';
 
 /** Layer of a view on the GPU. */
-export interface Layer extends GpuResource {
+export interface Layer extends PageRange {
   readonly model: Model;
   readonly parts: readonly Part[];
-  readonly page: Page;
-  readonly first: number;
-  readonly place: Place;
 }
 
 interface Picture {
+  readonly encoder: GPUCommandEncoder;
   readonly meshes: readonly Mesh[];
   /** Projector of the samples. */
   readonly projector: Projector;
@@ -31,169 +28,131 @@ interface Picture {
   readonly work: Work<Page>;
   readonly numbers: Numbers;
   /** Uniforms of one call, selected by a dynamic offset. */
-  readonly bound: GPUBufferBinding;
+  readonly uniformBinding: GPUBufferBinding;
   readonly views: GPUBuffer;
   readonly parts: GPUBuffer;
-  readonly listed: GPUBuffer;
+  readonly partOrder: GPUBuffer;
   readonly target: GPUTextureView;
 }
 
-export class WebgpuDrawer implements Drawer<Layer, Mesh> {
-  readonly #arena: Arena;
-  readonly #samples: Samples;
-  readonly #numbers: Room;
-  readonly #views: Room;
-  readonly #parts: Room;
-  readonly #listed: Room;
+/** Creates a drawer for the context of a canvas, whose format is that of the kernels. */
+export function createWebgpuDrawer(
+  context: GPUCanvasContext,
+  layout: Layout,
+  device: GPUDevice,
+  kernels: Kernels,
+  meshDrawer: Meshes,
+): Drawer<Layer, Mesh> {
+  const arena = new Arena(device);
+  const samples = createSamples(device);
+  const uniformBuffer = new GrowingBuffer(device, 'calls', GPUBufferUsage.UNIFORM);
+  const storage = (label: string): GrowingBuffer => new GrowingBuffer(device, label, GPUBufferUsage.STORAGE);
+  const [viewBuffer, partBuffer, listBuffer] = [storage('views'), storage('parts'), storage('partOrder')];
   /** Placeholder for the geometry of pictures without any. */
-  readonly #nothing: GPUTexture;
-  #done: Promise<void> = Promise.resolve();
+  const emptyTexture = device.createTexture({ size: [1, 1], format: COLOR, usage: GPUTextureUsage.TEXTURE_BINDING });
+  let done: Promise<void> = Promise.resolve();
   /** Number of submitted pictures that are not finished. */
-  #coming = 0;
-  unhidden: number | null = null;
+  let unfinished = 0;
+  let unhidden: number | null = null;
 
-  constructor(
-    /** Context of a canvas, for the format of the kernels. */
-    readonly context: GPUCanvasContext,
-    readonly layout: Layout,
-    readonly device: GPUDevice,
-    readonly kernels: Kernels,
-    readonly meshes: Meshes,
-  ) {
-    this.#arena = new Arena(device);
-    this.#samples = new Samples(device);
-    this.#numbers = new Room(device, 'calls', GPUBufferUsage.UNIFORM);
-    const room = (label: string): Room => new Room(device, label, GPUBufferUsage.STORAGE);
-    [this.#views, this.#parts, this.#listed] = [room('views'), room('parts'), room('listed')];
-    this.#nothing = device.createTexture({ size: [1, 1], format: COLOR, usage: GPUTextureUsage.TEXTURE_BINDING });
+  function upload(model: Model, { words, parts }: Splats): Layer {
+    return { model, parts, ...arena.put(words) };
   }
 
-  upload(model: Model, { words, parts }: Splats): Layer {
-    const place = this.#arena.put(words);
-    return { model, parts, page: place.page, first: place.first, place, bytes: place.bytes };
+  function drop(layer: Layer): void {
+    arena.free(layer);
   }
 
-  drop({ place }: Layer): void {
-    this.#arena.free(place);
-  }
-
-  uploadMesh(piece: Piece): Mesh {
-    return this.meshes.upload(piece);
-  }
-
-  dropMesh(mesh: Mesh): void {
-    this.meshes.drop(mesh);
-  }
-
-  draw(meshes: readonly Mesh[], items: readonly Item<Layer>[], camera: Camera, wanted: number): FrameCounts {
-    const grid = gridOf(wanted, camera.width, this.device.limits.maxTextureDimension2D);
+  function draw(meshes: readonly Mesh[], items: readonly Item<Layer>[], camera: Camera, maxGrid: number): FrameCounts {
+    const grid = gridOf(maxGrid, camera.width, device.limits.maxTextureDimension2D);
     const projector = projectorOf({ ...camera, width: camera.width * grid, height: camera.height * grid });
     const nearest = nearDistanceOf(items, meshes.length > 0);
-    const work = workOf(items, projector, this.layout, nearest);
-    const bands = bandsOf(this.device, projector.width, projector.height, grid);
+    const work = workOf(items, projector, layout, nearest);
+    const bands = bandsOf(device, projector.width, projector.height, grid);
     const calls = bands.length * (1 + 4 * work.calls.length + work.pages.length);
+    const encoder = device.createCommandEncoder();
     const picture: Picture = {
+      encoder,
       meshes,
       projector,
       grid,
       rows: bands[0]?.rows ?? 0,
       work,
-      numbers: new Numbers({ projector, grid, nearest, parts: work.listed.length }, calls),
-      bound: { buffer: this.#numbers.ofSize(SLOT * calls), size: SLOT },
-      views: this.#views.with(work.views),
-      parts: this.#parts.with(work.parts),
-      listed: this.#listed.with(work.listed),
-      target: this.context.getCurrentTexture().createView(),
+      numbers: new Numbers({ projector, grid, nearest, parts: work.partOrder.length }, calls),
+      uniformBinding: { buffer: uniformBuffer.ofSize(SLOT * calls), size: SLOT },
+      views: viewBuffer.write(work.views),
+      parts: partBuffer.write(work.parts),
+      partOrder: listBuffer.write(work.partOrder),
+      target: context.getCurrentTexture().createView(),
     };
-    const encoder = this.device.createCommandEncoder();
     let triangles = 0;
-    for (const band of bands) triangles = this.#drawBand(encoder, picture, band);
-    this.#numbers.with(picture.numbers.all);
-    this.#submit(encoder, bands);
-    const drawn = 2 * work.calls.length + work.pages.length + meshes.length;
-    return { splats: work.splats, triangles, calls: bands.length * drawn };
-  }
-
-  get isDone(): boolean {
-    return this.#coming === 0;
-  }
-
-  finish(): Promise<void> {
-    return this.#done;
+    for (const band of bands) triangles = drawBand(picture, band);
+    uniformBuffer.write(picture.numbers.all);
+    submit(encoder, bands);
+    const callsPerBand = 2 * work.calls.length + work.pages.length + meshes.length;
+    return { splats: work.splats, triangles, calls: bands.length * callsPerBand };
   }
 
   /** Records the commands of a band; returns the number of triangles of its geometry. */
-  #drawBand(encoder: GPUCommandEncoder, picture: Picture, band: Band): number {
-    const { meshes, projector } = picture;
+  function drawBand(picture: Picture, band: Band): number {
+    const { encoder, meshes, projector } = picture;
     const bytes = 4 * projector.width * band.rows;
-    const { orders, colors, tiles } = this.#samples.buffers(projector.width, band.rows);
-    const targets = meshes.length > 0 ? this.#samples.targets(projector.width, picture.rows) : null;
+    const { orders, colors, tiles } = samples.buffers(projector.width, band.rows);
+    const targets = meshes.length > 0 ? samples.targets(projector.width, picture.rows) : null;
     if (band.number === 0) encoder.clearBuffer(tiles, 0, 4);
     encoder.clearBuffer(colors, 0, bytes);
     const slot = picture.numbers.put(band, {});
     let triangles = 0;
     if (targets) {
-      triangles = this.#drawMeshes(encoder, picture, band, slot, targets);
-      const group = this.#group(this.kernels.beginLayout, [picture.bound, targets.depth.createView(), { buffer: orders }]);
+      triangles = drawMeshes(picture, band, slot, targets);
+      const resources = [picture.uniformBinding, targets.depth.createView(), { buffer: orders }];
       const pass = encoder.beginComputePass({ label: 'begin' });
-      pass.setPipeline(this.kernels.begin);
-      pass.setBindGroup(0, group, [slot]);
+      pass.setPipeline(kernels.begin);
+      pass.setBindGroup(0, createGroup(kernels.beginLayout, resources), [slot]);
       dispatch(pass, Math.ceil((projector.width * band.rows) / GROUP));
       pass.end();
     } else encoder.clearBuffer(orders, 0, bytes);
-    this.#drawSplats(encoder, picture, band, [{ buffer: tiles }, { buffer: orders }, { buffer: colors }]);
-    const found = [picture.bound, (targets?.color ?? this.#nothing).createView(), { buffer: orders }, { buffer: colors }];
-    this.#show(encoder, picture, band, slot, this.#group(this.kernels.resolveLayout, found));
+    drawSplats(picture, band, [{ buffer: tiles }, { buffer: orders }, { buffer: colors }]);
+    const geometry = (targets?.color ?? emptyTexture).createView();
+    const resources = [picture.uniformBinding, geometry, { buffer: orders }, { buffer: colors }];
+    show(picture, band, slot, createGroup(kernels.resolveLayout, resources));
     return triangles;
   }
 
-  #drawMeshes(
-    encoder: GPUCommandEncoder,
-    { meshes, projector, bound }: Picture,
-    { rows }: Band,
-    slot: number,
-    { color, depth }: Targets,
-  ): number {
+  function drawMeshes(picture: Picture, { rows }: Band, slot: number, { color, depth }: Targets): number {
+    const { encoder, meshes, projector, uniformBinding } = picture;
+    const view = depth.createView();
     const pass = encoder.beginRenderPass({
       label: 'meshes',
       colorAttachments: [{ view: color.createView(), loadOp: 'clear', storeOp: 'store' }],
-      depthStencilAttachment: {
-        view: depth.createView(),
-        depthClearValue: 0,
-        depthLoadOp: 'clear',
-        depthStoreOp: 'store',
-      },
+      depthStencilAttachment: { view, depthClearValue: 0, depthLoadOp: 'clear', depthStoreOp: 'store' },
     });
     pass.setViewport(0, 0, projector.width, rows, 0, 1);
-    pass.setBindGroup(0, this.#group(this.kernels.numbered, [bound]), [slot]);
-    const triangles = this.meshes.record(pass, meshes, projector.eye);
+    pass.setBindGroup(0, createGroup(kernels.uniformLayout, [uniformBinding]), [slot]);
+    const triangles = meshDrawer.record(pass, meshes, projector.eye);
     pass.end();
     return triangles;
   }
 
   /** Draws the nearest parts first, so that occluded parts are culled; then the visible splats, and their light. */
-  #drawSplats(
-    encoder: GPUCommandEncoder,
-    { projector, work, numbers, bound, views, parts, listed }: Picture,
-    band: Band,
-    found: readonly GPUBindingResource[],
-  ): void {
+  function drawSplats(picture: Picture, band: Band, outputs: readonly GPUBindingResource[]): void {
+    const { encoder, projector, work, numbers, uniformBinding, views, parts, partOrder } = picture;
     const groups = new Map<Page, GPUBindGroup>();
     for (const page of work.pages) {
-      const given = [views, parts, listed, page.buffer].map((buffer) => ({ buffer }));
-      groups.set(page, this.#group(this.kernels.splatLayout, [bound, ...given, ...found]));
+      const inputs = [views, parts, partOrder, page.buffer].map((buffer) => ({ buffer }));
+      groups.set(page, createGroup(kernels.splatLayout, [uniformBinding, ...inputs, ...outputs]));
     }
     const pass = encoder.beginComputePass({ label: 'splats' });
-    const call = (pipeline: GPUComputePipeline, page: Page, count: number, called: Called): void => {
+    const call = (pipeline: GPUComputePipeline, page: Page, count: number, uniforms: CallUniforms): void => {
       pass.setPipeline(pipeline);
-      pass.setBindGroup(0, groups.get(page) as GPUBindGroup, [numbers.put(band, called)]);
+      pass.setBindGroup(0, groups.get(page) as GPUBindGroup, [numbers.put(band, uniforms)]);
       dispatch(pass, count);
     };
-    const { splats, tiles, shade } = this.kernels;
+    const { splats, tiles, shade } = kernels;
     const groupsOfTiles = Math.ceil(tilesOf(projector.width, band.rows) / GROUP);
     for (const round of [0, 1]) {
       for (const [n, each] of work.calls.entries()) {
-        if (each.begins && (round === 0 || n === 0)) call(tiles, each.page, groupsOfTiles, {});
+        if (each.startsBatch && (round === 0 || n === 0)) call(tiles, each.page, groupsOfTiles, {});
         call(splats, each.page, each.count, { first: each.first, count: each.count, round });
       }
     }
@@ -202,42 +161,48 @@ export class WebgpuDrawer implements Drawer<Layer, Mesh> {
     pass.end();
   }
 
-  #show(
-    encoder: GPUCommandEncoder,
-    { projector, grid, target }: Picture,
-    { number, first, rows }: Band,
-    slot: number,
-    group: GPUBindGroup,
-  ): void {
-    const loadOp = number === 0 ? 'clear' : 'load';
-    const pass = encoder.beginRenderPass({
-      label: 'show',
-      colorAttachments: [{ view: target, loadOp, storeOp: 'store' }],
-    });
-    pass.setPipeline(this.kernels.resolve);
+  function show(picture: Picture, { number, first, rows }: Band, slot: number, group: GPUBindGroup): void {
+    const { encoder, projector, grid, target } = picture;
+    const attachment = { view: target, loadOp: number === 0 ? 'clear' : 'load', storeOp: 'store' } as const;
+    const pass = encoder.beginRenderPass({ label: 'show', colorAttachments: [attachment] });
+    pass.setPipeline(kernels.resolve);
     pass.setBindGroup(0, group, [slot]);
     pass.setScissorRect(0, first / grid, projector.width / grid, rows / grid);
     pass.draw(3);
     pass.end();
   }
 
-  #submit(encoder: GPUCommandEncoder, bands: readonly Band[]): void {
-    const count = this.device.createBuffer({ size: 4, usage: GPUBufferUsage.MAP_READ | GPUBufferUsage.COPY_DST });
-    if (bands.length > 0) encoder.copyBufferToBuffer(this.#samples.counts, 0, count, 0, 4);
-    this.device.queue.submit([encoder.finish()]);
-    this.#coming += 1;
+  function submit(encoder: GPUCommandEncoder, bands: readonly Band[]): void {
+    const count = device.createBuffer({ size: 4, usage: GPUBufferUsage.MAP_READ | GPUBufferUsage.COPY_DST });
+    if (bands.length > 0) encoder.copyBufferToBuffer(samples.counts, 0, count, 0, 4);
+    device.queue.submit([encoder.finish()]);
+    unfinished += 1;
     const read = (): void => {
-      this.unhidden = new Uint32Array(count.getMappedRange())[0] ?? 0;
+      unhidden = new Uint32Array(count.getMappedRange())[0] ?? 0;
       count.destroy();
     };
     // The device reports its loss itself.
-    this.#done = count.mapAsync(GPUMapMode.READ).then(read, () => undefined).finally(() => (this.#coming -= 1));
+    done = count.mapAsync(GPUMapMode.READ).then(read, () => undefined).finally(() => (unfinished -= 1));
   }
 
-  #group(layout: GPUBindGroupLayout, resources: readonly GPUBindingResource[]): GPUBindGroup {
+  function createGroup(layout: GPUBindGroupLayout, resources: readonly GPUBindingResource[]): GPUBindGroup {
     const entries = resources.map((resource, binding) => ({ binding, resource }));
-    return this.device.createBindGroup({ layout, entries });
+    return device.createBindGroup({ layout, entries });
   }
+
+  return {
+    upload,
+    drop,
+    meshes: meshDrawer,
+    draw,
+    get isDone() {
+      return unfinished === 0;
+    },
+    finish: () => done,
+    get unhidden() {
+      return unhidden;
+    },
+  };
 }
 
 /** Dispatches workgroups in rows, because the length of a row is limited. */

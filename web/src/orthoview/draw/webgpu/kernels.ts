@@ -5,64 +5,53 @@ import { BEGIN, RESOLVE } from './sample_shaders';
 import type { Band } from './samples';
 import { SPLATS } from './splat_shaders';
 
-export interface Kernels {
-  /** Bind group layouts: uniforms at a dynamic offset, alone and together with the resources of each pipeline. */
-  readonly numbered: GPUBindGroupLayout;
-  readonly splatLayout: GPUBindGroupLayout;
-  readonly beginLayout: GPUBindGroupLayout;
-  readonly resolveLayout: GPUBindGroupLayout;
-  readonly splats: GPUComputePipeline;
-  readonly tiles: GPUComputePipeline;
-  readonly shade: GPUComputePipeline;
-  readonly begin: GPUComputePipeline;
-  readonly resolve: GPURenderPipeline;
-}
+export type Kernels = ReturnType<typeof kernelsOf>;
 
 /** Creates the pipelines of a device for a canvas of a format. */
-export function kernelsOf(device: GPUDevice, format: GPUTextureFormat): Kernels {
+export function kernelsOf(device: GPUDevice, format: GPUTextureFormat) {
+  /** Creates the layout of a bind group: uniforms at a dynamic offset, then other resources. */
   const layoutOf = (
     visibility: GPUShaderStageFlags,
     resources: readonly Omit<GPUBindGroupLayoutEntry, 'binding' | 'visibility'>[],
   ): GPUBindGroupLayout => {
     const all = [{ buffer: { hasDynamicOffset: true } }, ...resources];
-    const entries = all.map((resource, binding) => ({ binding, visibility, ...resource }));
-    return device.createBindGroupLayout({ entries });
+    return device.createBindGroupLayout({ entries: all.map((entry, binding) => ({ binding, visibility, ...entry })) });
   };
   const { COMPUTE, FRAGMENT, VERTEX } = GPUShaderStage;
   const read = { buffer: { type: 'read-only-storage' as const } };
   const write = { buffer: { type: 'storage' as const } };
-  const numbered = layoutOf(VERTEX | FRAGMENT, []);
+  const uniformLayout = layoutOf(VERTEX | FRAGMENT, []);
   const splatLayout = layoutOf(COMPUTE, [read, read, read, read, write, write, write]);
   const beginLayout = layoutOf(COMPUTE, [{ texture: { sampleType: 'depth' } }, write]);
   const resolveLayout = layoutOf(FRAGMENT, [{ texture: { sampleType: 'unfilterable-float' } }, read, read]);
   const moduleOf = (label: string, code: string): GPUShaderModule => device.createShaderModule({ label, code });
-  const computed = (layout: GPUBindGroupLayout, module: GPUShaderModule, entryPoint: string): GPUComputePipeline =>
+  const computePipeline = (layout: GPUBindGroupLayout, module: GPUShaderModule, entryPoint: string): GPUComputePipeline =>
     device.createComputePipeline({
       label: entryPoint,
       layout: device.createPipelineLayout({ bindGroupLayouts: [layout] }),
       compute: { module, entryPoint },
     });
-  const [splats, shown] = [moduleOf('splats', SPLATS), moduleOf('resolve', RESOLVE)];
+  const [splatModule, resolveModule] = [moduleOf('splats', SPLATS), moduleOf('resolve', RESOLVE)];
   return {
-    numbered,
+    uniformLayout,
     splatLayout,
     beginLayout,
     resolveLayout,
-    splats: computed(splatLayout, splats, 'splats'),
-    tiles: computed(splatLayout, splats, 'farthest_of_tiles'),
-    shade: computed(splatLayout, splats, 'shade'),
-    begin: computed(beginLayout, moduleOf('begin', BEGIN), 'begin'),
+    splats: computePipeline(splatLayout, splatModule, 'splats'),
+    tiles: computePipeline(splatLayout, splatModule, 'farthest_of_tiles'),
+    shade: computePipeline(splatLayout, splatModule, 'shade'),
+    begin: computePipeline(beginLayout, moduleOf('begin', BEGIN), 'begin'),
     resolve: device.createRenderPipeline({
       label: 'resolve',
       layout: device.createPipelineLayout({ bindGroupLayouts: [resolveLayout] }),
-      vertex: { module: shown },
-      fragment: { module: shown, targets: [{ format }] },
+      vertex: { module: resolveModule },
+      fragment: { module: resolveModule, targets: [{ format }] },
     }),
   };
 }
 
 /** Uniforms that are the same for all calls. */
-export interface Common {
+export interface CommonUniforms {
   /** Projector of the samples. */
   readonly projector: Projector;
   readonly grid: number;
@@ -72,7 +61,7 @@ export interface Common {
   readonly parts: number;
 }
 
-export interface Called {
+export interface CallUniforms {
   /** First part of the range [first, first + count). */
   readonly first?: number;
   readonly count?: number;
@@ -86,7 +75,7 @@ export class Numbers {
   #used = 0;
 
   constructor(
-    readonly common: Common,
+    readonly common: CommonUniforms,
     /** Greatest number of calls. */
     calls: number,
   ) {
@@ -98,18 +87,18 @@ export class Numbers {
   }
 
   /** Adds a call; returns the byte offset of its uniforms. */
-  put(band: Band, { first = 0, count = 0, round = 0, page = 0 }: Called): number {
+  put(band: Band, { first = 0, count = 0, round = 0, page = 0 }: CallUniforms): number {
     const { projector, grid, nearest, parts } = this.common;
-    const at = SLOT * this.#used;
-    const floats = new Float32Array(this.#data, at, SLOT / 4);
+    const offset = SLOT * this.#used;
+    const floats = new Float32Array(this.#data, offset, SLOT / 4);
     [...projector.rows, ...projector.rays].forEach((vector, n) => floats.set(vector, 4 * n));
-    new Uint32Array(this.#data, at + 96, 12).set([
+    new Uint32Array(this.#data, offset + 96, 12).set([
       ...[projector.width, band.rows, band.first, grid],
       ...[first, count, round, 0],
       ...[parts, page, 0, 0],
     ]);
     floats[36] = nearest;
     this.#used += 1;
-    return at;
+    return offset;
   }
 }

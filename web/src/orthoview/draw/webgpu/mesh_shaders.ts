@@ -26,7 +26,7 @@ struct Corner {
 }
 
 @vertex
-fn corner(
+fn transform(
   @location(0) position: vec3<f32>,
   // Zero for flat shading.
   @location(1) normal: vec3<f32>,
@@ -41,40 +41,30 @@ fn corner(
   var out: Corner;
   out.point = vec3<f32>(dot(row_x, at), dot(row_y, at), dot(row_z, at)) + mesh.offset.xyz;
   // Normals are transformed by the cofactor matrix, for any scale and handedness.
-  let x = cross(row_y.xyz, row_z.xyz);
-  let y = cross(row_z.xyz, row_x.xyz);
-  let z = cross(row_x.xyz, row_y.xyz);
-  out.normal = vec3<f32>(dot(x, normal), dot(y, normal), dot(z, normal));
+  let cofactors = mat3x3<f32>(cross(row_y.xyz, row_z.xyz), cross(row_z.xyz, row_x.xyz), cross(row_x.xyz, row_y.xyz));
+  out.normal = normal * cofactors;
   out.uv = uv;
   out.color = color.rgb;
-  let gradients = draw.gradients;
-  let shown = vec3<f32>(
-    dot(gradients[0].xyz, out.point),
-    dot(gradients[1].xyz, out.point),
-    dot(gradients[2].xyz, out.point),
-  );
-  let row = shown.y - f32(draw.size.z) * shown.z;
+  let p = out.point;
+  let xyw = vec3<f32>(dot(draw.gradients[0].xyz, p), dot(draw.gradients[1].xyz, p), dot(draw.gradients[2].xyz, p));
+  let row = xyw.y - f32(draw.size.z) * xyw.z;
+  let clip = vec2<f32>(2.0 * xyw.x / f32(draw.size.x) - xyw.z, xyw.z - 2.0 * row / f32(draw.size.y));
   // Depths are the near distance divided by the distance along the axis, as for splats.
-  out.place = vec4<f32>(
-    2.0 * shown.x / f32(draw.size.x) - shown.z,
-    shown.z - 2.0 * row / f32(draw.size.y),
-    draw.nearest,
-    shown.z,
-  );
+  out.place = vec4<f32>(clip, draw.nearest, xyw.z);
   return out;
 }
 
-// The face's normal towards the viewer; the vertices' one on its side.
-fn shading_normal(own: Corner, face_vector: vec3<f32>) -> vec3<f32> {
-  let toward = -normalize(own.point);
-  let size = length(face_vector);
-  var face = select(toward, face_vector / size, size > 0.0);
+// Normal of the vertices, or that of the face if it has length 0, on the side of the face that the viewer sees.
+fn shading_normal(corner: Corner, face_normal: vec3<f32>) -> vec3<f32> {
+  let toward = -normalize(corner.point);
+  let face_length = length(face_normal);
+  var face = select(toward, face_normal / face_length, face_length > 0.0);
   face = select(face, -face, dot(face, toward) < 0.0);
-  let long_normal = length(own.normal);
-  if long_normal == 0.0 {
+  let vertex_length = length(corner.normal);
+  if vertex_length == 0.0 {
     return face;
   }
-  let n = own.normal / long_normal;
+  let n = corner.normal / vertex_length;
   return select(n, -n, dot(n, face) < 0.0);
 }
 
@@ -87,17 +77,17 @@ fn level_of(texture: texture_2d<f32>, right: vec2<f32>, down: vec2<f32>) -> f32 
 }
 
 @fragment
-fn shade(own: Corner) -> @location(0) vec4<f32> {
-  let normal = shading_normal(own, cross(dpdx(own.point), dpdy(own.point)));
-  let right = dpdx(own.uv);
-  let down = dpdy(own.uv);
-  let texel = textureSampleLevel(image, smooth_texels, own.uv, level_of(image, right, down));
-  let light = textureSampleLevel(glow, smooth_texels, own.uv, level_of(glow, right, down)).rgb;
-  let alpha = mesh.base.a * textureSampleLevel(image, smooth_texels, own.uv, 0.0).a;
+fn shade(corner: Corner) -> @location(0) vec4<f32> {
+  let normal = shading_normal(corner, cross(dpdx(corner.point), dpdy(corner.point)));
+  let right = dpdx(corner.uv);
+  let down = dpdy(corner.uv);
+  let texel = textureSampleLevel(image, smooth_texels, corner.uv, level_of(image, right, down));
+  let light = textureSampleLevel(glow, smooth_texels, corner.uv, level_of(glow, right, down)).rgb;
+  let alpha = mesh.base.a * textureSampleLevel(image, smooth_texels, corner.uv, 0.0).a;
   if alpha < mesh.offset.w {
     discard;
   }
-  let albedo = mesh.base.rgb * own.color * texel.rgb;
+  let albedo = mesh.base.rgb * corner.color * texel.rgb;
   return vec4<f32>(albedo * mix(irradiance(normal), vec3<f32>(1.0), mesh.emission.w) + mesh.emission.rgb * light, 1.0);
 }
 `;
@@ -113,13 +103,13 @@ struct Corner {
 }
 
 @vertex
-fn whole(@builtin(vertex_index) n: u32) -> Corner {
+fn cover_picture(@builtin(vertex_index) n: u32) -> Corner {
   let at = vec2<f32>(f32(n & 1u) * 2.0, f32(n >> 1u) * 2.0);
   return Corner(vec4<f32>(at.x * 2.0 - 1.0, 1.0 - at.y * 2.0, 0.0, 1.0), at);
 }
 
 @fragment
-fn level(own: Corner) -> @location(0) vec4<f32> {
-  return textureSampleLevel(finer, smooth_texels, own.uv, 0.0);
+fn level(corner: Corner) -> @location(0) vec4<f32> {
+  return textureSampleLevel(finer, smooth_texels, corner.uv, 0.0);
 }
 `;

@@ -3,10 +3,10 @@ import { ROWS } from '../../../decode/placements';
 import type { Piece } from '../../decode/leaf';
 import type { Triple } from '../../store/layout';
 import type { GpuResource } from '../drawer';
-import { Room, SLOT } from './buffers';
+import { GrowingBuffer, SLOT } from './buffers';
 import { LEVEL, MESHES } from './mesh_shaders';
 
-/** Format of colour samples: linear light as 8-bit sRGB. */
+/** Format of textures and of colour samples: linear light as 8-bit sRGB. */
 export const COLOR = 'rgba8unorm-srgb';
 /** Format of depth samples, which are greater for nearer points. */
 export const DEPTH = 'depth32float';
@@ -38,92 +38,74 @@ const ZEROS = 0;
 /** Byte offset of white, which replaces missing colours. */
 const WHITE = 12;
 
-export class Meshes {
-  readonly #module: GPUShaderModule;
-  readonly #texturesLayout: GPUBindGroupLayout;
-  readonly #layout: GPUPipelineLayout;
-  readonly #images: Textures;
-  readonly #sampler: GPUSampler;
-  readonly #standIns: GPUBuffer;
-  readonly #pipelines = new Map<string, GPURenderPipeline>();
-  readonly #uniforms: Room;
+export type Meshes = ReturnType<typeof createMeshes>;
 
-  constructor(
-    readonly device: GPUDevice,
-    /** Layout of a uniform buffer with a dynamic offset. */
-    readonly uniformLayout: GPUBindGroupLayout,
-  ) {
-    this.#module = device.createShaderModule({ label: 'meshes', code: MESHES });
-    const visibility = GPUShaderStage.FRAGMENT;
-    this.#texturesLayout = device.createBindGroupLayout({
-      entries: [
-        { binding: 0, visibility, texture: {} },
-        { binding: 1, visibility, texture: {} },
-        { binding: 2, visibility, sampler: {} },
-      ],
-    });
-    this.#layout = device.createPipelineLayout({
-      bindGroupLayouts: [uniformLayout, uniformLayout, this.#texturesLayout],
-    });
-    this.#images = new Textures(device);
-    this.#sampler = device.createSampler({
-      addressModeU: 'repeat',
-      addressModeV: 'repeat',
-      minFilter: 'linear',
-      magFilter: 'linear',
-      mipmapFilter: 'linear',
-    });
-    this.#standIns = this.#bufferOf(new Uint32Array([0, 0, 0, 0xffffffff, 0xffffffff]), GPUBufferUsage.VERTEX);
-    this.#uniforms = new Room(device, 'meshes', GPUBufferUsage.UNIFORM);
-    // Compiles now, so that shaders rejected by the browser are reported before anything is drawn.
-    this.#pipelineOf(true, true, true, true);
-  }
+/** Creates meshes for a device; `uniformLayout` is that of a uniform buffer with a dynamic offset. */
+export function createMeshes(device: GPUDevice, uniformLayout: GPUBindGroupLayout) {
+  const module = device.createShaderModule({ label: 'meshes', code: MESHES });
+  const visibility = GPUShaderStage.FRAGMENT;
+  const resources = [{ texture: {} }, { texture: {} }, { sampler: {} }];
+  const layoutEntries = resources.map((resource, binding) => ({ binding, visibility, ...resource }));
+  const texturesLayout = device.createBindGroupLayout({ entries: layoutEntries });
+  const bindGroupLayouts = [uniformLayout, uniformLayout, texturesLayout];
+  const layout = device.createPipelineLayout({ bindGroupLayouts });
+  const textureStore = createTextures(device);
+  const sampler = device.createSampler({
+    addressModeU: 'repeat',
+    addressModeV: 'repeat',
+    minFilter: 'linear',
+    magFilter: 'linear',
+    mipmapFilter: 'linear',
+  });
+  const standIns = bufferOf(new Uint32Array([0, 0, 0, 0xffffffff, 0xffffffff]), GPUBufferUsage.VERTEX);
+  const pipelines = new Map<string, GPURenderPipeline>();
+  const uniformBuffer = new GrowingBuffer(device, 'meshes', GPUBufferUsage.UNIFORM);
+  // Compiles now, so that shaders rejected by the browser are reported before anything is drawn.
+  pipelineOf(true, true, true, true);
 
-  upload(piece: Piece): Mesh {
+  function upload(piece: Piece): Mesh {
     const { positions, normals, uvs, colors, placements, indices } = piece;
-    const fill = (data: ArrayBufferView | null): GPUBuffer | null => data && this.#bufferOf(data, GPUBufferUsage.VERTEX);
-    const buffers = [positions, normals, uvs, colors, placements].map(fill);
+    const buffers = [positions, normals, uvs, colors, placements].map((array) => {
+      return array && bufferOf(array, GPUBufferUsage.VERTEX);
+    });
     const images = [piece.image, piece.glow];
-    const arrays = [...buffers, this.#bufferOf(indices, GPUBufferUsage.INDEX)];
+    const arrays = [...buffers, bufferOf(indices, GPUBufferUsage.INDEX)];
     let bytes = arrays.reduce((sum, buffer) => sum + (buffer?.size ?? 0), 0);
     // Mipmaps add a third.
     for (const image of images) bytes += image ? Math.ceil((16 * image.width * image.height) / 3) : 0;
-    const textures = images.map((image) => image && this.#images.upload(image));
+    const textures = images.map((image) => image && textureStore.upload(image));
     return {
       origin: piece.origin,
       material: piece.material,
-      pipeline: this.#pipelineOf(true, normals !== null, uvs !== null, colors !== null),
+      pipeline: pipelineOf(true, normals !== null, uvs !== null, colors !== null),
       buffers,
       indices: arrays.at(-1) as GPUBuffer,
       format: indices instanceof Uint16Array ? 'uint16' : 'uint32',
       corners: indices.length,
       instances: placements.length / ROWS,
       textures,
-      group: this.#groupOf(textures),
+      group: groupOf(textures),
       bytes,
     };
   }
 
-  drop({ buffers, indices, textures }: Mesh): void {
+  function drop({ buffers, indices, textures }: Mesh): void {
     for (const resource of [...buffers, indices, ...textures]) resource?.destroy();
   }
 
   /** Draws meshes for a viewer in a pass whose first group has the call's uniforms; returns the number of triangles. */
-  record(pass: GPURenderPassEncoder, meshes: readonly Mesh[], eye: Triple): number {
+  function record(pass: GPURenderPassEncoder, meshes: readonly Mesh[], eye: Triple): number {
     const uniforms = new Float32Array((SLOT / 4) * meshes.length);
     meshes.forEach((mesh, n) => uniforms.set(uniformsOf(mesh, eye), (SLOT / 4) * n));
-    const resource = { buffer: this.#uniforms.with(uniforms), size: SLOT };
-    const group = this.device.createBindGroup({
-      layout: this.uniformLayout,
-      entries: [{ binding: 0, resource }],
-    });
+    const resource = { buffer: uniformBuffer.write(uniforms), size: SLOT };
+    const group = device.createBindGroup({ layout: uniformLayout, entries: [{ binding: 0, resource }] });
     return meshes.reduce((sum, mesh, n) => {
       pass.setPipeline(mesh.pipeline);
       pass.setBindGroup(1, group, [SLOT * n]);
       pass.setBindGroup(2, mesh.group);
       mesh.buffers.forEach((buffer, slot) => {
         if (buffer) pass.setVertexBuffer(slot, buffer);
-        else pass.setVertexBuffer(slot, this.#standIns, slot === 3 ? WHITE : ZEROS);
+        else pass.setVertexBuffer(slot, standIns, slot === 3 ? WHITE : ZEROS);
       });
       pass.setIndexBuffer(mesh.indices, mesh.format);
       pass.drawIndexed(mesh.corners, mesh.instances);
@@ -131,19 +113,16 @@ export class Meshes {
     }, 0);
   }
 
-  #groupOf(textures: readonly (GPUTexture | null)[]): GPUBindGroup {
-    const images = textures.map((texture, binding) => ({
-      binding,
-      resource: (texture ?? this.#images.white).createView(),
-    }));
-    const entries = [...images, { binding: 2, resource: this.#sampler }];
-    return this.device.createBindGroup({ layout: this.#texturesLayout, entries });
+  function groupOf(textures: readonly (GPUTexture | null)[]): GPUBindGroup {
+    const images = textures.map((texture) => (texture ?? textureStore.white).createView());
+    const entries = [...images, sampler].map((resource, binding) => ({ binding, resource }));
+    return device.createBindGroup({ layout: texturesLayout, entries });
   }
 
   /** Returns the pipeline for pieces that have these vertex arrays. */
-  #pipelineOf(...hasArray: readonly boolean[]): GPURenderPipeline {
+  function pipelineOf(...hasArray: readonly boolean[]): GPURenderPipeline {
     const name = hasArray.join();
-    const cached = this.#pipelines.get(name);
+    const cached = pipelines.get(name);
     if (cached) return cached;
     const vertexBuffers = VERTEX_ARRAYS.map(({ format, stride }, shaderLocation) => ({
       // A stride of 0 gives all vertices the same value.
@@ -152,24 +131,26 @@ export class Meshes {
     }));
     const rows = [0, 1, 2].map((row) => ({ shaderLocation: 4 + row, offset: 16 * row, format: 'float32x4' as const }));
     const instanceBuffer = { arrayStride: 4 * ROWS, stepMode: 'instance' as const, attributes: rows };
-    const pipeline = this.device.createRenderPipeline({
+    const pipeline = device.createRenderPipeline({
       label: 'meshes',
-      layout: this.#layout,
-      vertex: { module: this.#module, buffers: [...vertexBuffers, instanceBuffer] },
-      fragment: { module: this.#module, targets: [{ format: COLOR }] },
+      layout: layout,
+      vertex: { module: module, buffers: [...vertexBuffers, instanceBuffer] },
+      fragment: { module: module, targets: [{ format: COLOR }] },
       depthStencil: { format: DEPTH, depthWriteEnabled: true, depthCompare: 'greater' },
     });
-    this.#pipelines.set(name, pipeline);
+    pipelines.set(name, pipeline);
     return pipeline;
   }
 
-  #bufferOf(data: ArrayBufferView, usage: GPUBufferUsageFlags): GPUBuffer {
+  function bufferOf(data: ArrayBufferView, usage: GPUBufferUsageFlags): GPUBuffer {
     const size = 4 * Math.ceil(Math.max(data.byteLength, 4) / 4);
-    const buffer = this.device.createBuffer({ label: 'mesh', size, usage, mappedAtCreation: true });
+    const buffer = device.createBuffer({ label: 'mesh', size, usage, mappedAtCreation: true });
     new Uint8Array(buffer.getMappedRange()).set(new Uint8Array(data.buffer, data.byteOffset, data.byteLength));
     buffer.unmap();
     return buffer;
   }
+
+  return { upload, drop, record };
 }
 
 /** Uniforms of a mesh in the layout of the shader. */
@@ -180,61 +161,51 @@ function uniformsOf({ origin, material }: Mesh, eye: Triple): number[] {
   return [...offset, cutoff ?? -1, ...color, ...(emission ?? [0, 0, 0]), isUnlit ? 1 : 0];
 }
 
-const TEXTURE_FORMAT: GPUTextureFormat = 'rgba8unorm-srgb';
-
-class Textures {
-  readonly #pipeline: GPURenderPipeline;
-  readonly #sampler: GPUSampler;
+function createTextures(device: GPUDevice) {
+  const module = device.createShaderModule({ label: 'mipmaps', code: LEVEL });
+  const pipeline = device.createRenderPipeline({
+    label: 'mipmaps',
+    layout: 'auto',
+    vertex: { module },
+    fragment: { module, targets: [{ format: COLOR }] },
+  });
+  const sampler = device.createSampler({ minFilter: 'linear', magFilter: 'linear' });
   /** White texture of one texel, for materials without an image. */
-  readonly white: GPUTexture;
-
-  constructor(readonly device: GPUDevice) {
-    const module = device.createShaderModule({ label: 'mipmaps', code: LEVEL });
-    this.#pipeline = device.createRenderPipeline({
-      label: 'mipmaps',
-      layout: 'auto',
-      vertex: { module },
-      fragment: { module, targets: [{ format: TEXTURE_FORMAT }] },
-    });
-    this.#sampler = device.createSampler({ minFilter: 'linear', magFilter: 'linear' });
-    this.white = this.#createTexture(1, 1);
-    device.queue.writeTexture({ texture: this.white }, new Uint8Array([255, 255, 255, 255]), {}, [1, 1]);
-  }
+  const white = createTexture(1, 1);
+  device.queue.writeTexture({ texture: white }, new Uint8Array([255, 255, 255, 255]), {}, [1, 1]);
 
   /** Creates the texture of an image and closes the image. */
-  upload(image: ImageBitmap): GPUTexture {
+  function upload(image: ImageBitmap): GPUTexture {
     const { width, height } = image;
-    const texture = this.#createTexture(width, height);
-    this.device.queue.copyExternalImageToTexture({ source: image }, { texture }, [width, height]);
+    const texture = createTexture(width, height);
+    device.queue.copyExternalImageToTexture({ source: image }, { texture }, [width, height]);
     image.close();
-    const encoder = this.device.createCommandEncoder();
-    for (let level = 1; level < texture.mipLevelCount; level++) this.#drawMipmap(encoder, texture, level);
-    this.device.queue.submit([encoder.finish()]);
+    const encoder = device.createCommandEncoder();
+    for (let level = 1; level < texture.mipLevelCount; level++) drawMipmap(encoder, texture, level);
+    device.queue.submit([encoder.finish()]);
     return texture;
   }
 
-  #createTexture(width: number, height: number): GPUTexture {
-    return this.device.createTexture({
+  function createTexture(width: number, height: number): GPUTexture {
+    return device.createTexture({
       label: 'image',
       size: [width, height],
-      format: TEXTURE_FORMAT,
+      format: COLOR,
       mipLevelCount: 1 + Math.floor(Math.log2(Math.max(width, height))),
       usage: GPUTextureUsage.TEXTURE_BINDING | GPUTextureUsage.COPY_DST | GPUTextureUsage.RENDER_ATTACHMENT,
     });
   }
 
-  #drawMipmap(encoder: GPUCommandEncoder, texture: GPUTexture, level: number): void {
+  function drawMipmap(encoder: GPUCommandEncoder, texture: GPUTexture, level: number): void {
     const view = (baseMipLevel: number): GPUTextureView => texture.createView({ baseMipLevel, mipLevelCount: 1 });
-    const pass = encoder.beginRenderPass({
-      colorAttachments: [{ view: view(level), loadOp: 'clear', storeOp: 'store' }],
-    });
-    pass.setPipeline(this.#pipeline);
-    const entries = [
-      { binding: 0, resource: view(level - 1) },
-      { binding: 1, resource: this.#sampler },
-    ];
-    pass.setBindGroup(0, this.device.createBindGroup({ layout: this.#pipeline.getBindGroupLayout(0), entries }));
+    const attachment = { view: view(level), loadOp: 'clear', storeOp: 'store' } as const;
+    const pass = encoder.beginRenderPass({ colorAttachments: [attachment] });
+    pass.setPipeline(pipeline);
+    const entries = [{ binding: 0, resource: view(level - 1) }, { binding: 1, resource: sampler }];
+    pass.setBindGroup(0, device.createBindGroup({ layout: pipeline.getBindGroupLayout(0), entries }));
     pass.draw(3);
     pass.end();
   }
+
+  return { white, upload };
 }

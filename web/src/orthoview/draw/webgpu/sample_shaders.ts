@@ -1,8 +1,10 @@
 /** WGSL of samples: uniforms of a call, initial depths, the farthest depths of tiles, and the picture's pixels. */
 import { LIGHT_WGSL } from '../../../shaders/light';
 
-/** Threads per workgroup, and workgroups per row of a dispatch. */
-export const [GROUP, ROW] = [64, 16384] as const;
+/** Threads per workgroup. */
+export const GROUP = 64;
+/** Workgroups per row of a dispatch. */
+export const ROW = 16384;
 /** Width and height of a tile of samples whose farthest depth is stored. */
 export const TILE = 16;
 /** Uniforms of a call. */
@@ -11,9 +13,9 @@ struct Draw {
   // The camera's gradients of X, Y and W, and the rays through the corner, a sample to the right and one down.
   gradients: array<vec4<f32>, 3>,
   rays: array<vec4<f32>, 3>,
-  // Width and height of the samples that are drawn, the picture's first row of them, samples along an axis of a pixel.
+  // Width and height of the drawn samples, their first row in the picture, samples along an axis of a pixel.
   size: vec4<u32>,
-  // First part, number of them, number of the round.
+  // First part, number of parts, number of the round.
   work: vec4<u32>,
   // Number of all parts, number of the page.
   all: vec4<u32>,
@@ -58,8 +60,8 @@ fn begin(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_inde
   if sample >= draw.size.x * draw.size.y {
     return;
   }
-  let at = vec2<u32>(sample % draw.size.x, sample / draw.size.x);
-  orders[sample] = bitcast<u32>(textureLoad(depths, at, 0));
+  let position = vec2<u32>(sample % draw.size.x, sample / draw.size.x);
+  orders[sample] = bitcast<u32>(textureLoad(depths, position, 0));
 }
 `;
 
@@ -71,29 +73,29 @@ ${DRAW}
 @group(0) @binding(3) var<storage, read> colors: array<u32>;
 ${LIGHT_WGSL}
 @vertex
-fn whole(@builtin(vertex_index) n: u32) -> @builtin(position) vec4<f32> {
+fn cover_picture(@builtin(vertex_index) n: u32) -> @builtin(position) vec4<f32> {
   return vec4<f32>(f32(n & 1u) * 4.0 - 1.0, f32(n >> 1u) * 4.0 - 1.0, 0.0, 1.0);
 }
 
 @fragment
-fn resolve(@builtin(position) place: vec4<f32>) -> @location(0) vec4<f32> {
+fn resolve(@builtin(position) pixel: vec4<f32>) -> @location(0) vec4<f32> {
   let grid = draw.size.w;
-  let first = vec2<u32>(place.xy) * grid;
+  let first = vec2<u32>(pixel.xy) * grid;
   var sum = vec3<f32>(0.0);
   for (var row = 0u; row < grid; row++) {
     for (var column = 0u; column < grid; column++) {
-      let at = first + vec2<u32>(column, row);
-      let own = vec2<u32>(at.x, at.y - draw.size.z);
-      let sample = own.y * draw.size.x + own.x;
+      let position = first + vec2<u32>(column, row);
+      let in_band = vec2<u32>(position.x, position.y - draw.size.z);
+      let sample = in_band.y * draw.size.x + in_band.x;
       let code = colors[sample];
       if code != 0u {
         let bits = vec3<u32>(code >> 20u, code >> 10u, code) & vec3<u32>(1023u);
         sum += linear_of(vec3<f32>(bits) / 1023.0);
       } else if orders[sample] != 0u {
-        sum += textureLoad(geometry, own, 0).rgb;
+        sum += textureLoad(geometry, in_band, 0).rgb;
       } else {
-        let middle = vec2<f32>(at) + 0.5;
-        sum += background(normalize(draw.rays[0].xyz + middle.x * draw.rays[1].xyz + middle.y * draw.rays[2].xyz));
+        let center = vec2<f32>(position) + 0.5;
+        sum += background(normalize(draw.rays[0].xyz + center.x * draw.rays[1].xyz + center.y * draw.rays[2].xyz));
       }
     }
   }

@@ -1,10 +1,10 @@
 /** Storage of a picture's samples: for all of them at once, or for bands of rows if they are too many. */
-import { Room } from './buffers';
+import { GrowingBuffer } from './buffers';
 import { COLOR, DEPTH } from './meshes';
 import { TILE } from './sample_shaders';
 
 /** Greatest number of bytes for the depths of a band's samples, and for their colours. */
-const MAX = 1 << 26;
+const MAX_BAND_BYTES = 1 << 26;
 
 /** Range of rows of samples. */
 export interface Band {
@@ -16,12 +16,12 @@ export interface Band {
 /** Splits a picture into bands of whole pixels. */
 export function bandsOf(device: GPUDevice, width: number, height: number, grid: number): Band[] {
   const { maxStorageBufferBindingSize, maxTextureDimension2D } = device.limits;
-  const rows = Math.min(Math.min(maxStorageBufferBindingSize, MAX) / (4 * width), maxTextureDimension2D);
-  const most = Math.max(Math.floor(rows / grid), 1) * grid;
-  return Array.from({ length: Math.ceil(height / most) }, (_, n) => ({
+  const rows = Math.min(Math.min(maxStorageBufferBindingSize, MAX_BAND_BYTES) / (4 * width), maxTextureDimension2D);
+  const rowsPerBand = Math.max(Math.floor(rows / grid), 1) * grid;
+  return Array.from({ length: Math.ceil(height / rowsPerBand) }, (_, n) => ({
     number: n,
-    first: n * most,
-    rows: Math.min(most, height - n * most),
+    first: n * rowsPerBand,
+    rows: Math.min(rowsPerBand, height - n * rowsPerBand),
   }));
 }
 
@@ -36,39 +36,33 @@ export interface Targets {
   readonly depth: GPUTexture;
 }
 
-export class Samples {
-  readonly #orders: Room;
-  readonly #colors: Room;
-  readonly #tiles: Room;
-  #targets: Targets | null = null;
+export function createSamples(device: GPUDevice) {
+  const usage = GPUBufferUsage.STORAGE | GPUBufferUsage.COPY_SRC;
+  const storage = (label: string): GrowingBuffer => new GrowingBuffer(device, label, usage);
+  const [orders, colors, tiles] = [storage('orders'), storage('colors'), storage('tiles')];
+  let targets: Targets | null = null;
 
-  constructor(readonly device: GPUDevice) {
-    const room = (label: string): Room => new Room(device, label, GPUBufferUsage.STORAGE | GPUBufferUsage.COPY_SRC);
-    [this.#orders, this.#colors, this.#tiles] = [room('orders'), room('colors'), room('tiles')];
-  }
-
-  /** Buffer that begins with the number of splats of unoccluded parts. */
-  get counts(): GPUBuffer {
-    return this.#tiles.ofSize(0);
-  }
-
-  /** Buffers for a band of samples. */
-  buffers(width: number, rows: number): { orders: GPUBuffer; colors: GPUBuffer; tiles: GPUBuffer } {
-    const bytes = 4 * width * rows;
-    const tiles = this.#tiles.ofSize(4 * (1 + tilesOf(width, rows)));
-    return { orders: this.#orders.ofSize(bytes), colors: this.#colors.ofSize(bytes), tiles };
-  }
-
-  /** Render targets for all bands of at most this many rows: a picture's commands must not replace them. */
-  targets(width: number, rows: number): Targets {
-    const found = this.#targets;
-    if (found && found.color.width === width && found.color.height === rows) return found;
-    found?.color.destroy();
-    found?.depth.destroy();
-    const usage = GPUTextureUsage.RENDER_ATTACHMENT | GPUTextureUsage.TEXTURE_BINDING;
-    const made = (format: GPUTextureFormat): GPUTexture =>
-      this.device.createTexture({ label: 'samples', size: [width, rows], format, usage });
-    this.#targets = { color: made(COLOR), depth: made(DEPTH) };
-    return this.#targets;
-  }
+  return {
+    /** Buffer that begins with the number of splats of unoccluded parts. */
+    get counts(): GPUBuffer {
+      return tiles.ofSize(0);
+    },
+    /** Buffers for a band of samples. */
+    buffers(width: number, rows: number): Record<'orders' | 'colors' | 'tiles', GPUBuffer> {
+      const bytes = 4 * width * rows;
+      const tileBytes = 4 * (1 + tilesOf(width, rows));
+      return { orders: orders.ofSize(bytes), colors: colors.ofSize(bytes), tiles: tiles.ofSize(tileBytes) };
+    },
+    /** Render targets for all bands of at most this many rows: a picture's commands must not replace them. */
+    targets(width: number, rows: number): Targets {
+      if (targets && targets.color.width === width && targets.color.height === rows) return targets;
+      targets?.color.destroy();
+      targets?.depth.destroy();
+      const textureUsage = GPUTextureUsage.RENDER_ATTACHMENT | GPUTextureUsage.TEXTURE_BINDING;
+      const create = (format: GPUTextureFormat): GPUTexture =>
+        device.createTexture({ label: 'samples', size: [width, rows], format, usage: textureUsage });
+      targets = { color: create(COLOR), depth: create(DEPTH) };
+      return targets;
+    },
+  };
 }

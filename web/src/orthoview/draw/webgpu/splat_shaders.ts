@@ -1,10 +1,10 @@
 /** WGSL of splats: splats raise the depths of samples, and the nearest splats then set the colours. */
 import { float, LIGHT_WGSL } from '../../../shaders/light';
-import { BORDER, MIN_COSINE, SQUARED_RADIUS, VECTORS } from '../sight';
+import { BORDER_FACTOR, MIN_COSINE, SQUARED_RADIUS, VECTORS_PER_VIEW } from '../sight';
 import { DRAW, FARTHEST_OF_TILES, GROUP, ROW, TILE } from './sample_shaders';
 
 /** Greatest number of samples around a splat for one thread; the whole workgroup shares larger splats. */
-const MAX = 256;
+const MAX_THREAD_SAMPLES = 256;
 
 /** Depths of samples and indices of their splats; the farthest depths of tiles; light. */
 export const SPLATS = /* wgsl */ `
@@ -25,7 +25,7 @@ struct Part {
 @group(0) @binding(1) var<storage, read> views: array<vec4<f32>>;
 @group(0) @binding(2) var<storage, read> parts: array<Part>;
 // All parts, those of the first splats first.
-@group(0) @binding(3) var<storage, read> listed: array<u32>;
+@group(0) @binding(3) var<storage, read> part_order: array<u32>;
 @group(0) @binding(4) var<storage, read> words: array<u32>;
 // Number of splats of visible parts, then the farthest order of each tile.
 @group(0) @binding(5) var<storage, read_write> tiles: array<atomic<u32>>;
@@ -38,7 +38,7 @@ const TILE = ${TILE}u;
 const GROUP = ${GROUP}u;
 const ROW = ${ROW}u;
 // Number of splats after which the workgroup draws the large ones.
-const TURN = 1024u;
+const BATCH = 1024u;
 const RADIUS = ${float(Math.sqrt(SQUARED_RADIUS))};
 const SQUARED_RADIUS = ${float(SQUARED_RADIUS)};
 
@@ -61,13 +61,13 @@ const LAST = 0x7fffffffu;
 // Marks a colour.
 const COLOR = 0x80000000u;
 
-fn column_of(view: u32, n: u32) -> vec4<f32> {
-  return views[view * ${VECTORS}u + n];
+fn view_vector(view: u32, n: u32) -> vec4<f32> {
+  return views[view * ${VECTORS_PER_VIEW}u + n];
 }
 
-// Half the extent of a ball along an axis: the length of the gradient of X/W.
-fn disc(view: u32, own: vec3<f32>, place: f32, over: f32) -> f32 {
-  return length((own - place * draw.gradients[2].xyz) * over) * column_of(view, 2u).w;
+// Half the extent of a ball along an axis of the picture: the length of the gradient of X/W (or Y/W).
+fn half_extent(view: u32, gradient: vec3<f32>, ratio: f32, inverse_w: f32) -> f32 {
+  return length((gradient - ratio * draw.gradients[2].xyz) * inverse_w) * view_vector(view, 2u).w;
 }
 
 fn normal_of(codes: u32, scale: f32) -> vec3<f32> {
@@ -78,88 +78,89 @@ fn normal_of(codes: u32, scale: f32) -> vec3<f32> {
 }
 
 fn ellipse_of(part: Part, number: u32) -> Ellipse {
-  let at_word = part.first + 3u * number;
-  let word = vec3<u32>(words[at_word], words[at_word + 1u], words[at_word + 2u]);
-  let own = part.view;
-  let column = column_of(own, 1u);
-  let row = column_of(own, 2u);
-  let step = column_of(own, 3u).xyz;
+  let word_index = part.first + 3u * number;
+  let word = vec3<u32>(words[word_index], words[word_index + 1u], words[word_index + 2u]);
+  let view = part.view;
+  let column = view_vector(view, 1u);
+  let row = view_vector(view, 2u);
+  let step = view_vector(view, 3u).xyz;
   let depth = f32(((word.x >> 24u) << 8u) | (word.y >> 24u)) - 0.5;
-  let at = vec3<f32>(f32(word.z & 4095u) + 0.5, f32((word.z >> 12u) & 4095u) + 0.5, depth);
-  let box_x = column_of(own, 7u);
-  let box_y = column_of(own, 8u);
-  let box_z = column_of(own, 9u);
-  let inside = vec3<f32>(dot(box_x.xyz, at) + box_x.w, dot(box_y.xyz, at) + box_y.w, dot(box_z.xyz, at) + box_z.w);
-  let start = column_of(own, 0u);
-  let function = start.xyz + at.x * column.xyz + at.y * row.xyz + at.z * step;
-  let over = 1.0 / function.z;
-  let middle = function.xy * over;
+  // Column, row and depth step of the splat's centre.
+  let p = vec3<f32>(f32(word.z & 4095u) + 0.5, f32((word.z >> 12u) & 4095u) + 0.5, depth);
+  let box_x = view_vector(view, 7u);
+  let box_y = view_vector(view, 8u);
+  let box_z = view_vector(view, 9u);
+  let inside = vec3<f32>(dot(box_x.xyz, p) + box_x.w, dot(box_y.xyz, p) + box_y.w, dot(box_z.xyz, p) + box_z.w);
+  let start = view_vector(view, 0u);
+  let xyw = start.xyz + p.x * column.xyz + p.y * row.xyz + p.z * step;
+  let inverse_w = 1.0 / xyw.z;
+  let middle = xyw.xy * inverse_w;
 
   // Normal, and the change of depth per pixel on its plane.
   var normal = normal_of(word.y, column.w);
-  let facing = 1.0 / max(dot(column_of(own, 6u).xyz, normal), ${float(MIN_COSINE)});
-  let u = column.xyz + dot(column_of(own, 4u).xyz, normal) * facing * step;
-  let v = row.xyz - dot(column_of(own, 5u).xyz, normal) * facing * step;
+  let facing = 1.0 / max(dot(view_vector(view, 6u).xyz, normal), ${float(MIN_COSINE)});
+  let u = column.xyz + dot(view_vector(view, 4u).xyz, normal) * facing * step;
+  let v = row.xyz - dot(view_vector(view, 5u).xyz, normal) * facing * step;
   let is_surfel = ((word.z >> 24u) & 1u) == 1u;
-  let factor = select(0.0, select(${float(BORDER)}, 1.0, ((word.z >> 25u) & 1u) == 1u), is_surfel);
+  let factor = select(0.0, select(${float(BORDER_FACTOR)}, 1.0, ((word.z >> 25u) & 1u) == 1u), is_surfel);
 
-  var found: Ellipse;
-  found.middle = middle;
-  found.nearness = vec3<f32>(over, 0.0, 0.0);
+  var ellipse: Ellipse;
+  ellipse.middle = middle;
+  ellipse.nearness = vec3<f32>(inverse_w, 0.0, 0.0);
   // The ellipse's axes in the picture, and the changes of nearness along them.
-  let du = (u.xy - middle * u.z) * over * factor;
-  let dv = (v.xy - middle * v.z) * over * factor;
-  let slope = -vec2<f32>(u.z, v.z) * over * over * factor;
+  let du = (u.xy - middle * u.z) * inverse_w * factor;
+  let dv = (v.xy - middle * v.z) * inverse_w * factor;
+  let slope = -vec2<f32>(u.z, v.z) * inverse_w * inverse_w * factor;
   var half_size = vec2<f32>(0.0);
   if is_surfel {
     // A surfel seen edge-on is a line: only the sample of its centre shows it.
     let determinant = du.x * dv.y - dv.x * du.y;
     let is_flat = abs(determinant) <= 1.2e-7 * (abs(du.x) + abs(dv.x)) * (abs(du.y) + abs(dv.y));
     if is_flat {
-      found.inverse = vec4<f32>(1e9);
+      ellipse.inverse = vec4<f32>(1e9);
     } else {
       let inverse = vec4<f32>(dv.y, -dv.x, -du.y, du.x) / determinant;
-      found.inverse = inverse;
-      found.nearness.y = slope.x * inverse.x + slope.y * inverse.z;
-      found.nearness.z = slope.x * inverse.y + slope.y * inverse.w;
+      ellipse.inverse = inverse;
+      ellipse.nearness.y = slope.x * inverse.x + slope.y * inverse.z;
+      ellipse.nearness.z = slope.x * inverse.y + slope.y * inverse.w;
       half_size = RADIUS * sqrt(vec2<f32>(du.x * du.x + dv.x * dv.x, du.y * du.y + dv.y * dv.y));
     }
   } else {
     let ball = vec2<f32>(
-      disc(own, draw.gradients[0].xyz, middle.x, over),
-      disc(own, draw.gradients[1].xyz, middle.y, over),
+      half_extent(view, draw.gradients[0].xyz, middle.x, inverse_w),
+      half_extent(view, draw.gradients[1].xyz, middle.y, inverse_w),
     );
-    found.inverse = vec4<f32>(1.0 / ball.x, 0.0, 0.0, 1.0 / ball.y);
+    ellipse.inverse = vec4<f32>(1.0 / ball.x, 0.0, 0.0, 1.0 / ball.y);
     half_size = RADIUS * ball;
   }
   let first = f32(draw.size.z);
-  let least = vec2<f32>(0.0, first);
-  let most = vec2<f32>(f32(draw.size.x), first + f32(draw.size.y)) - 1.0;
-  found.low = vec2<i32>(max(min(ceil(middle - half_size - 0.5), floor(middle)), least));
-  found.high = vec2<i32>(min(max(floor(middle + half_size - 0.5), floor(middle)), most));
-  found.code = word.x & 0xffffffu;
-  found.normal = normal;
+  let first_sample = vec2<f32>(0.0, first);
+  let last_sample = vec2<f32>(f32(draw.size.x), first + f32(draw.size.y)) - 1.0;
+  ellipse.low = vec2<i32>(max(min(ceil(middle - half_size - 0.5), floor(middle)), first_sample));
+  ellipse.high = vec2<i32>(min(max(floor(middle + half_size - 0.5), floor(middle)), last_sample));
+  ellipse.code = word.x & 0xffffffu;
+  ellipse.normal = normal;
   // Near the eye the derivative at the middle would sweep ellipses across the picture.
-  let is_shown = function.z - RADIUS * factor * length(vec2<f32>(u.z, v.z)) >= start.w
+  let is_shown = xyw.z - RADIUS * factor * length(vec2<f32>(u.z, v.z)) >= start.w
     && all(inside >= vec3<f32>(0.0)) && all(inside < vec3<f32>(1.0));
   if !is_shown {
-    found.low = vec2<i32>(0);
-    found.high = vec2<i32>(-1);
+    ellipse.low = vec2<i32>(0);
+    ellipse.high = vec2<i32>(-1);
   }
-  return found;
+  return ellipse;
 }
 
-fn cover(own: Ellipse, at: vec2<i32>, number: u32) {
-  let p = vec2<f32>(at) + 0.5 - own.middle;
-  let q = vec2<f32>(dot(own.inverse.xy, p), dot(own.inverse.zw, p));
+fn cover(ellipse: Ellipse, position: vec2<i32>, number: u32) {
+  let p = vec2<f32>(position) + 0.5 - ellipse.middle;
+  let q = vec2<f32>(dot(ellipse.inverse.xy, p), dot(ellipse.inverse.zw, p));
   let is_inside = dot(q, q) <= SQUARED_RADIUS;
   // The sample that holds a splat's middle always belongs to it.
-  if !is_inside && any(at != vec2<i32>(floor(own.middle))) {
+  if !is_inside && any(position != vec2<i32>(floor(ellipse.middle))) {
     return;
   }
-  let nearness = own.nearness.x + select(0.0, dot(own.nearness.yz, p), is_inside);
+  let nearness = ellipse.nearness.x + select(0.0, dot(ellipse.nearness.yz, p), is_inside);
   let order = bitcast<u32>(clamp(draw.nearest * nearness, 1e-30, 1.0));
-  let sample = (u32(at.y) - draw.size.z) * draw.size.x + u32(at.x);
+  let sample = (u32(position.y) - draw.size.z) * draw.size.x + u32(position.x);
   if draw.work.z == 0u {
     atomicMax(&orders[sample], order);
   } else if order + SLACK >= atomicLoad(&orders[sample]) {
@@ -167,8 +168,8 @@ fn cover(own: Ellipse, at: vec2<i32>, number: u32) {
   }
 }
 
-fn extent_of(own: Ellipse) -> vec2<u32> {
-  return vec2<u32>(max(own.high - own.low + 1, vec2<i32>(0)));
+fn extent_of(ellipse: Ellipse) -> vec2<u32> {
+  return vec2<u32>(max(ellipse.high - ellipse.low + 1, vec2<i32>(0)));
 }
 
 // Returns the first tile and the number of tiles that a part may cover.
@@ -186,11 +187,11 @@ fn tile_columns() -> u32 {
   return (draw.size.x + TILE - 1u) / TILE;
 }
 
-var<workgroup> reached: atomic<u32>;
-var<workgroup> is_seen: u32;
+var<workgroup> is_reached: atomic<u32>;
+var<workgroup> is_visible: u32;
 // Splats that cover many samples.
 var<workgroup> large_count: atomic<u32>;
-var<workgroup> large: array<u32, TURN>;
+var<workgroup> large: array<u32, BATCH>;
 
 // A workgroup draws a part unless it lies behind the farthest depth of each of its tiles.
 @compute @workgroup_size(GROUP)
@@ -200,46 +201,46 @@ fn splats(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_ind
     return;
   }
   let part = parts[draw.work.x + number];
-  let around = tiles_of(part);
-  for (var n = lane; n < around.z * around.w; n += GROUP) {
-    let tile = (around.y + n / around.z) * tile_columns() + around.x + n % around.z;
+  let part_tiles = tiles_of(part);
+  for (var n = lane; n < part_tiles.z * part_tiles.w; n += GROUP) {
+    let tile = (part_tiles.y + n / part_tiles.z) * tile_columns() + part_tiles.x + n % part_tiles.z;
     if atomicLoad(&tiles[1u + tile]) <= part.order {
-      atomicStore(&reached, 1u);
+      atomicStore(&is_reached, 1u);
     }
   }
   workgroupBarrier();
   if lane == 0u {
-    is_seen = atomicLoad(&reached);
-    if is_seen == 1u && draw.work.z == 0u {
+    is_visible = atomicLoad(&is_reached);
+    if is_visible == 1u && draw.work.z == 0u {
       atomicAdd(&tiles[0], part.count);
     }
   }
-  if workgroupUniformLoad(&is_seen) == 0u {
+  if workgroupUniformLoad(&is_visible) == 0u {
     return;
   }
-  for (var first = 0u; first < part.count; first += TURN) {
-    let end = min(first + TURN, part.count);
+  for (var first = 0u; first < part.count; first += BATCH) {
+    let end = min(first + BATCH, part.count);
     for (var n = first + lane; n < end; n += GROUP) {
-      let own = ellipse_of(part, n);
-      let extent = extent_of(own);
-      if extent.x * extent.y > ${MAX}u {
+      let ellipse = ellipse_of(part, n);
+      let extent = extent_of(ellipse);
+      if extent.x * extent.y > ${MAX_THREAD_SAMPLES}u {
         large[atomicAdd(&large_count, 1u)] = n;
         continue;
       }
-      for (var y = own.low.y; y <= own.high.y; y++) {
-        for (var x = own.low.x; x <= own.high.x; x++) {
-          cover(own, vec2<i32>(x, y), part.number + n);
+      for (var y = ellipse.low.y; y <= ellipse.high.y; y++) {
+        for (var x = ellipse.low.x; x <= ellipse.high.x; x++) {
+          cover(ellipse, vec2<i32>(x, y), part.number + n);
         }
       }
     }
     workgroupBarrier();
     let count = atomicLoad(&large_count);
-    for (var turn = 0u; turn < count; turn++) {
-      let n = large[turn];
-      let own = ellipse_of(part, n);
-      let extent = extent_of(own);
-      for (var at = lane; at < extent.x * extent.y; at += GROUP) {
-        cover(own, own.low + vec2<i32>(vec2<u32>(at % extent.x, at / extent.x)), part.number + n);
+    for (var large_index = 0u; large_index < count; large_index++) {
+      let n = large[large_index];
+      let ellipse = ellipse_of(part, n);
+      let extent = extent_of(ellipse);
+      for (var position = lane; position < extent.x * extent.y; position += GROUP) {
+        cover(ellipse, ellipse.low + vec2<i32>(vec2<u32>(position % extent.x, position / extent.x)), part.number + n);
       }
     }
     workgroupBarrier();
@@ -256,13 +257,13 @@ fn part_of(splat: u32) -> u32 {
   var high = draw.all.x;
   while high - low > 1u {
     let middle = (low + high) / 2u;
-    if parts[listed[middle]].number <= splat {
+    if parts[part_order[middle]].number <= splat {
       low = middle;
     } else {
       high = middle;
     }
   }
-  return listed[low];
+  return part_order[low];
 }
 
 // Shades the splats of one page that samples show.
@@ -280,11 +281,12 @@ fn shade(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_inde
   if part.page != draw.all.y {
     return;
   }
-  let own = ellipse_of(part, LAST - code - part.number);
+  let ellipse = ellipse_of(part, LAST - code - part.number);
   // Surfaces cut by a cell's side show their inside: normals are turned towards the viewer.
-  let ray = draw.rays[0].xyz + own.middle.x * draw.rays[1].xyz + own.middle.y * draw.rays[2].xyz;
-  let normal = select(own.normal, -own.normal, dot(own.normal, ray) > 0.0);
-  let albedo = linear_of(vec3<f32>(vec3<u32>(own.code, own.code >> 8u, own.code >> 16u) & vec3<u32>(255u)) / 255.0);
+  let ray = draw.rays[0].xyz + ellipse.middle.x * draw.rays[1].xyz + ellipse.middle.y * draw.rays[2].xyz;
+  let normal = select(ellipse.normal, -ellipse.normal, dot(ellipse.normal, ray) > 0.0);
+  let bytes = vec3<u32>(ellipse.code, ellipse.code >> 8u, ellipse.code >> 16u) & vec3<u32>(255u);
+  let albedo = linear_of(vec3<f32>(bytes) / 255.0);
   let bits = vec3<u32>(srgb_of(albedo * irradiance(normal)) * 1023.0 + 0.5);
   atomicStore(&colors[sample], COLOR | (bits.x << 20u) | (bits.y << 10u) | bits.z);
 }

@@ -1,45 +1,42 @@
 /** Entry point in a separate script that only browsers with WebGPU load. */
 import type { Layout } from '../../store/layout';
-import { WebgpuDrawer } from './drawer';
+import { createWebgpuDrawer } from './drawer';
 import { kernelsOf } from './kernels';
-import { Meshes } from './meshes';
+import { createMeshes } from './meshes';
 
 /** Callback for failures of the graphics: fatal if the device is lost, not fatal if memory is short. */
-export type Failed = (message: string, isFatal: boolean) => void;
+export type FailureHandler = (message: string, isFatal: boolean) => void;
 
-const SHORT = 'there is too little graphics memory: ?megabytes= in the address sets the limit';
+const MEMORY_SHORT = 'there is too little graphics memory: ?megabytes= in the address sets the limit';
 
 /** Starts drawing on a canvas with a device; reports missing features before it takes the canvas. */
-export async function start(
-  canvas: HTMLCanvasElement,
-  layout: Layout,
-  device: GPUDevice,
-  failed: Failed,
-): Promise<WebgpuDrawer> {
+export async function start(canvas: HTMLCanvasElement, layout: Layout, device: GPUDevice, onFailure: FailureHandler) {
   const format = navigator.gpu.getPreferredCanvasFormat();
   device.pushErrorScope('validation');
   const kernels = kernelsOf(device, format);
-  const meshes = new Meshes(device, kernels.numbered);
+  const meshes = createMeshes(device, kernels.uniformLayout);
   const error = await device.popErrorScope();
   if (error) throw new Error(error.message);
   const context = canvas.getContext('webgpu');
   if (!context) throw new Error('this browser has no WebGPU for pictures');
   context.configure({ device, format, alphaMode: 'opaque' });
-  tellFailures(device, failed);
-  return new WebgpuDrawer(context, layout, device, kernels, meshes);
+  reportFailures(device, onFailure);
+  return createWebgpuDrawer(context, layout, device, kernels, meshes);
 }
 
 /** Reports the first failure, because others follow it, and once that memory is short. */
-function tellFailures(device: GPUDevice, failed: Failed): void {
+function reportFailures(device: GPUDevice, onFailure: FailureHandler): void {
   let [isLost, isShort] = [false, false];
   const lose = (message: string): void => {
-    if (!isLost) failed(message, true);
+    if (!isLost) onFailure(message, true);
     isLost = true;
   };
-  void device.lost.then(({ message, reason }) => reason !== 'destroyed' && lose(`the graphics device is lost: ${message}`));
+  void device.lost.then(({ message, reason }) => {
+    if (reason !== 'destroyed') lose(`the graphics device is lost: ${message}`);
+  });
   device.onuncapturederror = ({ error }): void => {
     if (!(error instanceof GPUOutOfMemoryError)) lose(`the graphics fail: ${error.message}`);
-    else if (!isShort) failed(SHORT, false);
+    else if (!isShort) onFailure(MEMORY_SHORT, false);
     isShort ||= error instanceof GPUOutOfMemoryError;
   };
 }

@@ -2,12 +2,22 @@
 import { type Part, WORDS } from '../../decode/pack';
 import type { Layout } from '../../store/layout';
 import type { Item } from '../drawer';
-import { isIn, type Model, type Projector, rowsOf, type Seen, seenOf, sightOf, VECTORS, writeView } from '../sight';
+import {
+  boundsOf,
+  boxFunctionsOf,
+  mayLieIn,
+  type Model,
+  type PartBounds,
+  type Projector,
+  sightOf,
+  VECTORS_PER_VIEW,
+  writeView,
+} from '../sight';
 
 /** 32-bit words per part. */
-export const PART = 8;
+export const PART_WORDS = 8;
 /** Shares of a picture's splats after which the depths of tiles are updated; the last call draws the rest. */
-const BATCHES = [1 / 16, 1 / 8, 1 / 4, 1 / 2] as const;
+const BATCH_SHARES = [1 / 16, 1 / 8, 1 / 4, 1 / 2] as const;
 
 /** Layer of a view in a page of words. */
 export interface Placed<Page> {
@@ -24,7 +34,7 @@ export interface Call<Page> {
   readonly first: number;
   readonly count: number;
   /** Whether a batch begins with this call. */
-  readonly begins: boolean;
+  readonly startsBatch: boolean;
 }
 
 export interface Work<Page> {
@@ -32,20 +42,20 @@ export interface Work<Page> {
   /** Parts in the layout of the shaders, in the order of the calls. */
   readonly parts: Uint32Array<ArrayBuffer>;
   /** Indices of the parts, sorted by their first splats. */
-  readonly listed: Uint32Array<ArrayBuffer>;
+  readonly partOrder: Uint32Array<ArrayBuffer>;
   readonly pages: readonly Page[];
   readonly calls: readonly Call<Page>[];
   readonly splats: number;
 }
 
 /** Part that is visible in the picture. */
-interface Shown<Page> {
-  /** Index of its view, its first word, and the index of its first splat among all parts. */
+interface VisiblePart<Page> {
   readonly view: number;
-  readonly first: number;
-  readonly number: number;
+  readonly firstWord: number;
+  /** Index of its first splat among those of all parts. */
+  readonly firstSplat: number;
   readonly count: number;
-  readonly place: Seen;
+  readonly bounds: PartBounds;
   readonly page: Page;
 }
 
@@ -57,26 +67,26 @@ export function workOf<Page>(
   nearest: number,
 ): Work<Page> {
   const views: number[] = [];
-  const seen: Shown<Page>[] = [];
-  const numbers = new Float32Array(4 * VECTORS);
-  let number = 0;
+  const visible: VisiblePart<Page>[] = [];
+  const numbers = new Float32Array(4 * VECTORS_PER_VIEW);
+  let splats = 0;
   for (const { layer, box } of items) {
     const sight = sightOf(layer.model, projector);
-    const rows = rowsOf(layer.model, layout, box);
-    const view = views.length / (4 * VECTORS);
-    const before = seen.length;
+    const boxFunctions = boxFunctionsOf(layer.model, layout, box);
+    const view = views.length / (4 * VECTORS_PER_VIEW);
+    const before = visible.length;
     for (const part of layer.parts) {
-      const place = seenOf(sight, part, projector.width, projector.height);
-      if (!place || (box && !isIn(rows, part))) continue;
-      const { count } = part;
-      seen.push({ view, first: layer.first + WORDS * part.first, number, count, place, page: layer.page });
-      number += count;
+      const bounds = boundsOf(sight, part, projector.width, projector.height);
+      if (!bounds || (box && !mayLieIn(boxFunctions, part))) continue;
+      const firstWord = layer.first + WORDS * part.first;
+      visible.push({ view, firstWord, firstSplat: splats, count: part.count, bounds, page: layer.page });
+      splats += part.count;
     }
-    if (seen.length === before) continue;
-    writeView(numbers, layer.model, sight, rows);
+    if (visible.length === before) continue;
+    writeView(numbers, layer.model, sight, boxFunctions);
     views.push(...numbers);
   }
-  return { views: new Float32Array(views), splats: number, ...assignCalls(seen, number, nearest) };
+  return { views: new Float32Array(views), splats, ...assignCalls(visible, splats, nearest) };
 }
 
 const [FLOATS, BITS] = ((buffer) => [new Float32Array(buffer), new Uint32Array(buffer)] as const)(new ArrayBuffer(4));
@@ -87,32 +97,28 @@ function orderOf(depth: number): number {
   return (BITS[0] as number) + (Number.isFinite(depth) ? 1 : 0);
 }
 
-/** Distributes parts among calls; `seen` is in the order of the splats' indices. */
-function assignCalls<Page>(
-  seen: readonly Shown<Page>[],
-  splats: number,
-  nearest: number,
-): Omit<Work<Page>, 'views' | 'splats'> {
-  const sorted = [...seen].sort((a, b) => compareNumbers(b.place.nearness, a.place.nearness));
-  const pages = [...new Set(seen.map(({ page }) => page))];
-  const parts = new Uint32Array(PART * seen.length);
-  const places = new Map<Shown<Page>, number>();
+/** Distributes parts among calls; `visible` is in the order of the splats' indices. */
+function assignCalls<Page>(visible: readonly VisiblePart<Page>[], splats: number, nearest: number) {
+  const sorted = [...visible].sort((a, b) => compareNumbers(b.bounds.nearness, a.bounds.nearness));
+  const pages = [...new Set(visible.map(({ page }) => page))];
+  const parts = new Uint32Array(PART_WORDS * visible.length);
+  const indices = new Map<VisiblePart<Page>, number>();
   const calls: Call<Page>[] = [];
   for (const batch of batchesOf(sorted, splats)) {
-    let begins = true;
+    let startsBatch = true;
     for (const page of pages) {
-      const own = batch.filter((part) => part.page === page);
-      if (own.length === 0) continue;
-      calls.push({ page, begins, first: places.size, count: own.length });
-      begins = false;
-      for (const part of own) {
-        parts.set(numbersOf(part, pages.indexOf(page), nearest), PART * places.size);
-        places.set(part, places.size);
+      const pageParts = batch.filter((part) => part.page === page);
+      if (pageParts.length === 0) continue;
+      calls.push({ page, startsBatch, first: indices.size, count: pageParts.length });
+      startsBatch = false;
+      for (const part of pageParts) {
+        parts.set(wordsOf(part, pages.indexOf(page), nearest), PART_WORDS * indices.size);
+        indices.set(part, indices.size);
       }
     }
   }
-  const listed = new Uint32Array(seen.map((part) => places.get(part) as number));
-  return { parts, listed, pages, calls };
+  const partOrder = new Uint32Array(visible.map((part) => indices.get(part) as number));
+  return { parts, partOrder, pages, calls };
 }
 
 /** Compares two numbers, also infinite ones. */
@@ -121,27 +127,23 @@ function compareNumbers(a: number, b: number): number {
 }
 
 /** Part in the layout of the shaders. */
-function numbersOf<Page>({ view, first, number, count, place }: Shown<Page>, page: number, nearest: number): number[] {
-  const { low, high, nearness } = place;
-  const order = orderOf(nearest * nearness);
-  return [view, first, count, number, order, low[0] | (low[1] << 16), high[0] | (high[1] << 16), page];
+function wordsOf<Page>(part: VisiblePart<Page>, page: number, nearest: number): number[] {
+  const { view, firstWord, firstSplat, count, bounds } = part;
+  const [low, high] = [bounds.low, bounds.high].map(([column, row]) => column | (row << 16)) as [number, number];
+  return [view, firstWord, count, firstSplat, orderOf(nearest * bounds.nearness), low, high, page];
 }
 
 /** Splits parts into batches, each with about as many splats as all before it. */
-export function batchesOf<Each extends { readonly count: number }>(
-  parts: readonly Each[],
-  splats: number,
-): readonly (readonly Each[])[] {
-  const batches: Each[][] = [];
-  let [batch, drawn, next]: [Each[], number, number] = [[], 0, 0];
+export function batchesOf<P extends { readonly count: number }>(parts: readonly P[], splats: number): P[][] {
+  const batches: P[][] = [[]];
+  let [drawn, sharesBefore] = [0, 0];
   for (const part of parts) {
-    batch.push(part);
+    // A batch ends when the splats so far reach a share of all that they had not reached before.
+    const sharesReached = BATCH_SHARES.filter((share) => drawn >= splats * share).length;
+    if (sharesReached > sharesBefore) batches.push([]);
+    sharesBefore = sharesReached;
+    batches.at(-1)?.push(part);
     drawn += part.count;
-    if (next >= BATCHES.length || drawn < splats * (BATCHES[next] as number)) continue;
-    while (next < BATCHES.length && drawn >= splats * (BATCHES[next] as number)) next += 1;
-    batches.push(batch);
-    batch = [];
   }
-  if (batch.length > 0) batches.push(batch);
-  return batches;
+  return batches.filter((batch) => batch.length > 0);
 }

@@ -1,0 +1,98 @@
+"""Checked access to entries of untrusted JSON documents: wrong types raise errors that name the place."""
+
+from __future__ import annotations
+
+import json
+from typing import Any, NoReturn, TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar._base import check
+from nearfar._base.errors import UnusableError
+
+Kind = TypeVar("Kind")
+
+_KINDS = {dict: "an object", list: "a list", str: "a text", int: "a whole number", float: "a number"}
+
+
+def document(data: bytes, prefix: str = "") -> Any:
+    """Parse JSON; UnusableError for invalid JSON, including NaN and infinity."""
+
+    def refuse(word: str) -> NoReturn:
+        raise UnusableError(f"{prefix}it is no JSON: {word} stands where a number belongs")
+
+    try:
+        return json.loads(data, parse_constant=refuse)
+    except (json.JSONDecodeError, UnicodeDecodeError) as error:
+        raise UnusableError(f"{prefix}it is no JSON: {check.one_line(str(error), 120)}") from None
+
+
+def entry(parent: dict[str, Any], key: str, kind: type[Kind], prefix: str, default: Kind | None = None) -> Kind:
+    """Return an entry of a given type; the default if it is absent or null, else UnusableError."""
+    value = parent.get(key)
+    if value is None and default is not None:
+        return default
+    return typed(value, kind, f"{prefix}{key}")
+
+
+def typed(value: object, kind: type[Kind], json_path: str) -> Kind:
+    """Return the value if it has the type; else UnusableError with its place."""
+    if not isinstance(value, kind) or isinstance(value, bool):
+        raise UnusableError(f"{json_path}: expected {_KINDS[kind]}, got {describe(value)}")
+    return value
+
+
+def describe(value: object) -> str:
+    """Describe an unexpected value for a message."""
+    return "nothing" if value is None else f"{type(value).__name__} {check.shortened(value)}"
+
+
+def numbers(value: object, json_path: str, columns: int | None) -> NDArray[np.float64]:
+    """Convert to float64: rows of `columns` numbers, or a list without `columns`; UnusableError for anything else.
+
+    All numbers must be finite and at most 1e30.
+    """
+    rows = typed(value, list, json_path)
+    try:
+        array = np.array(rows)
+    except ValueError:
+        raise UnusableError(f"{json_path}: expected {_expected(columns)}, got rows of other sizes") from None
+    if not len(rows):
+        return np.zeros((0,) if columns is None else (0, columns))
+    fits = array.ndim == 1 if columns is None else array.ndim == 2 and array.shape[1] == columns
+    if array.dtype.kind not in "iuf" or not fits:
+        wrong_row = next((row for row in rows if not _is_row(row, columns)), rows[0])
+        raise UnusableError(f"{json_path}: expected {_expected(columns)}, got {check.shortened(wrong_row)} among them")
+    values: NDArray[np.float64] = array.astype(np.float64)
+    check_range(values, json_path)
+    return values
+
+
+def check_range(values: NDArray[np.float64], json_path: str) -> None:
+    """Reject numbers that are not finite or beyond 1e30; UnusableError names the first such row."""
+    is_in_range = np.abs(values) <= check.FARTHEST  # NaN fails the comparison
+    if not is_in_range.all():
+        row = int(np.flatnonzero(~is_in_range.reshape(len(values), -1).all(axis=1))[0])
+        number = values[row][~is_in_range[row]][0] if values.ndim > 1 else values[row]
+        raise UnusableError(f"{json_path}[{row}]: expected numbers up to {check.FARTHEST:g}, got {number:g}")
+
+
+def _expected(columns: int | None) -> str:
+    return "numbers" if columns is None else f"rows of {columns} numbers"
+
+
+def _is_row(row: object, columns: int | None) -> bool:
+    if columns is None:
+        return isinstance(row, int | float) and not isinstance(row, bool)
+    return isinstance(row, list) and len(row) == columns and all(_is_row(value, None) for value in row)
+
+
+def flattened(levels: list[Any], depth: int, json_path: str) -> list[Any]:
+    """Flatten `depth` levels of nested lists; UnusableError where a level is not a list."""
+    for _ in range(depth):
+        for item in levels:
+            if not isinstance(item, list):
+                raise UnusableError(f"{json_path}: expected nested lists, got {describe(item)} among them")
+        levels = [part for item in levels for part in item]
+    return levels
