@@ -84,7 +84,7 @@ impl Partition {
 
     /// Numbers of triangles and instances by name.
     fn counts<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let counts = self.0.counts();
+        let counts = &self.0.counts;
         let named = PyDict::new(py);
         for (name, count) in [
             ("triangles", counts.triangles),
