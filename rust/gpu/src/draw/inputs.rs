@@ -3,7 +3,7 @@
 use nearfar_core::base::Result;
 use wgpu::{BufferUsages, MapMode};
 
-use crate::device::{Counted, Device};
+use crate::device::{Counter, Device};
 
 /// Alignment of uniform blocks, bytes.
 pub(super) const BLOCK: usize = 256;
@@ -34,7 +34,7 @@ impl ShaderInputs {
         let changed = changes(&self.on_device, &bytes);
         if !changed.is_empty() {
             let view = staging.get_mapped_range_mut(..bytes.len().next_multiple_of(8) as u64);
-            let mut view = view.map_err(|error| device.failure(&error))?;
+            let mut view = view.map_err(|error| device.failure(error))?;
             for range in &changed {
                 view.slice(range.clone()).copy_from_slice(&bytes[range.clone()]);
             }
@@ -43,7 +43,7 @@ impl ShaderInputs {
         for range in changed {
             let (start, length) = (range.start as u64, range.len() as u64);
             encoder.copy_buffer_to_buffer(staging, start, buffer, start, length);
-            device.count(Counted::UploadedBytes, length);
+            device.count(Counter::UploadedBytes, length);
         }
         self.on_device = bytes;
         Ok(())
@@ -54,11 +54,11 @@ impl ShaderInputs {
         self.buffers.as_ref().map(|(buffer, _)| buffer)
     }
 
-    /// Requests to map the staging buffer again after the device has finished; `answer` is called in its next poll.
-    pub fn reopen(&self, answer: impl FnOnce(bool) + Send + 'static) {
+    /// Requests to map the staging buffer again after the device has finished; `report` is called in its next poll.
+    pub fn map_again(&self, report: impl FnOnce(bool) + Send + 'static) {
         match &self.buffers {
-            Some((_, staging)) => staging.map_async(MapMode::Write, .., move |result| answer(result.is_ok())),
-            None => answer(true),
+            Some((_, staging)) => staging.map_async(MapMode::Write, .., move |result| report(result.is_ok())),
+            None => report(true),
         }
     }
 }
@@ -90,9 +90,7 @@ mod tests {
         assert_eq!(changes(&before, &before), []);
         assert_eq!(changes(&[], &before).first(), Some(&(0..100)));
         let mut bytes = before.clone();
-        bytes[17] = 1;
-        bytes[40] = 1;
-        bytes[99] = 1;
+        [17, 40, 99].into_iter().for_each(|i: usize| bytes[i] = 1);
         assert_eq!(changes(&before, &bytes), [16..48, 96..100]);
     }
 }

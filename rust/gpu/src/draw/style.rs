@@ -121,7 +121,7 @@ mod tests {
     fn draw(device: &Arc<Device>, eye: DVec3, change: impl FnOnce(Layer) -> Layer) -> Frame {
         let scene = scene();
         let tables = device.state::<Residents>().scene(device, &scene).unwrap();
-        let mut picture = Picture::plain(vec![change(Layer::plain(scene, tables, Set::Standing))], DVec3::ZERO);
+        let mut picture = Picture::plain(vec![change(Layer::plain(scene, tables, Set::Static))], DVec3::ZERO);
         picture.parameters[0] = SHIFT.as_vec3().extend(0.0).to_array();
         let fov = Fov { left: -1.0, right: 1.0, down: -1.0, up: 1.0 };
         let camera = Camera::new(eye, DQuat::IDENTITY, Projection::Perspective(fov), 32, 32).unwrap();

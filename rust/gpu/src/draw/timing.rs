@@ -8,7 +8,7 @@ use wgpu::{
     RenderPassTimestampWrites,
 };
 
-use crate::device::{Counted, Device, Scope};
+use crate::device::{Counter, Device, Scope};
 
 /// Maximum number of timed passes of a kind; further ones are assumed to take as long. Both kinds fill a query set.
 const PASSES: u32 = 1024;
@@ -27,7 +27,7 @@ pub(super) struct Stopwatch {
 impl Stopwatch {
     /// Creates a timer; `None` on devices without such a clock.
     pub fn new(device: &Device) -> Result<Option<Self>> {
-        if !device.has_clock {
+        if !device.has_clock() {
             return Ok(None);
         }
         let scope = Scope::open(device);
@@ -93,7 +93,7 @@ impl Stopwatch {
     /// Adds the times of a completed window to the device's counters.
     pub fn count(&self, device: &Device, progress: &Progress) -> Result<()> {
         let ticks: Vec<u64> = device.read_buffer(&self.readable, 2 * BYTES, progress, bytemuck::pod_collect_to_vec)?;
-        for (kind, counted) in [Counted::RasterNanoseconds, Counted::ResolveNanoseconds].into_iter().enumerate() {
+        for (kind, counted) in [Counter::RasterNanoseconds, Counter::ResolveNanoseconds].into_iter().enumerate() {
             let timed = self.timed(kind);
             let passes = self.counts[kind].load(Ordering::Relaxed);
             let start = kind * 2 * PASSES as usize;

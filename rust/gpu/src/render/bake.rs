@@ -22,7 +22,7 @@ pub fn bake(device: &Arc<Device>, scene: &Scene, settings: &Bake, progress: &Pro
     let standing = Scene { moving: Default::default(), ..scene.clone() };
     let tables = device.state::<Residents>().scene(device, &standing)?;
     let cut = if settings.radius > 0.0 { Zone::Overlapping } else { Zone::Whole }.cut();
-    let layer = Layer { cut, ..Layer::plain(standing, tables, Set::Standing) };
+    let layer = Layer { cut, ..Layer::plain(standing, tables, Set::Static) };
     let near_far = NearFar {
         offset: DVec3::ZERO,
         apart: DVec3::ZERO,

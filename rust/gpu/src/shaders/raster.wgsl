@@ -24,7 +24,7 @@ struct Corner {
 
 fn corner_of(number: u32, instance: u32) -> Corner {
     var local = batch.shifts.y;
-    if !SINGLE {
+    if !ONE_RECORD {
         local = order[instance];
     }
     let record = record_of(local);

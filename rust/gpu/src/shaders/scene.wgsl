@@ -103,17 +103,17 @@ const NONE: u32 = 0xffffffffu;
 // Variant of the style.
 override STYLE: u32 = 0u;
 // Whether all faces belong to the batch's single record, so that no look-up is needed.
-override SINGLE: bool = false;
+override ONE_RECORD: bool = false;
 
 fn record_of(local: u32) -> Record {
-    if SINGLE {
+    if ONE_RECORD {
         return batch.record;
     }
     return records[local];
 }
 
 fn part_of(record: Record) -> Part {
-    if SINGLE {
+    if ONE_RECORD {
         return batch.part;
     }
     return parts[record.part.x];

@@ -152,7 +152,7 @@ fn draw_splat(view: View, piece: Piece, block: u32, lane: u32) {
             if is_inside || (row == own.middle.y && column == own.middle.x) {
                 let rise = own.slope.x * across + own.slope.y * down;
                 let nearness = select(own.nearness, own.nearness + rise, is_inside);
-                raise((u32(row) - draw.size.z) * draw.size.x + u32(column), ordered(nearness), number);
+                raise((u32(row) - draw.size.z) * draw.size.x + u32(column), ordered(bitcast<u32>(nearness)), number);
             }
         }
     }

@@ -46,7 +46,7 @@ fn put(at: u32, value: vec4<f32>) {
 
 @compute @workgroup_size(GROUP)
 fn splat_resolve(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) local: u32) {
-    let pixel = (group.y * ROW + group.x) * GROUP + local;
+    let pixel = number_of(group, local);
     let grid = draw.size.w;
     let columns = draw.size.x / grid;
     if pixel >= columns * (draw.size.y / grid) {

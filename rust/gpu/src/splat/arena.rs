@@ -8,7 +8,7 @@ use nearfar_core::orthoview::splat::{Compressed, HEAD, Splats};
 use wgpu::{Buffer, BufferUsages};
 
 use super::room::Room;
-use crate::device::{Counted, Device, Scope};
+use crate::device::{Counter, Device, Scope};
 
 /// Words of the pages; a pass binds all of them.
 const PAGES: [u64; 4] = [1 << 24, 1 << 26, 1 << 28, 1 << 28];
@@ -127,7 +127,7 @@ impl Arena {
                 self.pages[page].room.give_back(first, content.words.len() as u32);
                 return Err(error);
             }
-            device.count(Counted::UploadedBytes, WORD * content.words.len() as u64);
+            device.count(Counter::UploadedBytes, WORD * content.words.len() as u64);
             let (words, blocks) = (content.words.len() as u32, content.blocks as u32);
             let resident = Resident { view: Arc::downgrade(view), page, first, words, blocks, used: self.now };
             let place = resident.place();

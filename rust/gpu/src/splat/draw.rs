@@ -50,8 +50,7 @@ pub fn draw(
     let mut seen = 0;
     for band in bands {
         band.found.read(progress, |bytes| found.add(&layout, band.pixels, bytemuck::cast_slice(bytes)))?;
-        let count = |bytes: &[u8]| bytes.first_chunk().copied().map_or(0, u32::from_ne_bytes);
-        seen += u64::from(band.tiles.read(progress, count)?);
+        seen += u64::from(band.tiles.read_word(progress)?);
         progress.report(1)?;
     }
     let frame = plan.frame(&found.whole())?;
@@ -187,8 +186,8 @@ impl<'a, 'b> Drawing<'a, 'b> {
         resources.extend((2..).zip(self.pages.iter().cloned()));
         resources.extend([(6, found.on_device.binding()), (8, self.keys.binding())]);
         self.kernels.run(work, Kernel::Resolve, &resources, groups(pixels))?;
-        found.bring(&mut work.encoder);
-        tiles.bring(&mut work.encoder);
+        found.encode_copy(&mut work.encoder);
+        tiles.encode_copy(&mut work.encoder);
         Ok(())
     }
 }

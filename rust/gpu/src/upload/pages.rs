@@ -9,7 +9,7 @@ use wgpu::BufferUsages;
 
 use super::runs::{NONE, Run, gathered, runs_of};
 use super::shelf::Shelf;
-use crate::device::{Counted, Device, Scope};
+use crate::device::{Counter, Device, Scope};
 
 /// Bytes per word.
 const WORD: u64 = 4;
@@ -101,7 +101,7 @@ fn place(
         let page = Arc::new(Page { buffer, number: shelf.next_number() });
         {
             let whole = page.buffer.get_mapped_range_mut(..);
-            let mut view = whole.map_err(|error| device.failure(&error))?;
+            let mut view = whole.map_err(|error| device.failure(error))?;
             write(runs, &page, 0, parts, |at, bytes| {
                 view.slice(at as usize..at as usize + bytes.len()).copy_from_slice(bytes);
                 Ok(())
@@ -110,7 +110,7 @@ fn place(
         page.buffer.unmap();
         shelf.put(&page, words, size);
     }
-    device.count(Counted::UploadedBytes, words * WORD);
+    device.count(Counter::UploadedBytes, words * WORD);
     Ok(())
 }
 

@@ -23,7 +23,7 @@ pub(crate) struct Records {
 
 impl Records {
     /// Uploads records in as many buffers as they need.
-    pub fn standing(device: &Device, words: &[u32]) -> Result<Vec<Self>> {
+    pub fn of_static(device: &Device, words: &[u32]) -> Result<Vec<Self>> {
         let most = device.largest_binding() as usize / (4 * RECORD_WORDS);
         let mut first = 0;
         let batches = words.chunks(most * RECORD_WORDS).map(|words| {

@@ -68,8 +68,8 @@ pub(crate) struct SetTables {
 
 /// Tables of a scene.
 pub(crate) struct SceneTables {
-    pub standing: SetTables,
-    pub moving: SetTables,
+    pub static_set: SetTables,
+    pub moving_set: SetTables,
     /// Records of the static instances; those of moving ones are uploaded with each pose.
     pub records: Vec<Records>,
     /// Table of all parts.
@@ -100,12 +100,12 @@ impl SceneTables {
             });
             numbered.clone()
         };
-        let [standing, moving] = scene.sets().map(|set| SetTables::new(set.instances(), &mut number_of));
-        let records = Records::standing(device, &standing.record_words(scene.standing.instances()))?;
+        let [static_set, moving_set] = scene.sets().map(|set| SetTables::new(set.instances(), &mut number_of));
+        let records = Records::of_static(device, &static_set.record_words(scene.standing.instances()))?;
         let parts = device.filled_buffer("parts", &words, BufferUsages::STORAGE)?;
         let colored = scene.instances().any(|instance| instance.mesh.colors.is_some());
         let smooth = scene.instances().any(|instance| instance.mesh.normals.is_some());
-        Ok(Self { standing, moving, records, parts, part_words: words, colored, smooth, materials })
+        Ok(Self { static_set, moving_set, records, parts, part_words: words, colored, smooth, materials })
     }
 
     /// Returns a record's part as in its table.

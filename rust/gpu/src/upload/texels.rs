@@ -9,7 +9,7 @@ use wgpu::{
     TextureView, TextureViewDescriptor, TextureViewDimension,
 };
 
-use crate::device::{Counted, Device};
+use crate::device::{Counter, Device};
 
 /// Numbered texels of one format.
 pub(crate) struct Texels {
@@ -89,6 +89,6 @@ impl Texels {
             rest = &rest[size..];
             at += width * height;
         }
-        device.count(Counted::UploadedBytes, data.len() as u64);
+        device.count(Counter::UploadedBytes, data.len() as u64);
     }
 }

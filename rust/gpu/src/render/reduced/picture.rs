@@ -52,9 +52,9 @@ impl View<'_> {
         let covered_far = !self.mapped && self.map.is_some();
         if covered_far {
             let standing = Scene { moving: Arc::default(), ..self.scene.clone() };
-            layers.push(self.layer(device, &standing, Set::Standing, beyond, Zone::Beyond)?);
+            layers.push(self.layer(device, &standing, Set::Static, beyond, Zone::Beyond)?);
         }
-        let split = self.moving.split.iter().map(|split| (split, Set::Standing));
+        let split = self.moving.split.iter().map(|split| (split, Set::Static));
         let movers = split.chain([(&self.moving.placed, Set::Moving)]);
         let movers: Vec<_> = movers.filter(|(geometry, _)| geometry.scene.triangle_count() > 0).collect();
         let from_user = self.conventional_dynamic == ConventionalDynamic::User;
@@ -84,9 +84,9 @@ impl View<'_> {
         // The first layer of the near part covers everything beyond it.
         let first = layers.len();
         if let Some(fixed) = self.fixed {
-            layers.push(self.near_layer(device, fixed, Set::Standing, Shown::AsItIs, Zone::Whole)?);
+            layers.push(self.near_layer(device, fixed, Set::Static, Shown::AsItIs, Zone::Whole)?);
         }
-        layers.push(self.near_layer(device, self.bending, Set::Standing, near, Zone::Within)?);
+        layers.push(self.near_layer(device, self.bending, Set::Static, near, Zone::Within)?);
         layers[first].covers = first > 0;
         for (geometry, set) in &movers {
             layers.push(self.near_layer(device, geometry, *set, near, Zone::Within)?);
