@@ -132,8 +132,10 @@ impl<'a> FrameBindings<'a> {
             let rest = &self.plan.batches[start..];
             let count = rest.iter().take_while(|batch| pass_of(batch) == pass_of(&rest[0])).count();
             let batches = &rest[..count];
-            let pipelines: Vec<_> =
-                batches.iter().map(|batch| Ok([pipeline(batch, false)?, pipeline(batch, true)?])).collect::<Result<_>>()?;
+            let pipelines: Vec<_> = batches
+                .iter()
+                .map(|batch| Ok([pipeline(batch, false)?, pipeline(batch, true)?]))
+                .collect::<Result<_>>()?;
             let mut pass = encoder.begin_render_pass(&RenderPassDescriptor {
                 label: Some("raster"),
                 color_attachments: &[Some(RenderPassColorAttachment {

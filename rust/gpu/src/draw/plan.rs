@@ -152,8 +152,7 @@ impl Plan {
         };
         let has_one_record = numbering.count == 1;
         let push_block = |plan: &mut Self, first_record: u32| {
-            let record =
-                layer.set_tables().record(layer.instances(), (numbering.first_in_set + first_record) as usize);
+            let record = layer.set_tables().record(layer.instances(), (numbering.first_in_set + first_record) as usize);
             let part = layer.tables.part_of(&record);
             plan.push(&[BatchBlock { shifts: [shift, first_record, 0, 0], record, part, ..block }]).start
         };

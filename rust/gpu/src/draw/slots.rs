@@ -71,9 +71,8 @@ pub(super) struct Slot {
 impl Slots {
     /// Takes a slot of a shape, creating one if none is idle.
     pub(super) fn take(&self, device: &Device, shape: Shape) -> Result<Slot> {
-        let take = |slots: &mut Vec<Slot>| {
-            slots.iter().rposition(|slot| slot.shape == shape).map(|index| slots.remove(index))
-        };
+        let take =
+            |slots: &mut Vec<Slot>| slots.iter().rposition(|slot| slot.shape == shape).map(|index| slots.remove(index));
         let idle = take(&mut lock(&self.0));
         idle.map_or_else(|| Slot::new(device, shape), Ok)
     }

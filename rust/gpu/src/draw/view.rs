@@ -104,8 +104,7 @@ pub(super) fn pass_of(
     let directions = on_grid([first.1, right.1 - first.1, down.1 - first.1], window);
     let vec4 = |v: DVec3| v.as_vec3().extend(0.0).to_array();
     let map = picture.backdrop.as_ref().map(|backdrop| &backdrop.texels);
-    let environment =
-        map.map_or([0; 4], |map| [map.size, map.color.shift, map.range.shift, u32::from(map.has_range)]);
+    let environment = map.map_or([0; 4], |map| [map.size, map.color.shift, map.range.shift, u32::from(map.has_range)]);
     let [color, range, ids, position, normal, albedo, shading_normal, coverage] = *outputs;
     Pass {
         clip: clip_rows(camera, window, sampling, farthest).map(|row| row.as_vec4().to_array()),

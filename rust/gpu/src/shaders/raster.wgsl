@@ -85,7 +85,7 @@ struct Vertex {
     @builtin(position) position: vec4<f32>,
     @location(0) @interpolate(flat) id: vec2<u32>,
     // Vector for the cut.
-    @location(1) place: vec3<f32>,
+    @location(1) cut_vector: vec3<f32>,
     // Displayed position, relative to the eye.
     @location(2) from_eye: vec3<f32>,
     @location(3) @interpolate(flat) normal: vec3<f32>,
@@ -100,7 +100,7 @@ fn vertex(@builtin(vertex_index) number: u32, @builtin(instance_index) instance:
     var out: Vertex;
     out.position = corner.position;
     out.id = id_of(corner.local, number);
-    out.place = cut_place(corner.p);
+    out.cut_vector = cut_vector(corner.p);
     out.from_eye = corner.q;
     if FACE_NORMALS {
         let face = number / 3u;
@@ -123,7 +123,7 @@ fn vertex(@builtin(vertex_index) number: u32, @builtin(instance_index) instance:
 }
 
 fn is_drawn(in: Vertex) -> bool {
-    var drawn = is_kept(in.place, in.from_eye, in.normal);
+    var drawn = is_kept(in.cut_vector, in.from_eye, in.normal);
     if CUTOUT {
         drawn = drawn && is_solid(in);
     }

@@ -8,15 +8,14 @@ use nearfar_core::orthoview::splat::{Counts, Picture, Plan, Splats};
 use nearfar_core::render::Frame;
 use wgpu::{BindingResource, Buffer};
 
-use super::arena::Place;
+use super::arena::{arena_of, compress_missing};
 use super::calls::{Call, calls};
-use super::layout::{Images, KEY, Layout};
+use super::layout::{Images, KEY_BYTES, Layout};
 use super::programs::{Kernel, Kernels};
-use super::residents::Views;
 use super::uniforms::{DrawBlock, Uniforms};
 use crate::compute::memory::{LentBuffer, Results};
 use crate::compute::programs::{ROW, Work, groups};
-use crate::device::Device;
+use crate::device::{Device, lock};
 
 /// Width and height of a tile of samples.
 const TILE: u32 = 16;
@@ -29,45 +28,39 @@ pub fn draw(
     progress: &Progress,
 ) -> Result<(Frame, Counts)> {
     device.check()?;
-    let own: Vec<&Splats> = views.iter().map(|view| &**view).collect();
-    let mut plan = Plan::new(&own, picture)?;
+    let mut plan = Plan::new(&views.iter().map(|view| &**view).collect::<Vec<&Splats>>(), picture)?;
     let layout = Layout::new(device, &plan)?;
-    let residents = device.state::<Views>();
-    let compressed = residents.compressed(views);
-    let mut found = Images::new(&layout);
+    let compressed = compress_missing(device, views);
+    let mut images = Images::new(&layout);
     progress.expect(u64::from(layout.bands().count() as u32) + 1);
     let before = plan.initial_keys();
     let bands = {
         // The arena is locked until the work is submitted, so that these views cannot be evicted. Nothing runs in
         // parallel meanwhile: a thread that waits inside rayon may run another picture, which needs the same lock.
-        let mut arena = residents.arena();
+        let mut arena = lock(arena_of(device));
         let places = arena.show(device, views, &compressed)?;
-        set_places(&mut plan, &places);
+        for (view, [page, heads, bits]) in plan.views.iter_mut().zip(&places) {
+            view.place = [view.place[0], *page, *heads, *bits];
+        }
         let calls = calls(&mut plan.pieces, |view| places[view as usize][0]);
         let pages = arena.buffers(device)?;
         Drawing::new(device, &plan, &layout, &calls, &pages, before.as_deref())?.submit(progress)?
     };
-    let mut seen = 0;
+    let mut drawn = 0;
     for band in bands {
-        band.found.read(progress, |bytes| found.add(&layout, band.pixels, bytemuck::cast_slice(bytes)))?;
-        seen += u64::from(band.tiles.read_word(progress)?);
+        band.images.read(progress, |bytes| images.add(&layout, band.pixels, bytemuck::cast_slice(bytes)))?;
+        drawn += u64::from(band.tiles.read_word(progress)?);
         progress.report(1)?;
     }
-    let frame = plan.frame(&found.whole())?;
+    let frame = plan.frame(&images.as_found())?;
     progress.report(1)?;
-    Ok((frame, plan.counts(seen)))
-}
-
-fn set_places(plan: &mut Plan<'_>, places: &[Place]) {
-    for (view, [page, heads, bits]) in plan.views.iter_mut().zip(places) {
-        view.place = [view.place[0], *page, *heads, *bits];
-    }
+    Ok((frame, plan.counts(drawn)))
 }
 
 /// Submitted work of a band.
 struct Band<'a> {
     pixels: u32,
-    found: Results<'a>,
+    images: Results<'a>,
     tiles: Results<'a>,
 }
 
@@ -112,7 +105,7 @@ impl<'a, 'b> Drawing<'a, 'b> {
             kernels: Kernels { is_parallel: plan.is_parallel(), is_long: device.uses_long_atomics() },
             views: filled(bytemuck::cast_slice(&plan.views))?,
             pieces: filled(bytemuck::cast_slice(&plan.pieces))?,
-            keys: LentBuffer::scratch(device, KEY * samples)?,
+            keys: LentBuffer::scratch(device, KEY_BYTES * samples)?,
         })
     }
 
@@ -125,12 +118,12 @@ impl<'a, 'b> Drawing<'a, 'b> {
         for rows in self.layout.bands() {
             let count = rows.end - rows.start;
             let pixels = self.layout.size[0] * count;
-            let found = Results::new(self.device, 4 * u64::from(self.layout.outputs(pixels).1))?;
+            let images = Results::new(self.device, 4 * u64::from(self.layout.outputs(pixels).1))?;
             let tiles = Results::new(self.device, 4 * u64::from(1 + tiles_of(count)))?;
             let mut work = Work::new(self.device);
-            self.encode(&mut work, &rows, &found, &tiles, tiles_of(count))?;
+            self.encode(&mut work, &rows, &images, &tiles, tiles_of(count))?;
             work.submit(progress)?;
-            bands.push(Band { pixels, found, tiles });
+            bands.push(Band { pixels, images, tiles });
         }
         Ok(bands)
     }
@@ -139,25 +132,22 @@ impl<'a, 'b> Drawing<'a, 'b> {
         &self,
         work: &mut Work<'a>,
         rows: &Range<u32>,
-        found: &Results<'_>,
+        images: &Results<'_>,
         tiles: &Results<'_>,
         tile_count: u32,
     ) -> Result<()> {
-        let grid = self.layout.grid;
-        let pixels = self.layout.size[0] * (rows.end - rows.start);
-        let (outputs, _) = self.layout.outputs(pixels);
+        let (grid, row_count) = (self.layout.grid, rows.end - rows.start);
+        let pixels = self.layout.size[0] * row_count;
+        let ([colors, others, middles], _) = self.layout.outputs(pixels);
         let mut block = DrawBlock::new(self.plan);
-        block.size = [self.layout.size[0] * grid, (rows.end - rows.start) * grid, rows.start * grid, grid];
-        block.outputs = [outputs[0], outputs[1], outputs[2], 0];
+        block.size = [self.layout.size[0] * grid, row_count * grid, rows.start * grid, grid];
+        block.outputs = [colors, others, middles, 0];
         let passes = if self.kernels.is_long { 0..1 } else { 0..2u32 };
-        let drawn: Vec<DrawBlock> = passes
-            .flat_map(|pass| self.calls.iter().map(move |call| (pass, call)))
-            .map(|(pass, call)| block.with_work(&call.pieces, pass))
-            .collect();
-        let mut blocks = drawn.clone();
-        blocks.push(block);
+        let blocks = passes.flat_map(|pass| self.calls.iter().map(move |call| block.with_work(&call.pieces, pass)));
+        let blocks: Vec<DrawBlock> = blocks.chain([block]).collect();
+        let draw_count = blocks.len() - 1;
         let uniforms = Uniforms::new(self.device, &blocks)?;
-        let bytes = KEY * u64::from(pixels) * u64::from(grid * grid);
+        let bytes = KEY_BYTES * u64::from(pixels) * u64::from(grid * grid);
         match self.before {
             Some(keys) => {
                 let [first, after] = [rows.start, rows.end].map(|row| (row * grid) as usize * block.size[0] as usize);
@@ -166,11 +156,11 @@ impl<'a, 'b> Drawing<'a, 'b> {
             None => work.encoder.clear_buffer(&self.keys, 0, Some(bytes)),
         }
         work.encoder.clear_buffer(&tiles.on_device, 0, Some(4 * u64::from(1 + tile_count)));
-        for (number, call) in (0..drawn.len()).zip(self.calls.iter().cycle()) {
-            if call.begins && (number > 0 || self.before.is_some()) {
+        for (number, call) in (0..draw_count).zip(self.calls.iter().cycle()) {
+            if call.begins_batch && (number > 0 || self.before.is_some()) {
                 let resources =
                     [(0, uniforms.binding(number)), (7, tiles.on_device.binding()), (8, self.keys.binding())];
-                self.kernels.run(work, Kernel::Tiles, &resources, rows_of(tile_count))?;
+                self.kernels.run(work, Kernel::Tiles, &resources, one_group_each(tile_count))?;
             }
             let resources = [
                 (0, uniforms.binding(number)),
@@ -180,19 +170,19 @@ impl<'a, 'b> Drawing<'a, 'b> {
                 (7, tiles.on_device.binding()),
                 (8, self.keys.binding()),
             ];
-            self.kernels.run(work, Kernel::Draw, &resources, rows_of(call.pieces.end - call.pieces.start))?;
+            self.kernels.run(work, Kernel::Draw, &resources, one_group_each(call.pieces.end - call.pieces.start))?;
         }
-        let mut resources = vec![(0, uniforms.binding(drawn.len())), (1, self.views.binding())];
+        let mut resources = vec![(0, uniforms.binding(draw_count)), (1, self.views.binding())];
         resources.extend((2..).zip(self.pages.iter().cloned()));
-        resources.extend([(6, found.on_device.binding()), (8, self.keys.binding())]);
+        resources.extend([(6, images.on_device.binding()), (8, self.keys.binding())]);
         self.kernels.run(work, Kernel::Resolve, &resources, groups(pixels))?;
-        found.encode_copy(&mut work.encoder);
+        images.encode_copy(&mut work.encoder);
         tiles.encode_copy(&mut work.encoder);
         Ok(())
     }
 }
 
 /// Returns the workgroups of a kernel with one item per workgroup.
-fn rows_of(count: u32) -> [u32; 2] {
+fn one_group_each(count: u32) -> [u32; 2] {
     [count.clamp(1, ROW), count.div_ceil(ROW).max(1)]
 }

@@ -30,11 +30,11 @@ pub(super) struct DrawBlock {
 impl DrawBlock {
     /// Creates the block of a picture, without size, work and outputs.
     pub fn new(plan: &Plan<'_>) -> Self {
-        let (picture, own) = (plan.picture(), plan.planes());
+        let (picture, half_spaces) = (plan.picture(), plan.planes());
         let mut planes = [[0.0; 4]; 8];
-        planes[..own.len()].copy_from_slice(&own);
+        planes[..half_spaces.len()].copy_from_slice(&half_spaces);
         let limits = [
-            own.len() as u32,
+            half_spaces.len() as u32,
             u32::from(!picture.limits.is_none()),
             u32::from(picture.pixels.bare),
             u32::from(picture.before.is_some()),
@@ -64,12 +64,11 @@ pub(super) struct Uniforms(Buffer);
 
 impl Uniforms {
     pub fn new(device: &Device, blocks: &[DrawBlock]) -> Result<Self> {
-        let mut words = vec![0u32; blocks.len() * STRIDE / size_of::<u32>()];
-        for (slot, block) in words.chunks_exact_mut(STRIDE / size_of::<u32>()).zip(blocks) {
-            let own: &[u32] = bytemuck::cast_slice(std::slice::from_ref(block));
-            slot[..own.len()].copy_from_slice(own);
+        let mut bytes = vec![0u8; blocks.len() * STRIDE];
+        for (slot, block) in bytes.chunks_exact_mut(STRIDE).zip(blocks) {
+            slot[..size_of_val(block)].copy_from_slice(bytemuck::bytes_of(block));
         }
-        device.filled_buffer("splats", &words, BufferUsages::UNIFORM).map(Self)
+        device.filled_buffer("splats", &bytes, BufferUsages::UNIFORM).map(Self)
     }
 
     pub fn binding(&self, number: usize) -> BindingResource<'_> {
