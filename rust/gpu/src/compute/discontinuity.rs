@@ -182,7 +182,6 @@ impl<'a> Bins<'a> {
         })
     }
 
-    /// Encodes a kernel.
     fn run(&self, work: &mut Work<'_>, kernel: Kernel, uniform: &wgpu::Buffer, groups: [u32; 2]) -> Result<()> {
         let (entry, bindings) = kernel;
         let text = &[include_str!("../shaders/compute_discontinuity.wgsl")];

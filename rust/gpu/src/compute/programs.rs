@@ -15,12 +15,9 @@ pub(crate) const GROUP: u32 = 256;
 
 /// An entry point of a shader with its constants.
 pub(crate) struct Program<'a> {
-    /// The shader's text.
     pub text: &'a [&'a str],
     pub entry: &'static str,
-    /// Compile-time constants.
     pub constants: &'a [(&'static str, u32)],
-    /// Bind group of the resources.
     pub group: u32,
 }
 

@@ -49,21 +49,19 @@ pub(super) struct FrameBindings<'a> {
     empty_scene: BindGroup,
     /// Visible instances of each view, single-sampled and multisampled.
     targets: [Vec<BindGroup>; 2],
-    /// Bit mask of the drawn pixels.
     mask: Option<BindGroup>,
 }
 
 impl<'a> FrameBindings<'a> {
-    /// Creates the bind groups; `None` before the slot has inputs.
+    /// Creates the bind groups for a slot and its inputs.
     pub fn new(
         device: &'a Device,
         picture: &'a Picture,
         plan: &'a Plan,
-        slot: &'a Slot,
+        (slot, inputs): (&'a Slot, &wgpu::Buffer),
         placeholders: &'a Placeholders,
-    ) -> Option<Self> {
+    ) -> Self {
         let layouts = device.state::<Pipelines>().layouts(device);
-        let inputs = slot.inputs.buffer()?;
         let map = picture.backdrop.as_ref().map_or(&placeholders.map, |backdrop| &backdrop.texels);
         let views = slot.shape.views;
         let view = |count: u32| {
@@ -85,7 +83,7 @@ impl<'a> FrameBindings<'a> {
         let (raster_scenes, resolve_scenes) = scenes.unzip();
         let records = placeholders.tables.parts.as_entire_binding();
         let empty_tables = tables(&placeholders.tables, &placeholders.page, records);
-        Some(Self {
+        Self {
             device,
             picture,
             plan,
@@ -97,7 +95,7 @@ impl<'a> FrameBindings<'a> {
             empty_scene: device.bind_group(&layouts.resolve_scene, (0..).zip(empty_tables)),
             targets: targets(device, layouts, slot),
             mask: plan.mask.as_ref().map(|bits| device.bind_group(&layouts.mask, [(0, section(inputs, bits))])),
-        })
+        }
     }
 
     /// Encodes one pass: raster, then resolve.

@@ -1,7 +1,9 @@
 //! Shader inputs of a frame. Only bytes that differ from the last frame's are uploaded.
 
+use std::ops::Range;
+
 use nearfar_core::base::Result;
-use wgpu::{BufferUsages, MapMode};
+use wgpu::{Buffer, BufferUsages, CommandEncoder, MapMode};
 
 use crate::device::{Counter, Device};
 
@@ -14,23 +16,25 @@ pub(super) const PASS_BLOCKS: usize = 3;
 #[derive(Default)]
 pub(super) struct ShaderInputs {
     /// Device buffer, and the mapped staging buffer for changes.
-    buffers: Option<(wgpu::Buffer, wgpu::Buffer)>,
-    /// Bytes that are on the device.
+    buffers: Option<(Buffer, Buffer)>,
     on_device: Vec<u8>,
 }
 
 impl ShaderInputs {
-    /// Uploads the bytes that differ from the last frame's.
-    pub fn send(&mut self, device: &Device, encoder: &mut wgpu::CommandEncoder, bytes: Vec<u8>) -> Result<()> {
+    /// Uploads the bytes that differ from the last frame's; returns the buffer on the device.
+    pub fn send(&mut self, device: &Device, encoder: &mut CommandEncoder, bytes: Vec<u8>) -> Result<Buffer> {
         let size = (bytes.len() as u64).next_multiple_of(BLOCK as u64).next_power_of_two();
-        if self.buffers.as_ref().is_none_or(|(buffer, _)| buffer.size() < size) {
-            let usage = BufferUsages::UNIFORM | BufferUsages::STORAGE | BufferUsages::COPY_DST;
-            let buffer = device.buffer("inputs", size, usage)?;
-            let staging = device.mapped_buffer("changes", size, BufferUsages::MAP_WRITE | BufferUsages::COPY_SRC)?;
-            self.buffers = Some((buffer, staging));
-            self.on_device.clear();
-        }
-        let Some((buffer, staging)) = &self.buffers else { return Ok(()) };
+        let (buffer, staging) = match &self.buffers {
+            Some(buffers) if buffers.0.size() >= size => buffers,
+            _ => {
+                self.on_device.clear();
+                let usage = BufferUsages::UNIFORM | BufferUsages::STORAGE | BufferUsages::COPY_DST;
+                let buffer = device.buffer("inputs", size, usage)?;
+                let staging =
+                    device.mapped_buffer("changes", size, BufferUsages::MAP_WRITE | BufferUsages::COPY_SRC)?;
+                self.buffers.insert((buffer, staging))
+            }
+        };
         let changed = changes(&self.on_device, &bytes);
         if !changed.is_empty() {
             let view = staging.get_mapped_range_mut(..bytes.len().next_multiple_of(8) as u64);
@@ -46,12 +50,7 @@ impl ShaderInputs {
             device.count(Counter::UploadedBytes, length);
         }
         self.on_device = bytes;
-        Ok(())
-    }
-
-    /// Returns the buffer on the device.
-    pub fn buffer(&self) -> Option<&wgpu::Buffer> {
-        self.buffers.as_ref().map(|(buffer, _)| buffer)
+        Ok(buffer.clone())
     }
 
     /// Requests to map the staging buffer again after the device has finished; `report` is called in its next poll.
@@ -64,9 +63,9 @@ impl ShaderInputs {
 }
 
 /// Returns runs of differing pieces.
-fn changes(before: &[u8], bytes: &[u8]) -> Vec<std::ops::Range<usize>> {
+fn changes(before: &[u8], bytes: &[u8]) -> Vec<Range<usize>> {
     const PIECE_BYTES: usize = 16;
-    let mut runs: Vec<std::ops::Range<usize>> = Vec::new();
+    let mut runs: Vec<Range<usize>> = Vec::new();
     for start in (0..bytes.len()).step_by(PIECE_BYTES) {
         let end = (start + PIECE_BYTES).min(bytes.len());
         if before.get(start..end) == Some(&bytes[start..end]) {

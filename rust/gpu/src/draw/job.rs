@@ -157,10 +157,8 @@ impl Job {
         let scope = Scope::open(device);
         let encoder = || device.wgpu.create_command_encoder(&CommandEncoderDescriptor { label: Some("frame") });
         let mut commands = encoder();
-        slot.inputs.send(device, &mut commands, std::mem::take(&mut plan.inputs))?;
-        let Some(bindings) = FrameBindings::new(device, picture, &plan, &slot, &placeholders) else {
-            return Err(device.failure("a slot without buffers"));
-        };
+        let inputs = slot.inputs.send(device, &mut commands, std::mem::take(&mut plan.inputs))?;
+        let bindings = FrameBindings::new(device, picture, &plan, (&slot, &inputs), &placeholders);
         let mut in_flight: Option<Submission> = None;
         let passes_per_submission = if device.is_software() { PASSES_IN_SOFTWARE } else { PASSES_PER_SUBMISSION };
         for (n, chunk) in passes.chunks(passes_per_submission).enumerate() {

@@ -10,24 +10,17 @@ use crate::upload::{SceneTables, SetTables};
 /// One of a scene's two instance sets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Set {
-    /// Static instances.
     Static,
-    /// Moving instances.
     Moving,
 }
 
 /// Instances drawn with one style.
 #[derive(Clone)]
 pub(crate) struct Layer {
-    /// Scene with the instances.
     pub scene: Scene,
-    /// Device tables of the scene.
     pub tables: Arc<SceneTables>,
-    /// Instance set that is drawn.
     pub set: Set,
-    /// Displacement of points.
     pub style: Style,
-    /// Filter of fragments.
     pub cut: Cut,
     /// Bound of the displacement; `None` if unbounded, so that nothing is culled.
     pub displacement: Option<Displacement>,
@@ -41,7 +34,6 @@ pub(crate) struct Layer {
 
 /// Source faces and instances of a derived scene.
 pub(crate) struct Sources {
-    /// Scene that they belong to.
     pub scene: Scene,
     /// Instance and face; object numbers of the static meshes are indices of this list.
     pub faces: Vec<(u32, u32)>,
@@ -98,7 +90,6 @@ impl Layer {
         Some((&sources.scene, instance, face))
     }
 
-    /// Returns the instances of the set.
     pub fn instances(&self) -> &[Instance] {
         match self.set {
             Set::Static => self.scene.standing.instances(),
@@ -106,7 +97,6 @@ impl Layer {
         }
     }
 
-    /// Returns the device tables of the set.
     pub fn set_tables(&self) -> &SetTables {
         match self.set {
             Set::Static => &self.tables.static_set,

@@ -61,7 +61,6 @@ pub(super) struct ResolveKey {
     pub mapped: bool,
     /// Whether the map is visible only on a segment of each ray.
     pub limited: bool,
-    /// Whether samples without a face are black.
     pub bare: bool,
     pub color: bool,
     pub surface: bool,
@@ -74,7 +73,6 @@ pub(super) struct ResolveKey {
     pub samples: u32,
 }
 
-/// Pipelines of a device.
 #[derive(Default)]
 pub(crate) struct Pipelines {
     layouts: OnceLock<Layouts>,
@@ -85,7 +83,6 @@ pub(crate) struct Pipelines {
     masks: Compiled<u32, RenderPipeline>,
 }
 
-/// Layouts of the bind groups.
 pub(super) struct Layouts {
     /// Tables of a scene and the order of its records.
     pub raster_scene: BindGroupLayout,
@@ -95,7 +92,6 @@ pub(super) struct Layouts {
     pub view: BindGroupLayout,
     /// Visible faces, single-sampled or multisampled, and the output.
     pub target: [BindGroupLayout; 2],
-    /// Bit mask of the drawn pixels.
     pub mask: BindGroupLayout,
 }
 
@@ -103,7 +99,6 @@ pub(super) struct Layouts {
 struct RenderSettings<'a> {
     label: &'static str,
     source: &'a str,
-    /// Entry points of vertex and fragment shader.
     entries: [&'static str; 2],
     /// Layout of bind group 0.
     layout: &'a BindGroupLayout,

@@ -21,7 +21,6 @@ use crate::device::{Device, SAMPLES, Submission, UNREADABLE, VISIBLE, lock};
 const MAX_IDLE_SLOTS: usize = 6;
 const MAX_IDLE_BYTES: u64 = 1 << 29;
 
-/// Idle slots.
 #[derive(Default)]
 pub(crate) struct Slots(Mutex<Vec<Slot>>);
 
@@ -34,7 +33,6 @@ pub(super) struct Shape {
     pub views: u32,
     /// Whether there is an additional multisampled target.
     pub multisampled: bool,
-    /// Bytes of the output.
     pub bytes: u64,
 }
 
@@ -62,7 +60,6 @@ pub(super) struct Slot {
     pub output: wgpu::Buffer,
     /// Staging copy for the processor; `None` if it can read the output itself.
     pub staging: Option<wgpu::Buffer>,
-    /// Shader inputs.
     pub inputs: ShaderInputs,
     /// Timer of the passes, if the device has a clock.
     pub watch: Option<Stopwatch>,

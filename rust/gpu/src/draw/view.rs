@@ -105,6 +105,8 @@ pub(super) fn pass_of(
     let vec4 = |v: DVec3| v.as_vec3().extend(0.0).to_array();
     let map = picture.backdrop.as_ref().map(|backdrop| &backdrop.texels);
     let environment = map.map_or([0; 4], |map| [map.size, map.color.shift, map.range.shift, u32::from(map.has_range)]);
+    let limits = picture.limits.unwrap_or(Limits::NONE).relative_to(eye);
+    let (Segment { t_min, t_max }, planes) = (limits.segment, limits.planes());
     let [color, range, ids, position, normal, albedo, shading_normal, coverage] = *outputs;
     Pass {
         clip: clip_rows(camera, window, sampling, farthest).map(|row| row.as_vec4().to_array()),
@@ -123,26 +125,12 @@ pub(super) fn pass_of(
         environment,
         outputs: [color, range, ids, position],
         more_outputs: [normal, albedo, shading_normal, coverage],
-        segment: segment_of(picture),
-        planes: planes_of(picture, eye),
+        // Shaders have no infinity.
+        segment: [t_min.min(f32::MAX), t_max.min(f32::MAX), f32::from(t_max.is_infinite()), planes.len() as f32],
+        planes: std::array::from_fn(|i| planes.get(i).map_or([0.0; 4], |plane| plane.as_vec4().to_array())),
         parameters: picture.parameters,
         unused: [[0.0; 4]; 15],
     }
-}
-
-/// Returns start and end of each ray's visible segment, whether it is unbounded (shaders have no infinity), and the
-/// number of planes.
-fn segment_of(picture: &Picture) -> [f32; 4] {
-    let limits = picture.limits.unwrap_or(Limits::NONE);
-    let Segment { t_min, t_max } = limits.segment;
-    let count = limits.planes().len() as f32;
-    [t_min.min(f32::MAX), t_max.min(f32::MAX), f32::from(t_max.is_infinite()), count]
-}
-
-/// Returns the clip half-spaces for points relative to the eye.
-fn planes_of(picture: &Picture, eye: DVec3) -> [[f32; 4]; MAX_PLANES] {
-    let limits = picture.limits.unwrap_or(Limits::NONE).relative_to(eye);
-    std::array::from_fn(|i| limits.planes().get(i).map_or([0.0; 4], |plane| plane.as_vec4().to_array()))
 }
 
 /// Returns the direction of pixel (0, 0) and its steps, each as a multiple of a grid so coarse that shaders add and

@@ -60,7 +60,6 @@ fn channel_flags(channels: Channels) -> [bool; CHANNELS] {
     [color, range, object_id || face_id, position, normal, albedo, shading_normal, coverage]
 }
 
-/// Returns the bytes per pixel.
 pub(super) fn bytes_per_pixel(channels: Channels) -> u64 {
     channel_flags(channels).iter().zip(CHANNEL_BYTES).map(|(&requested, bytes)| u64::from(requested) * bytes).sum()
 }

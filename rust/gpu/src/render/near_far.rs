@@ -11,7 +11,6 @@ const ZONES: &str = include_str!("../shaders/zones.wgsl");
 /// Displacement of points: variants of `displayed.wgsl`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Placement {
-    /// Not displaced.
     Undisplaced = 0,
     /// Morphed by the blend of 2022.
     Blend = 1,
@@ -36,7 +35,6 @@ impl From<Kind> for Placement {
 }
 
 impl Placement {
-    /// Returns the style of a layer.
     pub fn style(self) -> Style {
         match self {
             Self::Undisplaced => Style::PLAIN,
@@ -77,7 +75,6 @@ pub(super) enum ZoneCut {
 }
 
 impl ZoneCut {
-    /// Returns the cut of a layer.
     pub fn cut(self) -> Cut {
         match self {
             Self::None => Cut::NONE,

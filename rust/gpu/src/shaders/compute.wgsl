@@ -1,4 +1,5 @@
-// Declarations of all compute kernels. ROW (workgroups per row of a dispatch) and GROUP (threads per workgroup) precede.
+// Declarations of all compute kernels, after the constants ROW (workgroups per row of a dispatch) and GROUP (threads per
+// workgroup).
 
 const EXPONENT: u32 = 0x7f800000u;
 const SIGN: u32 = 0x80000000u;

@@ -46,7 +46,7 @@ fn is_kept(from_center: vec3<f32>, from_eye: vec3<f32>, normal: vec3<f32>) -> bo
         let direction = from_eye / distance;
         let limit = backdrop_range(direction, range_limit(direction));
         // A surface of the map nearer than the visible segment hides nothing.
-        is_outside = is_outside && (distance <= limit || limit < seen_along(direction).x);
+        is_outside = is_outside && (distance <= limit || limit < visible_segment(direction).x);
     }
     return is_outside;
 }

@@ -89,7 +89,6 @@ impl Arena {
         views.iter().filter(|view| !is_resident(view) && seen.insert(identity(view))).cloned().collect()
     }
 
-    /// Returns the bytes of all views.
     pub fn bytes(&self) -> u64 {
         self.residents.values().map(|resident| WORD * u64::from(resident.words)).sum()
     }

@@ -1,24 +1,27 @@
 //! Drawing of views by a device, in bands of rows.
 
+use std::num::NonZeroU64;
 use std::ops::Range;
 use std::sync::Arc;
 
+use bytemuck::{Pod, Zeroable};
 use nearfar_core::base::{Progress, Result};
 use nearfar_core::orthoview::splat::{Counts, Picture, Plan, Splats};
 use nearfar_core::render::Frame;
-use wgpu::{BindingResource, Buffer};
+use wgpu::{BindingResource, Buffer, BufferBinding, BufferUsages};
 
 use super::arena::{arena_of, compress_missing};
 use super::calls::{Call, calls};
 use super::layout::{Images, KEY_BYTES, Layout};
 use super::programs::{Kernel, Kernels};
-use super::uniforms::{DrawBlock, Uniforms};
 use crate::compute::memory::{LentBuffer, Results};
 use crate::compute::programs::{ROW, Work, groups};
 use crate::device::{Device, lock};
 
 /// Width and height of a tile of samples.
 const TILE: u32 = 16;
+/// Bytes between blocks: a multiple of every adapter's alignment.
+const STRIDE: usize = 512;
 
 /// Draws views; samples without a splat show `before` or the sky.
 pub fn draw(
@@ -185,4 +188,68 @@ impl<'a, 'b> Drawing<'a, 'b> {
 /// Returns the workgroups of a kernel with one item per workgroup.
 fn one_group_each(count: u32) -> [u32; 2] {
     [count.clamp(1, ROW), count.div_ceil(ROW).max(1)]
+}
+
+/// The uniform block `Draw` of `splat.wgsl`.
+#[repr(C)]
+#[derive(Clone, Copy, Pod, Zeroable)]
+struct DrawBlock {
+    size: [u32; 4],
+    work: [u32; 4],
+    outputs: [u32; 4],
+    limits: [u32; 4],
+    start: [[f32; 4]; 3],
+    direction: [[f32; 4]; 3],
+    segment: [f32; 4],
+    planes: [[f32; 4]; 8],
+}
+
+impl DrawBlock {
+    /// Creates the block of a picture, without size, work and outputs.
+    fn new(plan: &Plan<'_>) -> Self {
+        let (picture, half_spaces) = (plan.picture(), plan.planes());
+        let mut planes = [[0.0; 4]; 8];
+        planes[..half_spaces.len()].copy_from_slice(&half_spaces);
+        let limits = [
+            half_spaces.len() as u32,
+            u32::from(!picture.limits.is_none()),
+            u32::from(picture.pixels.bare),
+            u32::from(picture.before.is_some()),
+        ];
+        let segment = picture.limits.segment;
+        Self {
+            size: [0; 4],
+            work: [0, 0, 0, plan.views.len() as u32],
+            outputs: [0; 4],
+            limits,
+            start: plan.rays.start,
+            direction: plan.rays.direction,
+            segment: [segment.t_min, segment.t_max.min(f32::MAX), 0.0, 0.0],
+            planes,
+        }
+    }
+
+    /// Returns the block for a pass over some pieces.
+    fn with_work(mut self, pieces: &Range<u32>, pass: u32) -> Self {
+        [self.work[0], self.work[1], self.work[2]] = [pieces.start, pieces.end - pieces.start, pass];
+        self
+    }
+}
+
+/// Uniform blocks in one buffer.
+struct Uniforms(Buffer);
+
+impl Uniforms {
+    fn new(device: &Device, blocks: &[DrawBlock]) -> Result<Self> {
+        let mut bytes = vec![0u8; blocks.len() * STRIDE];
+        for (slot, block) in bytes.chunks_exact_mut(STRIDE).zip(blocks) {
+            slot[..size_of_val(block)].copy_from_slice(bytemuck::bytes_of(block));
+        }
+        device.filled_buffer("splats", &bytes, BufferUsages::UNIFORM).map(Self)
+    }
+
+    fn binding(&self, number: usize) -> BindingResource<'_> {
+        let size = NonZeroU64::new(size_of::<DrawBlock>() as u64);
+        BindingResource::Buffer(BufferBinding { buffer: &self.0, offset: (number * STRIDE) as u64, size })
+    }
 }

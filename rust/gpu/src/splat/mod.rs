@@ -11,7 +11,6 @@ mod draw;
 mod free_list;
 mod layout;
 mod programs;
-mod uniforms;
 
 pub use arena::{keep, kept_bytes};
 pub use draw::draw;

@@ -15,7 +15,6 @@ const TEXTURE_WORDS: usize = 8;
 /// Texture number of a material without a texture.
 const NONE: u32 = u32::MAX;
 
-/// Materials and textures of a scene.
 pub(crate) struct MaterialTable {
     pub materials: wgpu::Buffer,
     pub textures: wgpu::Buffer,

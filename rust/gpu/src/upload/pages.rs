@@ -11,7 +11,6 @@ use super::page_allocator::PageAllocator;
 use super::runs::{NONE, Run, gathered, runs_of};
 use crate::device::{Counter, Device, Scope};
 
-/// Bytes per word.
 const WORD: u64 = 4;
 
 /// A buffer of meshes.

@@ -76,13 +76,11 @@ pub(crate) struct SetTables {
     parts: Vec<u32>,
 }
 
-/// Tables of a scene.
 pub(crate) struct SceneTables {
     pub static_set: SetTables,
     pub moving_set: SetTables,
     /// Records of the static instances; those of moving ones are uploaded with each pose.
     pub records: Vec<Records>,
-    /// Table of all parts.
     pub parts: wgpu::Buffer,
     part_words: Vec<u32>,
     /// Whether some mesh has vertex colours.
@@ -148,7 +146,6 @@ impl SetTables {
         (0..self.parts.len()).flat_map(|record| self.record(instances, record)).collect()
     }
 
-    /// Returns one record.
     pub fn record(&self, instances: &[Instance], record: usize) -> [u32; RECORD_WORDS] {
         record_words(&instances[self.record_faces[record].0 as usize], self.parts[record])
     }

@@ -179,7 +179,6 @@ impl Near {
 }
 
 impl Geometry {
-    /// Returns the number of triangles.
     pub fn triangle_count(&self) -> u64 {
         self.scene.triangle_count() as u64
     }

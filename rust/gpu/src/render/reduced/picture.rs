@@ -6,11 +6,10 @@ use glam::DVec3;
 use nearfar_core::base::Result;
 use nearfar_core::cubemap::EnvironmentMap;
 use nearfar_core::morph::Kind;
-use nearfar_core::render::Limits;
-use nearfar_core::render::reduced::ConventionalDynamic;
+use nearfar_core::render::reduced::{ConventionalDynamic, Drawing};
 use nearfar_core::scene::Scene;
 
-use super::near::{Geometry, Moving};
+use super::near::{Bent, Geometry, Moving};
 use crate::device::Device;
 use crate::draw::{Backdrop, Layer, Picture, Set};
 use crate::render::near_far::{NearFar, Placement, ZoneCut};
@@ -25,22 +24,12 @@ pub(super) struct View<'a> {
     pub near_far: NearFar,
     /// Kind of the morph; `None` without one.
     pub kind: Option<Kind>,
-    /// Near triangles that no morph moves, if there are any, and triangles that it bends.
-    pub fixed: Option<&'a Geometry>,
-    pub bending: &'a Geometry,
-    /// Moving objects.
+    pub bent: &'a Bent,
     pub moving: &'a Moving,
     pub map: Option<&'a EnvironmentMap>,
-    /// Device texels of the map, if the far part is taken from it.
+    /// Device texels of the map, if the far part is taken from it; otherwise it is drawn from the centre.
     pub texels: Option<Arc<EnvTexels>>,
-    /// Whether the far part is taken from the map, or else drawn from the centre.
-    pub mapped: bool,
-    /// Visible volume, in world coordinates.
-    pub limits: Limits,
-    /// Whether samples without a triangle are black.
-    pub bare: bool,
-    /// Placement of moving objects beyond the near part without a morph.
-    pub conventional_dynamic: ConventionalDynamic,
+    pub drawing: &'a Drawing<'a>,
 }
 
 impl View<'_> {
@@ -50,15 +39,16 @@ impl View<'_> {
         let far_placement =
             if self.kind == Some(Kind::Cylinder) { Placement::FromCenterOnCylinder } else { Placement::FromCenter };
         let mut layers = Vec::new();
-        let draws_far_part = !self.mapped && self.map.is_some();
+        let draws_far_part = !self.drawing.mapped && self.map.is_some();
         if draws_far_part {
             let static_scene = Scene { moving: Arc::default(), ..self.scene.clone() };
             layers.push(self.layer(device, &static_scene, Set::Static, far_placement, ZoneCut::Outside)?);
         }
         let split = self.moving.split.iter().map(|split| (split, Set::Static));
         let movers = split.chain([(&self.moving.placed, Set::Moving)]);
-        let movers: Vec<_> = movers.filter(|(geometry, _)| geometry.scene.triangle_count() > 0).collect();
-        let from_user = self.conventional_dynamic == ConventionalDynamic::User;
+        let movers: Vec<_> = movers.filter(|(geometry, _)| geometry.triangle_count() > 0).collect();
+        let conventional_dynamic = self.drawing.conventional_dynamic;
+        let from_user = conventional_dynamic == ConventionalDynamic::User;
         let has_range = !from_user && self.texels.as_ref().is_some_and(|texels| texels.has_range);
         let zone = if has_range { ZoneCut::OutsideUnhidden } else { ZoneCut::Outside };
         // Morphed vertices on both sides of r₂, so that no gap opens where triangles cross it. Without a map, static
@@ -73,7 +63,7 @@ impl View<'_> {
             Some(Kind::Cylinder) if is_beside_user => Placement::CylinderFromCenter,
             Some(_) => far_placement,
         };
-        if self.conventional_dynamic != ConventionalDynamic::Omit {
+        if conventional_dynamic != ConventionalDynamic::Omit {
             let first = layers.len();
             for (geometry, set) in &movers {
                 layers.push(self.near_layer(device, geometry, *set, mover_placement, zone)?);
@@ -84,10 +74,10 @@ impl View<'_> {
         }
         // The first layer of the near part covers everything beyond it.
         let first = layers.len();
-        if let Some(fixed) = self.fixed {
+        if let Some(fixed) = &self.bent.fixed {
             layers.push(self.near_layer(device, fixed, Set::Static, Placement::Undisplaced, ZoneCut::None)?);
         }
-        layers.push(self.near_layer(device, self.bending, Set::Static, near_placement, ZoneCut::Inside)?);
+        layers.push(self.near_layer(device, &self.bent.geometry, Set::Static, near_placement, ZoneCut::Inside)?);
         layers[first].covers = first > 0;
         for (geometry, set) in &movers {
             layers.push(self.near_layer(device, geometry, *set, near_placement, ZoneCut::Inside)?);
@@ -99,12 +89,13 @@ impl View<'_> {
         };
         let backdrop_placement =
             if far_placement == Placement::FromCenterOnCylinder { far_placement } else { Placement::Undisplaced };
+        let limits = self.drawing.limits;
         Ok(Picture {
             parameters: self.near_far.parameters(),
             backdrop: self.texels.as_ref().map(backdrop),
             backdrop_style: backdrop_placement.style(),
-            limits: (!self.limits.is_none()).then(|| self.limits.relative_to(self.scene.origin)),
-            bare: self.bare,
+            limits: (!limits.is_none()).then(|| limits.relative_to(self.scene.origin)),
+            bare: self.drawing.pixels.bare,
             ..Picture::plain(layers, self.scene.origin)
         })
     }

@@ -95,28 +95,17 @@ impl Reduced {
             Join::Conventional { radius } => radius,
             Join::Morph(_) => self.radii[1],
         };
-        let strength = morph.map_or(1.0, |morph| morph.strength);
+        let (offset, strength) = (user - self.center, morph.map_or(1.0, |morph| morph.strength));
         let view = View {
             scene,
             center: self.center,
-            near_far: NearFar {
-                offset: user - self.center,
-                camera_offset,
-                radii,
-                strength,
-                cut_radius,
-                two_texels: 0.0,
-            },
+            near_far: NearFar { offset, camera_offset, radii, strength, cut_radius, two_texels: 0.0 },
             kind,
-            fixed: bent.fixed.as_ref(),
-            bending: &bent.geometry,
+            bent: &bent,
             moving: &moving,
             map: self.map.as_ref(),
             texels,
-            mapped: drawing.mapped,
-            limits: drawing.limits,
-            bare: drawing.pixels.bare,
-            conventional_dynamic: drawing.conventional_dynamic,
+            drawing,
         };
         let picture = Picture { mask: Mask::from_pixels(&drawing.pixels, camera)?, ..view.picture(device)? };
         let job = Job::begin(device, picture, camera, drawing.channels, drawing.samples, progress)?;
