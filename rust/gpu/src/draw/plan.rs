@@ -177,8 +177,8 @@ impl Plan {
         self.batches.push(Batch { layer: numbering.layer, page, records, calls, block: batch_block, has_one_record });
     }
 
-    /// Returns whether pixels without a face need their own batch. Otherwise the first batch also resolves them, because
-    /// its style is the backdrop's.
+    /// Returns whether pixels without a face need their own batch. Otherwise the first batch also resolves them: its
+    /// style is the backdrop's.
     pub fn needs_empty_batch(&self, picture: &Picture) -> bool {
         self.batches.first().is_none_or(|first| picture.layers[first.layer].style != picture.backdrop_style)
     }

@@ -1,5 +1,5 @@
-//! Windows in flight, and a pool of targets and buffers for them. A frame takes a fitting slot and returns it, so steady frames
-//! allocate nothing.
+//! Windows in flight, and a pool of targets and buffers for them. A frame takes a fitting slot and returns it, so steady
+//! frames allocate nothing.
 
 use std::sync::atomic::{AtomicU32, Ordering};
 use std::sync::{Arc, Mutex};

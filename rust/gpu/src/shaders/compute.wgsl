@@ -1,5 +1,5 @@
-// Declarations of all compute kernels, after the constants ROW (workgroups per row of a dispatch) and GROUP (threads per
-// workgroup).
+// Declarations of all compute kernels. The constants ROW (workgroups per row of a dispatch) and GROUP (threads per
+// workgroup) precede them.
 
 const EXPONENT: u32 = 0x7f800000u;
 const SIGN: u32 = 0x80000000u;

@@ -1,5 +1,5 @@
-//! Tables of a scene on the device: parts of its meshes, materials, and instances as records (a transform and the part of
-//! the mesh that it places).
+//! Tables of a scene on the device: parts of its meshes, materials, and instances as records (a transform and the part
+//! of the mesh that it places).
 
 use std::collections::HashMap;
 use std::sync::{Arc, Weak};
