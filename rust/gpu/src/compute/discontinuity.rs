@@ -8,7 +8,7 @@ use nearfar_core::camera::Camera;
 use nearfar_core::metrics::Neighbourhood;
 use wgpu::{BindingResource, BufferUsages};
 
-use super::memory::{LentBuffer, Results, copy};
+use super::memory::{LentBuffer, Results};
 use super::programs::{Program, Work, groups};
 use crate::device::{Device, Submission};
 use crate::draw::{Axes, DeviceFrame};
@@ -22,10 +22,10 @@ const _: () = assert!(9 * POINTS_PER_SLICE < 65_535);
 /// Minimum side of a cell, pixels: smaller ones hold few points.
 const MIN_CELL_PX: f64 = 4.0;
 
-/// The uniform block `Torn` of `compute_discontinuity.wgsl`.
+/// The uniform block `Settings` of `compute_discontinuity.wgsl`.
 #[repr(C)]
 #[derive(Clone, Copy, Pod, Zeroable)]
-struct TornBlock {
+struct SettingsBlock {
     x: [f32; 4],
     y: [f32; 4],
     ahead: [f32; 4],
@@ -41,9 +41,9 @@ struct TornBlock {
 type Kernel = (&'static str, &'static [u32]);
 
 /// Finds the cell of each pixel, and counts the pixels of each cell.
-const PLACE: Kernel = ("discontinuity_place", &[0, 1, 2, 3, 4, 8]);
+const BIN: Kernel = ("discontinuity_bin", &[0, 1, 2, 3, 4, 8]);
 /// Computes where each cell starts, and the maximum count, from the counts.
-const ADD_UP: Kernel = ("discontinuity_add_up", &[0, 4, 5, 9]);
+const ADD_COUNTS: Kernel = ("discontinuity_add_counts", &[0, 4, 5, 9]);
 /// Lists the pixels of each cell, in any order.
 const SCATTER: Kernel = ("discontinuity_scatter", &[0, 3, 5, 6]);
 /// Counts, for each pixel, the earlier pixels in a slice of its cell.
@@ -51,7 +51,7 @@ const ORDER: Kernel = ("discontinuity_order", &[0, 3, 5, 6]);
 /// Stores the points of each cell contiguously.
 const GATHER: Kernel = ("discontinuity_gather", &[0, 2, 3, 5, 7]);
 /// Adds the neighbours in a slice of each cell to the sums of some points.
-const TEAR: Kernel = ("discontinuity_tear", &[0, 2, 3, 5, 7, 8]);
+const SUM: Kernel = ("discontinuity_sum", &[0, 2, 3, 5, 7, 8]);
 
 /// Points sorted by cells of their position in the truth, and the sums over their neighbours.
 struct Bins<'a> {
@@ -62,8 +62,8 @@ struct Bins<'a> {
     starts: LentBuffer<'a>,
     list: LentBuffer<'a>,
     points: LentBuffer<'a>,
-    torn: Results<'a>,
-    most: Results<'a>,
+    discontinuity: Results<'a>,
+    max_count: Results<'a>,
 }
 
 /// Returns δ for each pixel of a frame with positions; NaN where there is none.
@@ -80,115 +80,88 @@ pub fn discontinuity(
     }
     let device = &**frame.device();
     let position = frame.position()?;
-    let [width, height] = [frame.camera().width, frame.camera().height];
-    let pixels = width * height;
-    check(device, [width, height])?;
+    let Camera { width, height, .. } = *frame.camera();
+    let (pixels, max_pixels) = (width * height, device.largest_binding() / 16);
+    if u64::from(pixels) > max_pixels {
+        return Err(device.error(format!(
+            "a frame of {width} × {height} pixels, {max_pixels} pixels can be sorted; use nearfar.metrics.discontinuity"
+        )));
+    }
     progress.expect(u64::from(pixels));
     // Longer than ε by more than the rounding of positions up to 10⁵ pixels, so that no neighbour is missed.
     let cell = (around.epsilon * 1.001 + 0.05).max(MIN_CELL_PX);
-    let across = |truth: u32, here: u32| ((f64::from(truth) / cell).ceil() as u32 + 2).clamp(3, here / 2 + 3);
-    let grid = [across(truth.width, width), across(truth.height, height)];
+    let count = |truth: u32, frame: u32| ((f64::from(truth) / cell).ceil() as u32 + 2).clamp(3, frame / 2 + 3);
+    let grid = [count(truth.width, width), count(truth.height, height)];
     let cells = grid[0] * grid[1];
     let bins = Bins::new(device, position.buffer.as_entire_binding(), u64::from(pixels), u64::from(cells))?;
+    let settings =
+        SettingsBlock { size: [width, pixels, position.first, cells], ..settings(truth, frame.origin(), around, cell) };
     let uniform = |first: u32, count: u32, slice: u32| {
-        let block = torn_block(frame, truth, around, [position.first, cells], cell);
-        let block =
-            TornBlock { grid: [grid[0], grid[1], first, count], slice: [slice, POINTS_PER_SLICE, 0, 0], ..block };
-        device.filled_buffer("discontinuity", bytemuck::cast_slice(&[block]), BufferUsages::UNIFORM)
+        let (grid, slice) = ([grid[0], grid[1], first, count], [slice, POINTS_PER_SLICE, 0, 0]);
+        device.filled_buffer("discontinuity", &[SettingsBlock { grid, slice, ..settings }], BufferUsages::UNIFORM)
     };
-    let all = uniform(0, pixels, 0)?;
-    let alone = frame.alone();
+    let all_points = uniform(0, pixels, 0)?;
+    let frame_lock = frame.lock();
     let mut work = Work::new(device);
     work.encoder.clear_buffer(&bins.counts, 0, None);
-    bins.run(&mut work, PLACE, &all, groups(pixels))?;
-    bins.run(&mut work, ADD_UP, &all, [1, 1])?;
-    bins.run(&mut work, SCATTER, &all, groups(pixels))?;
-    bins.most.bring(&mut work.encoder);
+    bins.run(&mut work, BIN, &all_points, groups(pixels))?;
+    bins.run(&mut work, ADD_COUNTS, &all_points, [1, 1])?;
+    bins.run(&mut work, SCATTER, &all_points, groups(pixels))?;
+    bins.max_count.encode_copy(&mut work.encoder);
     work.submit(progress)?;
-    drop(alone);
-    let most = bins.most.read(progress, |bytes| bytes.first_chunk().copied().map_or(0, u32::from_ne_bytes))?;
-    let slices = || (0..most.max(1)).step_by(POINTS_PER_SLICE as usize);
-    let mut under_way = UnderWay { device, progress, last: None };
+    drop(frame_lock);
+    let max_count = bins.max_count.read_word(progress)?;
+    let slices = || (0..max_count.max(1)).step_by(POINTS_PER_SLICE as usize);
+    // At most one submission, which finishes some points, is in flight while the next is encoded.
+    let mut in_flight: Option<(Submission, u32)> = None;
+    let mut submit = |work: Work<'_>, points: u32| -> Result<()> {
+        if let Some((submission, points)) = in_flight.replace((work.submit(progress)?, points)) {
+            device.wait(&submission, progress)?;
+            progress.report(u64::from(points))?;
+        }
+        Ok(())
+    };
     for slice in slices() {
         let mut work = Work::new(device);
         bins.run(&mut work, ORDER, &uniform(0, pixels, slice)?, groups(pixels))?;
-        if slice + POINTS_PER_SLICE >= most {
-            bins.run(&mut work, GATHER, &all, groups(pixels))?;
+        if slice + POINTS_PER_SLICE >= max_count {
+            bins.run(&mut work, GATHER, &all_points, groups(pixels))?;
         }
-        under_way.submit(work, 0)?;
+        submit(work, 0)?;
     }
-    let few = (PAIRS_PER_SUBMISSION / (9.0 * f64::from(most.clamp(1, POINTS_PER_SLICE))))
+    let points_per_call = (PAIRS_PER_SUBMISSION / (9.0 * f64::from(max_count.clamp(1, POINTS_PER_SLICE))))
         .clamp(4096.0, f64::from(1 << 20)) as u32;
-    for first in (0..pixels).step_by(few as usize) {
-        let count = few.min(pixels - first);
+    for first in (0..pixels).step_by(points_per_call as usize) {
+        let count = points_per_call.min(pixels - first);
         for slice in slices() {
             let mut work = Work::new(device);
-            bins.run(&mut work, TEAR, &uniform(first, count, slice)?, groups(count))?;
-            let ends = slice + POINTS_PER_SLICE >= most;
-            if ends && first + count == pixels {
-                bins.torn.bring(&mut work.encoder);
+            bins.run(&mut work, SUM, &uniform(first, count, slice)?, groups(count))?;
+            let is_last_slice = slice + POINTS_PER_SLICE >= max_count;
+            if is_last_slice && first + count == pixels {
+                bins.discontinuity.encode_copy(&mut work.encoder);
             }
-            under_way.submit(work, if ends { count } else { 0 })?;
+            submit(work, if is_last_slice { count } else { 0 })?;
         }
     }
-    let mut image = vec![0.0f32; pixels as usize];
-    bins.torn.read(progress, |bytes| copy(bytemuck::cast_slice_mut(&mut image), bytes))?;
-    Ok(image)
+    bins.discontinuity.read_values(pixels as usize, progress)
 }
 
-/// Last submission: at most one is in flight while the next is encoded.
-struct UnderWay<'a> {
-    device: &'a Device,
-    progress: &'a Progress,
-    last: Option<(Submission, u32)>,
-}
-
-impl UnderWay<'_> {
-    /// Submits work that finishes some points, and waits for the previous submission.
-    fn submit(&mut self, work: Work<'_>, points: u32) -> Result<()> {
-        if let Some((before, points)) = self.last.replace((work.submit(self.progress)?, points)) {
-            self.device.wait(&before, self.progress)?;
-            self.progress.report(u64::from(points))?;
-        }
-        Ok(())
-    }
-}
-
-fn check(device: &Device, [width, height]: [u32; 2]) -> Result<()> {
-    let (pixels, most) = (u64::from(width) * u64::from(height), device.largest_binding() / 16);
-    if pixels > most {
-        let label = device.report().label();
-        return Err(Error::Device(format!(
-            "{label}: a frame of {width} × {height} pixels, {most} pixels can be sorted; use nearfar.metrics.discontinuity"
-        )));
-    }
-    Ok(())
-}
-
-/// Returns the uniform block: rows that map a point to its position in the truth, and the limits.
-fn torn_block(
-    frame: &DeviceFrame,
-    truth: &Camera,
-    around: Neighbourhood,
-    [first, cells]: [u32; 2],
-    cell: f64,
-) -> TornBlock {
+/// Returns the settings of all calls: rows that map a point to its position in the truth, and the limits.
+fn settings(truth: &Camera, origin: DVec3, around: Neighbourhood, cell: f64) -> SettingsBlock {
     let Axes { right, up, ahead, fov } = Axes::new(truth);
-    let (across, down) =
-        (f64::from(truth.width) / (fov.right - fov.left), f64::from(truth.height) / (fov.up - fov.down));
-    let eye = truth.position - frame.origin();
+    let across = f64::from(truth.width) / (fov.right - fov.left);
+    let down = f64::from(truth.height) / (fov.up - fov.down);
+    let eye = truth.position - origin;
     let eye_high = eye.as_vec3();
-    let wide = |v: DVec4| v.as_vec4().to_array();
-    let parallel = if truth.is_parallel() { 1.0 } else { 0.0 };
-    let low: DVec3 = eye - eye_high.as_dvec3();
-    TornBlock {
-        x: wide((right * across).extend(-fov.left * across)),
-        y: wide((-up * down).extend(fov.up * down)),
-        ahead: wide(ahead.extend(parallel)),
+    let vec4 = |v: DVec4| v.as_vec4().to_array();
+    SettingsBlock {
+        x: vec4((right * across).extend(-fov.left * across)),
+        y: vec4((-up * down).extend(fov.up * down)),
+        ahead: vec4(ahead.extend(f64::from(truth.is_parallel()))),
         eye_high: eye_high.extend(0.0).to_array(),
-        eye_low: wide(low.extend(0.0)),
+        eye_low: vec4((eye - eye_high.as_dvec3()).extend(0.0)),
         limits: [around.epsilon * around.epsilon, around.least * around.least, 1.0 / cell, 0.0].map(|x| x as f32),
-        size: [frame.camera().width, frame.camera().width * frame.camera().height, first, cells],
+        size: [0; 4],
         grid: [0; 4],
         slice: [0; 4],
     }
@@ -204,17 +177,16 @@ impl<'a> Bins<'a> {
             starts: LentBuffer::scratch(device, 4 * (cells + 1))?,
             list: LentBuffer::scratch(device, 4 * pixels)?,
             points: LentBuffer::scratch(device, 16 * pixels)?,
-            torn: Results::new(device, 4 * pixels)?,
-            most: Results::new(device, 4)?,
+            discontinuity: Results::new(device, 4 * pixels)?,
+            max_count: Results::new(device, 4)?,
         })
     }
 
-    /// Encodes a kernel.
     fn run(&self, work: &mut Work<'_>, kernel: Kernel, uniform: &wgpu::Buffer, groups: [u32; 2]) -> Result<()> {
         let (entry, bindings) = kernel;
         let text = &[include_str!("../shaders/compute_discontinuity.wgsl")];
         let buffers = [&self.shifts, &self.cells, &self.counts, &self.starts, &self.list, &self.points];
-        let results = [&self.torn.on_device, &self.most.on_device];
+        let results = [&self.discontinuity.on_device, &self.max_count.on_device];
         let mut all = vec![uniform.as_entire_binding(), self.positions.clone()];
         all.extend(buffers.into_iter().chain(results).map(LentBuffer::binding));
         let resources: Vec<_> = bindings.iter().map(|&binding| (binding, all[binding as usize].clone())).collect();

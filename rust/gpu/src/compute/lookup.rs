@@ -64,63 +64,55 @@ pub fn lookup(
             include_str!("../shaders/cube.wgsl"),
             include_str!("../shaders/compute_lookup.wgsl"),
         ],
-        entry: match filter {
-            Filter::Nearest => "lookup_nearest",
-            Filter::Min => "lookup_least",
-            Filter::Max => "lookup_greatest",
-        },
-        constants: &[],
+        entry: if filter == Filter::Nearest { "lookup_nearest" } else { "lookup_extreme" },
+        constants: &[("IS_MAX", u32::from(filter == Filter::Max))],
         group: 2,
     };
     let faces = LentBuffer::input(device, size_of_val(map.values) as u64)?;
     faces.fill(bytemuck::cast_slice(map.values), progress)?;
-    let wrong = Results::new(device, 4)?;
+    let invalid = Results::new(device, 4)?;
     let out = (bytemuck::cast_slice_mut(out), 4 * map.channels as usize);
-    let mut cleared = false;
     stream(device, directions, out, progress, |work, input, results, rows| {
-        if !std::mem::replace(&mut cleared, true) {
-            work.encoder.clear_buffer(&wrong.on_device, 0, Some(4));
+        if rows.start == 0 {
+            work.encoder.clear_buffer(&invalid.on_device, 0, Some(4));
         }
         let block = LookupBlock {
             map: [map.size, map.channels, 0, 0],
-            // Counted from the end, so that the largest number is that of the first invalid direction.
+            // Counter from the end, so that the largest number is that of the first invalid direction.
             rows: [rows.len() as u32, (directions.len() - rows.start) as u32, 0, 0],
         };
-        let uniform = device.filled_buffer("lookup", bytemuck::cast_slice(&[block]), BufferUsages::UNIFORM)?;
+        let uniform = device.filled_buffer("lookup", &[block], BufferUsages::UNIFORM)?;
         let resources = [
             (0, uniform.as_entire_binding()),
             (1, faces.binding()),
             (2, input.binding()),
             (3, results.binding()),
-            (4, wrong.on_device.binding()),
+            (4, invalid.on_device.binding()),
         ];
         work.run(&program, &resources, groups(rows.len() as u32))?;
         if rows.end == directions.len() {
-            wrong.bring(&mut work.encoder);
+            invalid.encode_copy(&mut work.encoder);
         }
         Ok(())
     })?;
-    let last = wrong.read(progress, |bytes| bytes.first_chunk().copied().map_or(0, u32::from_ne_bytes))?;
-    match last {
+    match invalid.read_word(progress)? as usize {
         0 => Ok(()),
-        last => {
-            let index = directions.len() - last as usize;
-            Err(Error::value(
-                "directions",
-                "finite vectors other than zero",
-                format!("something else at index {index}"),
-            ))
+        count_to_end => {
+            let index = directions.len() - count_to_end;
+            let got = format!("something else at index {index}");
+            Err(Error::value("directions", "finite vectors other than zero", got))
         }
     }
 }
 
-fn check(device: &Device, map: &CubeMap<'_>, directions: usize, room: usize) -> Result<()> {
+fn check(device: &Device, map: &CubeMap<'_>, directions: usize, out: usize) -> Result<()> {
     if !(1..=MAX_SIZE).contains(&map.size) {
         return Err(Error::value("faces", format!("1 to {MAX_SIZE} texels across a face"), map.size));
     }
-    let (size, channels) = (map.size as usize, map.channels as usize);
-    if map.values.len() != 6 * size * size * channels || room != directions * channels {
-        return Err(Error::value("faces", format!("{} values", 6 * size * size * channels), map.values.len()));
+    let channels = map.channels as usize;
+    let count = 6 * (map.size as usize).pow(2) * channels;
+    if map.values.len() != count || out != directions * channels {
+        return Err(Error::value("faces", format!("{count} values"), map.values.len()));
     }
     if channels > MAX_CHANNELS {
         return Err(Error::value("faces", format!("up to {MAX_CHANNELS} values of a texel"), channels));
@@ -128,12 +120,10 @@ fn check(device: &Device, map: &CubeMap<'_>, directions: usize, room: usize) -> 
     if u32::try_from(directions).is_err() {
         return Err(Error::value("directions", "fewer than 2³²", directions));
     }
-    let (bytes, most) = (size_of_val(map.values) as u64, device.largest_binding());
-    if bytes > most {
-        let label = device.report().label();
-        return Err(Error::Device(format!(
-            "{label}: faces of {bytes} bytes, {most} can be read at a time; use nearfar.cube_lookup"
-        )));
+    let (bytes, max_bytes) = (size_of_val(map.values) as u64, device.largest_binding());
+    if bytes > max_bytes {
+        let message = format!("faces of {bytes} bytes, {max_bytes} can be read at a time; use nearfar.cube_lookup");
+        return Err(device.error(message));
     }
     Ok(())
 }

@@ -1,13 +1,14 @@
 //! Reusable buffers of kernels, and copies to and from the processor.
 
 use std::ops::Deref;
-use std::sync::{Mutex, PoisonError};
+use std::sync::Mutex;
 
+use bytemuck::Pod;
 use nearfar_core::base::{Progress, Result};
 use rayon::prelude::*;
 use wgpu::{Buffer, BufferUsages, CommandEncoder, MapMode};
 
-use crate::device::{Counted, Device};
+use crate::device::{Counter, Device, lock};
 
 /// Maximum number and total bytes of buffers kept for reuse.
 const MAX_SPARE_BUFFERS: usize = 24;
@@ -35,42 +36,33 @@ impl<'a> LentBuffer<'a> {
 
     /// Creates a buffer that the processor fills.
     pub fn input(device: &'a Device, bytes: u64) -> Result<Self> {
-        let way_in = if device.shares_memory { BufferUsages::MAP_WRITE } else { BufferUsages::COPY_DST };
-        Self::new(device, "input", bytes, BufferUsages::STORAGE | way_in)
+        let transfer = if device.shares_memory { BufferUsages::MAP_WRITE } else { BufferUsages::COPY_DST };
+        Self::new(device, "input", bytes, BufferUsages::STORAGE | transfer)
     }
 
     fn new(device: &'a Device, label: &str, bytes: u64, usage: BufferUsages) -> Result<Self> {
         let bytes = bytes.next_multiple_of(16).max(256);
         let fits = |buffer: &Buffer| buffer.usage() == usage && (bytes..=2 * bytes).contains(&buffer.size());
-        let mut spare = device.state::<SpareBuffers>().0.lock().unwrap_or_else(PoisonError::into_inner);
-        let found = spare.iter().position(fits).map(|found| spare.remove(found));
-        drop(spare);
-        let buffer = match found {
-            Some(buffer) => buffer,
-            None => device.buffer(label, bytes, usage)?,
-        };
+        let take = |spare: &mut Vec<Buffer>| spare.iter().position(fits).map(|index| spare.remove(index));
+        let spare = take(&mut lock(&device.state::<SpareBuffers>().0));
+        let buffer = spare.map_or_else(|| device.buffer(label, bytes, usage), Ok)?;
         Ok(Self { device, buffer, usage, bytes })
     }
 
     /// Writes to the beginning of the buffer.
     pub fn fill(&self, bytes: &[u8], progress: &Progress) -> Result<()> {
         let length = bytes.len() as u64;
-        self.device.count(Counted::UploadedBytes, length);
+        self.device.count(Counter::UploadedBytes, length);
         if !self.usage.contains(BufferUsages::MAP_WRITE) {
             self.device.with_queue(|queue| queue.write_buffer(self, 0, bytes));
             return Ok(());
         }
-        let room = length.next_multiple_of(8);
-        self.device.open_buffer(self, room, MapMode::Write, progress)?;
-        let filled = match self.get_mapped_range_mut(..room) {
-            Ok(mut view) => {
-                view.slice(..bytes.len()).copy_from_slice(bytes);
-                Ok(())
-            }
-            Err(error) => Err(self.device.failure(&error)),
-        };
+        let mapped_bytes = length.next_multiple_of(8);
+        self.device.map_buffer(self, mapped_bytes, MapMode::Write, progress)?;
+        let view = self.get_mapped_range_mut(..mapped_bytes);
+        let filled = view.map(|mut view| view.slice(..bytes.len()).copy_from_slice(bytes));
         self.unmap();
-        filled
+        filled.map_err(|error| self.device.failure(error))
     }
 
     /// Returns a binding of the requested size.
@@ -90,7 +82,7 @@ impl Deref for LentBuffer<'_> {
 
 impl Drop for LentBuffer<'_> {
     fn drop(&mut self) {
-        let mut spare = self.device.state::<SpareBuffers>().0.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut spare = lock(&self.device.state::<SpareBuffers>().0);
         spare.push(self.buffer.clone());
         while spare.len() > MAX_SPARE_BUFFERS || spare.iter().map(Buffer::size).sum::<u64>() > MAX_SPARE_BYTES {
             spare.remove(0);
@@ -107,19 +99,21 @@ pub(crate) struct Results<'a> {
 
 impl<'a> Results<'a> {
     pub fn new(device: &'a Device, bytes: u64) -> Result<Self> {
-        let stays = BufferUsages::STORAGE | BufferUsages::COPY_SRC | BufferUsages::COPY_DST;
-        let read = BufferUsages::MAP_READ;
-        let (usage, passes) = if device.shares_memory { (stays | read, false) } else { (stays, true) };
-        let staging = || LentBuffer::new(device, "read-back", bytes, read | BufferUsages::COPY_DST);
+        let mut usage = BufferUsages::STORAGE | BufferUsages::COPY_SRC | BufferUsages::COPY_DST;
+        if device.shares_memory {
+            usage |= BufferUsages::MAP_READ;
+        }
+        let read = BufferUsages::MAP_READ | BufferUsages::COPY_DST;
+        let staging = || LentBuffer::new(device, "read-back", bytes, read);
         Ok(Self {
             on_device: LentBuffer::new(device, "results", bytes, usage)?,
-            staging: passes.then(staging).transpose()?,
+            staging: (!device.shares_memory).then(staging).transpose()?,
             bytes,
         })
     }
 
     /// Encodes the copy to the processor; call it after encoding the kernel.
-    pub fn bring(&self, encoder: &mut CommandEncoder) {
+    pub fn encode_copy(&self, encoder: &mut CommandEncoder) {
         if let Some(staging) = &self.staging {
             encoder.copy_buffer_to_buffer(&self.on_device, 0, staging, 0, self.bytes.next_multiple_of(4));
         }
@@ -130,9 +124,21 @@ impl<'a> Results<'a> {
         let buffer = self.staging.as_ref().unwrap_or(&self.on_device);
         self.on_device.device.read_buffer(buffer, self.bytes, progress, take)
     }
+
+    /// Waits for the results and returns the first `count` of them.
+    pub fn read_values<T: Pod + Send + Sync>(&self, count: usize, progress: &Progress) -> Result<Vec<T>> {
+        let mut values = vec![T::zeroed(); count];
+        self.read(progress, |bytes| parallel_copy(bytemuck::cast_slice_mut(&mut values), bytes))?;
+        Ok(values)
+    }
+
+    /// Waits for the results and returns the first word.
+    pub fn read_word(&self, progress: &Progress) -> Result<u32> {
+        self.read(progress, |bytes| bytes.first_chunk().copied().map_or(0, u32::from_ne_bytes))
+    }
 }
 
 /// Copies with all threads.
-pub(crate) fn copy(to: &mut [u8], from: &[u8]) {
+pub(crate) fn parallel_copy(to: &mut [u8], from: &[u8]) {
     to.par_chunks_mut(COPY_BYTES).zip(from.par_chunks(COPY_BYTES)).for_each(|(to, from)| to.copy_from_slice(from));
 }

@@ -25,7 +25,7 @@ pub fn morph(
     device: &Device,
     morph: &Morph,
     points: &[[f32; 3]],
-    shown: &mut [[f32; 3]],
+    displayed: &mut [[f32; 3]],
     progress: &Progress,
 ) -> Result<()> {
     device.check()?;
@@ -35,17 +35,14 @@ pub fn morph(
             include_str!("../shaders/world.wgsl"),
             include_str!("../shaders/compute_morph.wgsl"),
         ],
-        entry: match morph.kind {
-            Kind::Blend => "morph_blend",
-            Kind::Cylinder => "morph_cylinder",
-        },
-        constants: &[],
+        entry: "morph_points",
+        constants: &[("KEEPS_RHO", u32::from(morph.kind == Kind::Cylinder))],
         group: 0,
     };
-    let out = (bytemuck::cast_slice_mut(shown), size_of::<[f32; 3]>());
+    let out = (bytemuck::cast_slice_mut(displayed), size_of::<[f32; 3]>());
     stream(device, points, out, progress, |work, input, results, rows| {
         let block = morph_block(morph, rows.len());
-        let uniform = device.filled_buffer("morph", bytemuck::cast_slice(&[block]), BufferUsages::UNIFORM)?;
+        let uniform = device.filled_buffer("morph", &[block], BufferUsages::UNIFORM)?;
         let resources = [(0, uniform.as_entire_binding()), (1, input.binding()), (2, results.binding())];
         work.run(&program, &resources, groups(rows.len() as u32))
     })

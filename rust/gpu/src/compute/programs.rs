@@ -1,16 +1,12 @@
 //! Compute shaders, each compiled once per device, and command encoding for them.
 
-use std::collections::HashMap;
-use std::sync::{Arc, Mutex, PoisonError};
-
 use nearfar_core::base::{Progress, Result};
 use wgpu::{
-    BindGroupDescriptor, BindGroupEntry, BindingResource, CommandEncoder, CommandEncoderDescriptor,
-    ComputePassDescriptor, ComputePipeline, ComputePipelineDescriptor, PipelineCompilationOptions,
-    ShaderModuleDescriptor, ShaderSource,
+    BindingResource, CommandEncoder, CommandEncoderDescriptor, ComputePassDescriptor, ComputePipeline,
+    ComputePipelineDescriptor, PipelineCompilationOptions, ShaderModuleDescriptor, ShaderSource,
 };
 
-use crate::device::{Device, Scope, Submission};
+use crate::device::{Compiled, Device, Scope, Submission};
 
 /// Maximum number of workgroups in one row of a dispatch; more take several rows.
 pub(crate) const ROW: u32 = 1 << 15;
@@ -19,40 +15,28 @@ pub(crate) const GROUP: u32 = 256;
 
 /// An entry point of a shader with its constants.
 pub(crate) struct Program<'a> {
-    /// The shader's text.
     pub text: &'a [&'a str],
     pub entry: &'static str,
-    /// Compile-time constants.
     pub constants: &'a [(&'static str, u32)],
-    /// Bind group of the resources.
     pub group: u32,
 }
 
-/// Cache of compiled programs, by entry point and constants: names of entry points are unique.
-#[derive(Default)]
-struct Programs(Mutex<HashMap<ProgramKey, Arc<ComputePipeline>>>);
+/// Compiled programs, by entry point and constants: names of entry points are unique.
+type Programs = Compiled<(&'static str, Vec<(&'static str, u32)>), ComputePipeline>;
 
-type ProgramKey = (&'static str, Vec<(&'static str, u32)>);
-
-impl Programs {
-    fn pipeline(&self, device: &Device, program: &Program<'_>) -> Result<Arc<ComputePipeline>> {
-        let key = (program.entry, program.constants.to_vec());
-        let mut known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(pipeline) = known.get(&key) {
-            return Ok(Arc::clone(pipeline));
-        }
+impl Program<'_> {
+    fn compile(&self, device: &Device) -> ComputePipeline {
         let constants = [("ROW", ROW), ("GROUP", GROUP)];
-        let constants = constants.iter().chain(program.constants);
+        let constants = constants.iter().chain(self.constants);
         let mut text: String = constants.map(|(name, value)| format!("const {name}: u32 = {value}u;\n")).collect();
-        text.extend(program.text.iter().copied());
-        let scope = Scope::open(device);
-        let source = ShaderSource::Wgsl(text.into());
-        let module = device.wgpu.create_shader_module(ShaderModuleDescriptor { label: Some(program.entry), source });
-        let pipeline = device.wgpu.create_compute_pipeline(&ComputePipelineDescriptor {
-            label: Some(program.entry),
+        text.extend([include_str!("../shaders/compute.wgsl")].iter().chain(self.text).copied());
+        let (label, source) = (Some(self.entry), ShaderSource::Wgsl(text.into()));
+        let module = device.wgpu.create_shader_module(ShaderModuleDescriptor { label, source });
+        device.wgpu.create_compute_pipeline(&ComputePipelineDescriptor {
+            label,
             layout: None,
             module: &module,
-            entry_point: Some(program.entry),
+            entry_point: label,
             // Every kernel writes its workgroup memory before it reads it. On OpenGL, zero initialisation would be one
             // constant of thousands of numbers, which Mesa takes a minute to compile.
             compilation_options: PipelineCompilationOptions {
@@ -60,11 +44,7 @@ impl Programs {
                 ..PipelineCompilationOptions::default()
             },
             cache: None,
-        });
-        scope.close()?;
-        let pipeline = Arc::new(pipeline);
-        known.insert(key, Arc::clone(&pipeline));
-        Ok(pipeline)
+        })
     }
 }
 
@@ -88,18 +68,14 @@ impl<'a> Work<'a> {
         resources: &[(u32, BindingResource<'_>)],
         groups: [u32; 2],
     ) -> Result<()> {
-        let pipeline = self.device.state::<Programs>().pipeline(self.device, program)?;
-        let entries: Vec<_> = resources
-            .iter()
-            .map(|(binding, resource)| BindGroupEntry { binding: *binding, resource: resource.clone() })
-            .collect();
+        let key = (program.entry, program.constants.to_vec());
+        let pipeline = self.device.state::<Programs>().get(self.device, key, |_| program.compile(self.device))?;
         let layout = pipeline.get_bind_group_layout(program.group);
-        let descriptor = BindGroupDescriptor { label: None, layout: &layout, entries: &entries };
-        let bound = self.device.wgpu.create_bind_group(&descriptor);
+        let bindings = self.device.bind_group(&layout, resources.iter().cloned());
         let descriptor = ComputePassDescriptor { label: Some(program.entry), ..ComputePassDescriptor::default() };
         let mut pass = self.encoder.begin_compute_pass(&descriptor);
         pass.set_pipeline(&pipeline);
-        pass.set_bind_group(program.group, &bound, &[]);
+        pass.set_bind_group(program.group, &bindings, &[]);
         pass.dispatch_workgroups(groups[0], groups[1], 1);
         Ok(())
     }

@@ -6,7 +6,7 @@ use nearfar_core::base::{Error, Progress, Result};
 use nearfar_core::metrics::Window;
 use wgpu::BufferUsages;
 
-use super::memory::{LentBuffer, Results, copy};
+use super::memory::{LentBuffer, Results};
 use super::programs::{Program, Work, groups};
 use crate::draw::DeviceFrame;
 
@@ -60,18 +60,14 @@ pub fn similarity(
     for (slot, &weight) in block.weights.as_flattened_mut().iter_mut().zip(&weights) {
         *slot = weight as f32;
     }
-    let uniform = device.filled_buffer("similarity", bytemuck::cast_slice(&[block]), BufferUsages::UNIFORM)?;
+    let uniform = device.filled_buffer("similarity", &[block], BufferUsages::UNIFORM)?;
     let planes = LentBuffer::scratch(device, 8 * u64::from(pixels))?;
     let sums = Results::new(device, 4 * u64::from(tiles[0]) * u64::from(tiles[1]))?;
     let map = full.then(|| Results::new(device, 4 * u64::from(pixels))).transpose()?;
-    let program = |entry| Program {
-        text: &[include_str!("../shaders/compute_similarity.wgsl")],
-        entry,
-        constants: &[],
-        group: 0,
-    };
-    let taps = [("TAPS", weights.len() as u32)];
-    let alone = reference.alone();
+    let constants = &[("TAPS", weights.len() as u32)];
+    let text = &[include_str!("../shaders/compute_similarity.wgsl")];
+    let program = |entry| Program { text, entry, constants, group: 0 };
+    let frame_lock = reference.lock();
     let mut work = Work::new(device);
     let luma = [
         (0, uniform.as_entire_binding()),
@@ -79,26 +75,18 @@ pub fn similarity(
         (2, colors[1].buffer.as_entire_binding()),
         (3, planes.binding()),
     ];
-    work.run(&Program { constants: &taps, ..program("similarity_luma") }, &luma, groups(pixels))?;
+    work.run(&program("similarity_luma"), &luma, groups(pixels))?;
     let mut moments = vec![(0, uniform.as_entire_binding()), (3, planes.binding()), (4, sums.on_device.binding())];
     moments.extend(map.as_ref().map(|map| (5, map.on_device.binding())));
     let entry = if full { "similarity_map" } else { "similarity_sums" };
-    work.run(&Program { constants: &taps, ..program(entry) }, &moments, tiles)?;
-    sums.bring(&mut work.encoder);
-    if let Some(map) = &map {
-        map.bring(&mut work.encoder);
-    }
+    work.run(&program(entry), &moments, tiles)?;
+    [Some(&sums), map.as_ref()].into_iter().flatten().for_each(|results| results.encode_copy(&mut work.encoder));
     work.submit(progress)?;
-    drop(alone);
-    let loss: f64 = sums.read(progress, |bytes| {
-        let sums: &[f32] = bytemuck::cast_slice(bytes);
-        sums.iter().map(|&sum| f64::from(sum)).sum()
-    })?;
+    drop(frame_lock);
+    let sums: Vec<f32> = sums.read_values(tiles[0] as usize * tiles[1] as usize, progress)?;
+    let loss: f64 = sums.into_iter().map(f64::from).sum();
     let [left, top, right, bottom] = inside.map(f64::from);
-    let map = map.map(|map| {
-        let mut values = vec![0.0f32; pixels as usize];
-        map.read(progress, |bytes| copy(bytemuck::cast_slice_mut(&mut values), bytes)).map(|()| values)
-    });
+    let map = map.map(|map| map.read_values(pixels as usize, progress));
     Ok(Similarity { mean: 1.0 - loss / ((right - left) * (bottom - top)), map: map.transpose()? })
 }
 
@@ -119,17 +107,14 @@ fn check(reference: &DeviceFrame, test: &DeviceFrame) -> Result<[u32; 2]> {
     test.device().check()?;
     if !std::ptr::eq(&**reference.device(), &**test.device()) {
         let label = |frame: &DeviceFrame| frame.device().report().label();
-        return Err(Error::value(
-            "test",
-            format!("a frame on {}", label(reference)),
-            format!("one on {}", label(test)),
-        ));
+        let (expected, got) = (format!("a frame on {}", label(reference)), format!("one on {}", label(test)));
+        return Err(Error::value("test", expected, got));
     }
     let size = |frame: &DeviceFrame| [frame.camera().width, frame.camera().height];
     let (expected, got) = (size(reference), size(test));
     if expected != got {
-        let words = |[width, height]: [u32; 2]| format!("{width} × {height} pixels");
-        return Err(Error::value("test", words(expected), words(got)));
+        let text = |[width, height]: [u32; 2]| format!("{width} × {height} pixels");
+        return Err(Error::value("test", text(expected), text(got)));
     }
     Ok(expected)
 }

@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use nearfar_core::base::{Progress, Result};
 
-use super::memory::{LentBuffer, Results, copy};
+use super::memory::{LentBuffer, Results, parallel_copy};
 use super::programs::Work;
 use crate::device::Device;
 
@@ -22,39 +22,34 @@ pub(super) fn stream<'a>(
     progress: &Progress,
     mut encode: impl FnMut(&mut Work<'a>, &LentBuffer<'_>, &LentBuffer<'_>, Range<usize>) -> Result<()>,
 ) -> Result<()> {
-    let widest = row_bytes.max(size_of::<[f32; 3]>()) as u64;
-    let rows = (PIECE_BYTES.min(device.largest_binding()) / widest).max(1) as usize;
-    let mut under_way: VecDeque<Piece<'_, '_>> = VecDeque::new();
+    let max_row_bytes = row_bytes.max(size_of::<[f32; 3]>()) as u64;
+    let rows = (PIECE_BYTES.min(device.largest_binding()) / max_row_bytes).max(1) as usize;
+    let mut in_flight: VecDeque<Piece<'_, '_>> = VecDeque::new();
     progress.expect(points.len() as u64);
-    for (n, (from, to)) in points.chunks(rows).zip(out.chunks_mut(rows * row_bytes)).enumerate() {
-        let input = LentBuffer::input(device, size_of_val(from) as u64)?;
-        input.fill(bytemuck::cast_slice(from), progress)?;
-        let results = Results::new(device, to.len() as u64)?;
+    let read = |Piece { results, out, .. }: Piece<'_, '_>| {
+        let rows = (out.len() / row_bytes) as u64;
+        results.read(progress, |bytes| parallel_copy(out, bytes))?;
+        progress.report(rows)
+    };
+    for (n, (points, out)) in points.chunks(rows).zip(out.chunks_mut(rows * row_bytes)).enumerate() {
+        let input = LentBuffer::input(device, size_of_val(points) as u64)?;
+        input.fill(bytemuck::cast_slice(points), progress)?;
+        let results = Results::new(device, out.len() as u64)?;
         let mut work = Work::new(device);
-        encode(&mut work, &input, &results.on_device, n * rows..n * rows + from.len())?;
-        results.bring(&mut work.encoder);
+        encode(&mut work, &input, &results.on_device, n * rows..n * rows + points.len())?;
+        results.encode_copy(&mut work.encoder);
         work.submit(progress)?;
-        under_way.push_back(Piece { results, to, _input: input });
-        if under_way.len() == PIECES_AHEAD
-            && let Some(first) = under_way.pop_front()
-        {
-            first.end(progress, row_bytes)?;
+        in_flight.push_back(Piece { results, out, _input: input });
+        if in_flight.len() == PIECES_AHEAD {
+            in_flight.pop_front().map_or(Ok(()), read)?;
         }
     }
-    under_way.into_iter().try_for_each(|piece| piece.end(progress, row_bytes))
+    in_flight.into_iter().try_for_each(read)
 }
 
+/// Submitted work, and the memory that its results are copied to.
 struct Piece<'a, 'b> {
     results: Results<'a>,
-    to: &'b mut [u8],
+    out: &'b mut [u8],
     _input: LentBuffer<'a>,
-}
-
-impl Piece<'_, '_> {
-    fn end(self, progress: &Progress, row_bytes: usize) -> Result<()> {
-        let Self { results, to, .. } = self;
-        let rows = (to.len() / row_bytes) as u64;
-        results.read(progress, |bytes| copy(to, bytes))?;
-        progress.report(rows)
-    }
 }

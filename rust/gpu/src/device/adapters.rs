@@ -1,6 +1,6 @@
 //! Adapters: capabilities and order of preference.
 
-use wgpu::{Adapter, Backend, DeviceType, DownlevelFlags, TextureFormat, TextureUsages};
+use wgpu::{Adapter, DeviceType, DownlevelFlags, TextureFormat, TextureUsages};
 
 /// Kind of processor behind an adapter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -27,6 +27,11 @@ impl AdapterKind {
             Self::Unknown => "unknown",
             Self::Software => "software",
         }
+    }
+
+    /// Returns whether it has no memory of its own.
+    pub(super) fn uses_system_memory(self) -> bool {
+        matches!(self, Self::Software | Self::Integrated)
     }
 }
 
@@ -68,7 +73,7 @@ impl AdapterReport {
         };
         Self {
             name: info.name,
-            backend: backend_name(info.backend),
+            backend: info.backend.to_str(),
             kind,
             driver: [info.driver, info.driver_info].join(" ").trim().to_string(),
             refused: refusal(adapter).unwrap_or_default(),
@@ -83,9 +88,9 @@ impl AdapterReport {
     }
 
     /// Returns whether a text is its back end or a part of its label.
-    pub fn answers_to(&self, wanted: &str) -> bool {
-        let wanted = wanted.to_lowercase();
-        self.backend == wanted || self.label().to_lowercase().contains(&wanted)
+    pub fn answers_to(&self, text: &str) -> bool {
+        let text = text.to_lowercase();
+        self.backend == text || self.label().to_lowercase().contains(&text)
     }
 
     /// Returns the sort key; the adapter with the smallest key is preferred.
@@ -96,29 +101,18 @@ impl AdapterReport {
     }
 }
 
-fn backend_name(backend: Backend) -> &'static str {
-    match backend {
-        Backend::Vulkan => "vulkan",
-        Backend::Metal => "metal",
-        Backend::Dx12 => "dx12",
-        Backend::Gl => "gl",
-        _ => "other",
-    }
-}
-
 /// Returns the features that an adapter lacks, as a sentence; `None` if it has all.
 fn refusal(adapter: &Adapter) -> Option<String> {
-    let needed = DownlevelFlags::COMPUTE_SHADERS | DownlevelFlags::VERTEX_STORAGE | DownlevelFlags::FRAGMENT_STORAGE;
-    let missing = needed - adapter.get_downlevel_capabilities().flags;
+    let required = DownlevelFlags::COMPUTE_SHADERS | DownlevelFlags::VERTEX_STORAGE | DownlevelFlags::FRAGMENT_STORAGE;
+    let missing = required - adapter.get_downlevel_capabilities().flags;
     if !missing.is_empty() {
         return Some(format!("it lacks {missing:?}"));
     }
-    let limits = adapter.limits();
-    if limits.max_storage_buffers_per_shader_stage < STORAGE_BUFFERS {
-        let count = limits.max_storage_buffers_per_shader_stage;
+    let count = adapter.limits().max_storage_buffers_per_shader_stage;
+    if count < STORAGE_BUFFERS {
         return Some(format!("it binds {count} storage buffers, {STORAGE_BUFFERS} are needed"));
     }
-    let usages = adapter.get_texture_format_features(VISIBLE).allowed_usages;
-    let wanted = TextureUsages::RENDER_ATTACHMENT | TextureUsages::TEXTURE_BINDING;
-    (!usages.contains(wanted)).then(|| "it cannot render to 64-bit integers".to_string())
+    let required = TextureUsages::RENDER_ATTACHMENT | TextureUsages::TEXTURE_BINDING;
+    let allowed = adapter.get_texture_format_features(VISIBLE).allowed_usages;
+    (!allowed.contains(required)).then(|| "it cannot render to 64-bit integers".to_string())
 }

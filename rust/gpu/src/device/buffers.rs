@@ -2,11 +2,15 @@
 
 use std::sync::atomic::Ordering;
 
+use bytemuck::NoUninit;
 use nearfar_core::base::Result;
 use nearfar_core::base::memory::room_for;
-use wgpu::{BufferDescriptor, BufferUsages, Texture, TextureDescriptor};
+use wgpu::{
+    BindGroup, BindGroupDescriptor, BindGroupEntry, BindGroupLayout, BindingResource, BufferDescriptor, BufferUsages,
+    Texture, TextureDescriptor,
+};
 
-use super::{AdapterKind, Device, Scope};
+use super::{Device, Scope};
 
 /// Allocations and transfers since the device was opened.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -23,20 +27,14 @@ pub struct Counters {
     pub pass_nanoseconds: [u64; 2],
 }
 
-/// Quantity of a counter.
+/// Quantity of `Counters`.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum Counted {
-    /// Buffers and textures.
+pub(crate) enum Counter {
     Allocations,
-    /// Their bytes.
     AllocatedBytes,
-    /// Bytes sent.
     UploadedBytes,
-    /// Triangles drawn.
     Triangles,
-    /// Nanoseconds of raster passes.
     RasterNanoseconds,
-    /// Nanoseconds of resolve passes.
     ResolveNanoseconds,
 }
 
@@ -44,12 +42,12 @@ impl Device {
     /// Returns the counts so far.
     pub fn counters(&self) -> Counters {
         let [allocations, allocated_bytes, uploaded_bytes, triangles, raster, resolve] =
-            [0, 1, 2, 3, 4, 5].map(|i: usize| self.made[i].load(Ordering::Relaxed));
+            [0, 1, 2, 3, 4, 5].map(|i: usize| self.counts[i].load(Ordering::Relaxed));
         Counters { allocations, allocated_bytes, uploaded_bytes, triangles, pass_nanoseconds: [raster, resolve] }
     }
 
-    pub(crate) fn count(&self, what: Counted, amount: u64) {
-        self.made[what as usize].fetch_add(amount, Ordering::Relaxed);
+    pub(crate) fn count(&self, counter: Counter, amount: u64) {
+        self.counts[counter as usize].fetch_add(amount, Ordering::Relaxed);
     }
 
     /// Creates an empty buffer.
@@ -62,62 +60,59 @@ impl Device {
         self.new_buffer(label, bytes, usage, true)
     }
 
-    /// Creates a constant buffer of words.
-    pub(crate) fn filled_buffer(&self, label: &str, words: &[u32], usage: BufferUsages) -> Result<wgpu::Buffer> {
-        let bytes: &[u8] = bytemuck::cast_slice(words);
-        let buffer = self.mapped_buffer(label, bytes.len() as u64, usage)?;
-        if !bytes.is_empty() {
-            self.write_mapped(&buffer, bytes)?;
+    /// Creates a constant buffer.
+    pub(crate) fn filled_buffer<T: NoUninit>(
+        &self,
+        label: &str,
+        contents: &[T],
+        usage: BufferUsages,
+    ) -> Result<wgpu::Buffer> {
+        let bytes: &[u8] = bytemuck::cast_slice(contents);
+        let length = bytes.len() as u64;
+        let buffer = self.mapped_buffer(label, length, usage)?;
+        if length > 0 {
+            buffer.get_mapped_range_mut(..length).map_err(|error| self.failure(error))?.copy_from_slice(bytes);
         }
         buffer.unmap();
-        self.count(Counted::UploadedBytes, bytes.len() as u64);
+        self.count(Counter::UploadedBytes, length);
         Ok(buffer)
     }
 
-    /// Writes to the beginning of a mapped buffer.
-    pub(crate) fn write_mapped(&self, buffer: &wgpu::Buffer, bytes: &[u8]) -> Result<()> {
-        let mut view = buffer.get_mapped_range_mut(..bytes.len() as u64).map_err(|error| self.failure(&error))?;
-        view.copy_from_slice(bytes);
-        Ok(())
-    }
-
-    pub(crate) fn failure(&self, error: &impl ToString) -> nearfar_core::base::Error {
-        match self.check() {
-            Err(lost) => lost,
-            Ok(()) => nearfar_core::base::Error::Device(format!("{}: {}", self.report.label(), error.to_string())),
-        }
-    }
-
     pub(crate) fn texture(&self, descriptor: &TextureDescriptor<'_>, bytes: u64) -> Result<Texture> {
-        self.ask_for(bytes)?;
-        let scope = Scope::open(self);
-        let texture = self.wgpu.create_texture(descriptor);
-        scope.close()?;
-        self.count(Counted::Allocations, 1);
-        self.count(Counted::AllocatedBytes, bytes);
-        Ok(texture)
+        self.allocate(bytes, bytes, || self.wgpu.create_texture(descriptor))
     }
 
-    /// Checks that the system has memory if the device uses system memory: after a failed allocation some drivers
-    /// close the device, and others end the process.
-    fn ask_for(&self, bytes: u64) -> Result<()> {
-        match self.report.kind {
-            AdapterKind::Software | AdapterKind::Integrated => room_for(bytes),
-            _ => Ok(()),
+    /// Creates a bind group of resources with their binding numbers.
+    pub(crate) fn bind_group<'a>(
+        &self,
+        layout: &BindGroupLayout,
+        resources: impl IntoIterator<Item = (u32, BindingResource<'a>)>,
+    ) -> BindGroup {
+        let entry = |(binding, resource)| BindGroupEntry { binding, resource };
+        let entries: Vec<_> = resources.into_iter().map(entry).collect();
+        self.wgpu.create_bind_group(&BindGroupDescriptor { label: None, layout, entries: &entries })
+    }
+
+    /// Calls a function that allocates, and counts its bytes. First checks that the system has enough memory if the
+    /// device uses system memory: after a failed allocation some drivers close the device, and others end the process.
+    fn allocate<R>(&self, bytes: u64, system_bytes: u64, create: impl FnOnce() -> R) -> Result<R> {
+        if self.report.kind.uses_system_memory() {
+            room_for(system_bytes)?;
         }
+        let scope = Scope::open(self);
+        let created = create();
+        scope.close()?;
+        self.count(Counter::Allocations, 1);
+        self.count(Counter::AllocatedBytes, bytes);
+        Ok(created)
     }
 
     fn new_buffer(&self, label: &str, bytes: u64, usage: BufferUsages, mapped: bool) -> Result<wgpu::Buffer> {
         // A binding must hold at least one entry of a table.
         let size = bytes.next_multiple_of(16).max(256);
-        // Mapped buffers of OpenGL are copies.
-        self.ask_for(if mapped { 2 * size } else { size })?;
-        let scope = Scope::open(self);
         let descriptor = BufferDescriptor { label: Some(label), size, usage, mapped_at_creation: mapped };
-        let buffer = self.wgpu.create_buffer(&descriptor);
-        scope.close()?;
-        self.count(Counted::Allocations, 1);
-        self.count(Counted::AllocatedBytes, size);
-        Ok(buffer)
+        // Mapped buffers of OpenGL are copies.
+        let system_bytes = if mapped { 2 * size } else { size };
+        self.allocate(size, system_bytes, || self.wgpu.create_buffer(&descriptor))
     }
 }

@@ -1,5 +1,7 @@
 //! Errors of wgpu as sentences that name the adapter and a remedy.
 
+use std::fmt::Display;
+
 use nearfar_core::base::{Error, Result};
 use wgpu::{ErrorFilter, ErrorScopeGuard};
 
@@ -26,10 +28,7 @@ impl<'a> Scope<'a> {
     pub fn close(self) -> Result<()> {
         let errors = self.guards.map(|guard| pollster::block_on(guard.pop()));
         self.device.check()?;
-        match errors.into_iter().flatten().next() {
-            None => Ok(()),
-            Some(error) => Err(self.device.error(&error)),
-        }
+        errors.into_iter().flatten().next().map_or(Ok(()), |error| Err(self.device.wgpu_error(&error)))
     }
 }
 
@@ -37,32 +36,32 @@ impl Device {
     /// Fails once the device was lost, and in a forked child.
     pub(crate) fn check(&self) -> Result<()> {
         if self.process != std::process::id() {
-            return Err(Error::Device(format!("{}: {FORKED}", self.report.label())));
+            return Err(self.error(FORKED));
         }
-        match self.lost_because() {
-            None => Ok(()),
-            Some(reason) => Err(Error::Device(format!(
-                "{}: the device was lost ({}); the next call opens it again, backend='cpu' needs none",
-                self.report.label(),
-                one_line(&reason)
-            ))),
-        }
+        let Some(reason) = self.loss_reason() else { return Ok(()) };
+        Err(self.error(format!(
+            "the device was lost ({}); the next call opens it again, backend='cpu' needs none",
+            one_line(&reason)
+        )))
     }
 
-    fn error(&self, error: &wgpu::Error) -> Error {
-        let label = self.report.label();
-        let reason = one_line(&error.to_string());
-        Error::Device(match error {
-            wgpu::Error::OutOfMemory { .. } => {
-                format!("{label}: out of memory ({reason}); try a smaller scene, image or face_size, or backend='cpu'")
-            }
-            wgpu::Error::Validation { .. } => {
-                format!("{label}: refused ({reason}); update its driver, or use backend='cpu'")
-            }
-            wgpu::Error::Internal { .. } => {
-                format!("{label}: failed ({reason}); update its driver, or use backend='cpu'")
-            }
-        })
+    /// Returns an error whose message begins with the adapter's label.
+    pub(crate) fn error(&self, message: impl Display) -> Error {
+        Error::Device(format!("{}: {message}", self.report.label()))
+    }
+
+    /// Returns the loss of the device if it was lost, because other errors follow from it; otherwise the error.
+    pub(crate) fn failure(&self, error: impl Display) -> Error {
+        self.check().err().unwrap_or_else(|| self.error(error))
+    }
+
+    fn wgpu_error(&self, error: &wgpu::Error) -> Error {
+        let (event, remedy) = match error {
+            wgpu::Error::OutOfMemory { .. } => ("out of memory", "try a smaller scene, image or face_size, or"),
+            wgpu::Error::Validation { .. } => ("refused", "update its driver, or use"),
+            wgpu::Error::Internal { .. } => ("failed", "update its driver, or use"),
+        };
+        self.error(format!("{event} ({}); {remedy} backend='cpu'", one_line(&error.to_string())))
     }
 }
 
@@ -73,7 +72,7 @@ fn one_line(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use wgpu::{BufferDescriptor, BufferUsages, ShaderModuleDescriptor, ShaderSource};
+    use wgpu::{BufferUsages, ShaderModuleDescriptor, ShaderSource};
 
     use super::*;
     use crate::device::{adapters, device};
@@ -92,20 +91,9 @@ mod tests {
             let source = ShaderSource::Wgsl("fn broken( {".into());
             let _ = device.wgpu.create_shader_module(ShaderModuleDescriptor { label: None, source });
             let Err(Error::Device(message)) = scope.close() else { panic!("no error") };
-            assert!(
-                message.starts_with(&device.report().label())
-                    && message.contains("refused (")
-                    && !message.contains('\n'),
-                "{message}"
-            );
-            let scope = Scope::open(&device);
-            let _ = device.wgpu.create_buffer(&BufferDescriptor {
-                label: None,
-                size: 256,
-                usage: BufferUsages::STORAGE,
-                mapped_at_creation: false,
-            });
-            scope.close().unwrap();
+            assert!(message.starts_with(&device.report().label()) && message.contains("refused ("), "{message}");
+            assert!(!message.contains('\n'), "{message}");
+            device.buffer("any", 256, BufferUsages::STORAGE).unwrap();
         }
     }
 

@@ -2,7 +2,7 @@
 //! them.
 
 use std::any::Any;
-use std::sync::OnceLock;
+use std::sync::{Mutex, MutexGuard, OnceLock, PoisonError};
 
 /// An append-only list: values are created on first use and never move, so no lock is held while they are used.
 #[derive(Default)]
@@ -10,23 +10,28 @@ pub(super) struct Extensions(OnceLock<Box<Extension>>);
 
 struct Extension {
     value: Box<dyn Any + Send + Sync>,
-    rest: Extensions,
+    next: Extensions,
 }
 
 impl Extensions {
     /// Returns the value of a type.
     pub fn get<T: Default + Send + Sync + 'static>(&self) -> &T {
-        let mut rest = self;
+        let mut list = self;
         loop {
             // If another thread has just stored a value of another type here, the loop goes on to the next entry.
-            let make = || Box::new(Extension { value: Box::<T>::default(), rest: Extensions::default() });
-            let extension = rest.0.get_or_init(make);
+            let create = || Box::new(Extension { value: Box::<T>::default(), next: Extensions::default() });
+            let extension = list.0.get_or_init(create);
             if let Some(value) = extension.value.downcast_ref() {
                 return value;
             }
-            rest = &extension.rest;
+            list = &extension.next;
         }
     }
+}
+
+/// Locks a mutex whose value stays valid if a thread panics.
+pub(crate) fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 #[cfg(test)]

@@ -4,7 +4,7 @@
 /// driver threads, which a forked child does not have: it would hang or crash after all its work was done.
 pub fn end_without_drivers() {
     #[cfg(all(target_os = "linux", target_env = "gnu"))]
-    gnu::end_at_once();
+    gnu::register_exit();
 }
 
 #[cfg(all(target_os = "linux", target_env = "gnu"))]
@@ -18,7 +18,7 @@ mod gnu {
         fn _exit(status: c_int) -> !;
     }
 
-    extern "C" fn leave(status: c_int, _: *mut c_void) {
+    extern "C" fn flush_and_exit(status: c_int, _: *mut c_void) {
         // SAFETY: flushes all of C's streams, as `exit` does after its handlers, and does not return.
         unsafe {
             fflush(ptr::null_mut());
@@ -26,9 +26,9 @@ mod gnu {
         }
     }
 
-    pub fn end_at_once() {
+    pub fn register_exit() {
         // Handlers run in reverse order of registration: this one before the inherited ones.
         // SAFETY: the function exists until the process ends, and does not read its argument.
-        unsafe { on_exit(leave, ptr::null_mut()) };
+        unsafe { on_exit(flush_and_exit, ptr::null_mut()) };
     }
 }

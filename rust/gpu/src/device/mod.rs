@@ -2,6 +2,7 @@
 
 mod adapters;
 mod buffers;
+mod compiled;
 mod errors;
 mod extensions;
 mod forked;
@@ -16,6 +17,8 @@ pub use open::Device;
 pub use registry::{adapters, close, device, is_hardware};
 
 pub(crate) use adapters::{SAMPLES, VISIBLE};
-pub(crate) use buffers::Counted;
+pub(crate) use buffers::Counter;
+pub(crate) use compiled::Compiled;
 pub(crate) use errors::Scope;
-pub(crate) use wait::Submission;
+pub(crate) use extensions::lock;
+pub(crate) use wait::{Submission, UNREADABLE};

@@ -8,7 +8,7 @@ use nearfar_core::base::{Error, Result};
 use wgpu::{Adapter, DeviceDescriptor, DeviceLostReason, Features, Limits, PollType};
 
 use super::adapters::{AdapterKind, AdapterReport, SAMPLES, VISIBLE};
-use super::extensions::Extensions;
+use super::extensions::{Extensions, lock};
 
 /// Features needed for 64-bit atomics.
 const LONG_ATOMICS: Features = Features::SHADER_INT64.union(Features::SHADER_INT64_ATOMIC_MIN_MAX);
@@ -35,14 +35,16 @@ pub struct Device {
     has_long_atomics: bool,
     allows_long_atomics: AtomicBool,
     /// Whether one pass can draw two views, and whether it may.
-    two_views: bool,
+    has_two_views: bool,
     allows_two_views: AtomicBool,
     /// Whether passes can read the device's clock.
-    pub(crate) has_clock: bool,
+    has_clock: bool,
     pub(crate) nanoseconds_per_tick: f32,
-    pub(super) made: [AtomicU64; 6],
+    /// Counts by `Counter`.
+    pub(super) counts: [AtomicU64; 6],
     /// Process that opened it; a forked child has no driver threads.
     pub(super) process: u32,
+    /// Reason of the loss once the device was lost.
     lost: Arc<Mutex<Option<String>>>,
 }
 
@@ -50,64 +52,54 @@ impl Device {
     pub(super) fn open(adapter: &Adapter, report: AdapterReport) -> Result<Self> {
         let limits = adapter.limits();
         // wgpu 30 implements none of these for all of OpenGL's adapters that report them.
-        let native = Features::TIMESTAMP_QUERY | Features::CLIP_DISTANCES | Features::MULTIVIEW | LONG_ATOMICS;
-        let native = if report.backend == "gl" { Features::empty() } else { native };
+        let optional = Features::TIMESTAMP_QUERY | Features::CLIP_DISTANCES | Features::MULTIVIEW | LONG_ATOMICS;
+        let is_gl = report.backend == "gl";
+        let optional = if is_gl { Features::empty() } else { optional };
         let descriptor = DeviceDescriptor {
             label: Some("nearfar"),
-            required_features: adapter.features() & (Features::MAPPABLE_PRIMARY_BUFFERS | native),
+            required_features: adapter.features() & (Features::MAPPABLE_PRIMARY_BUFFERS | optional),
             required_limits: limits.clone(),
             ..DeviceDescriptor::default()
         };
         let (wgpu, queue) = pollster::block_on(adapter.request_device(&descriptor)).map_err(|error| {
-            Error::Device(format!(
-                "{}: can't be opened ({error}); update its driver, or use backend='cpu'",
-                report.label()
-            ))
+            let label = report.label();
+            Error::Device(format!("{label}: can't be opened ({error}); update its driver, or use backend='cpu'"))
         })?;
         let lost = Arc::new(Mutex::new(None));
-        let reason_of_loss = Arc::clone(&lost);
+        let loss_reason = Arc::clone(&lost);
         wgpu.set_device_lost_callback(move |reason, message| {
             let reason = match reason {
                 DeviceLostReason::Destroyed => "it was closed".to_string(),
                 _ => message,
             };
-            *reason_of_loss.lock().unwrap_or_else(PoisonError::into_inner) = Some(reason);
+            *lock(&loss_reason) = Some(reason);
         });
         // Uncaught errors would end the process. After such an error the device's state is unknown.
-        let reason_of_loss = Arc::clone(&lost);
+        let loss_reason = Arc::clone(&lost);
         wgpu.on_uncaptured_error(Arc::new(move |error: wgpu::Error| {
-            reason_of_loss.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert_with(|| error.to_string());
+            lock(&loss_reason).get_or_insert_with(|| error.to_string());
         }));
-        let software = matches!(report.kind, AdapterKind::Software);
-        let shared = matches!(report.kind, AdapterKind::Software | AdapterKind::Integrated);
-        let (shares_memory, writes_depth) =
-            (shared && wgpu.features().contains(Features::MAPPABLE_PRIMARY_BUFFERS), report.backend == "gl");
+        let features = wgpu.features();
         let flags = adapter.get_texture_format_features(VISIBLE).flags;
-        let multisamples = report.backend != "gl" && flags.sample_count_supported(SAMPLES);
-        let clips = wgpu.features().contains(Features::CLIP_DISTANCES);
-        let two_views = wgpu.features().contains(Features::MULTIVIEW) && limits.max_multiview_view_count >= 2;
-        let has_long_atomics = wgpu.features().contains(LONG_ATOMICS);
-        let (has_clock, nanoseconds_per_tick) =
-            (wgpu.features().contains(Features::TIMESTAMP_QUERY), queue.get_timestamp_period());
         Ok(Self {
+            nanoseconds_per_tick: queue.get_timestamp_period(),
             wgpu,
             queue,
             closing: RwLock::new(()),
+            shares_memory: report.kind.uses_system_memory() && features.contains(Features::MAPPABLE_PRIMARY_BUFFERS),
+            writes_depth: is_gl,
+            multisamples: !is_gl && flags.sample_count_supported(SAMPLES),
+            extensions: Extensions::default(),
+            clips: features.contains(Features::CLIP_DISTANCES),
+            has_long_atomics: features.contains(LONG_ATOMICS),
+            allows_long_atomics: AtomicBool::new(true),
+            has_two_views: features.contains(Features::MULTIVIEW) && limits.max_multiview_view_count >= 2,
+            // In software, Mesa 22.3 draws triangles that cross an edge of a picture into the first view only.
+            allows_two_views: AtomicBool::new(report.kind != AdapterKind::Software),
+            has_clock: features.contains(Features::TIMESTAMP_QUERY),
             report,
             limits,
-            shares_memory,
-            writes_depth,
-            multisamples,
-            extensions: Extensions::default(),
-            clips,
-            has_long_atomics,
-            allows_long_atomics: AtomicBool::new(true),
-            two_views,
-            // In software, Mesa 22.3 draws triangles that cross an edge of a picture into the first view only.
-            allows_two_views: AtomicBool::new(!software),
-            has_clock,
-            nanoseconds_per_tick,
-            made: Default::default(),
+            counts: Default::default(),
             process: process::id(),
             lost,
         })
@@ -130,7 +122,7 @@ impl Device {
 
     /// Returns whether one pass draws two views.
     pub(crate) fn draws_two_views(&self) -> bool {
-        self.two_views && self.allows_two_views.load(Ordering::Relaxed)
+        self.has_two_views && self.allows_two_views.load(Ordering::Relaxed)
     }
 
     /// Sets whether one pass may draw two views, whatever the adapter's kind; returns the previous setting. Software
@@ -150,38 +142,38 @@ impl Device {
     }
 
     /// Calls a function with the queue; the device cannot be closed meanwhile.
-    pub(crate) fn with_queue<R>(&self, job: impl FnOnce(&wgpu::Queue) -> R) -> R {
+    pub(crate) fn with_queue<R>(&self, function: impl FnOnce(&wgpu::Queue) -> R) -> R {
         let _shared = self.closing.read().unwrap_or_else(PoisonError::into_inner);
-        job(&self.queue)
+        function(&self.queue)
     }
 
     /// Returns whether the device is unusable.
     pub fn is_lost(&self) -> bool {
-        self.lost_because().is_some()
+        self.loss_reason().is_some()
     }
 
     /// Closes the device as a driver failure would, to test recovery.
     pub fn lose(&self) {
-        self.alone(|| self.destroy());
+        self.with_exclusive_queue(|| self.destroy());
     }
 
     /// Calls a function with exclusive use of the queue.
-    pub(super) fn alone<R>(&self, job: impl FnOnce() -> R) -> R {
-        let _alone = self.closing.write().unwrap_or_else(PoisonError::into_inner);
-        job()
+    pub(super) fn with_exclusive_queue<R>(&self, function: impl FnOnce() -> R) -> R {
+        let _exclusive = self.closing.write().unwrap_or_else(PoisonError::into_inner);
+        function()
     }
 
     /// Closes the device; requires exclusive use of the queue.
     pub(super) fn destroy(&self) {
         // Set before the device is destroyed: another thread that reads a frame checks it afterwards.
-        self.lost.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert_with(|| "it was closed".to_string());
+        lock(&self.lost).get_or_insert_with(|| "it was closed".to_string());
         self.wgpu.destroy();
         // The callback runs in the next poll.
         let _ = self.wgpu.poll(PollType::Poll);
     }
 
-    pub(super) fn lost_because(&self) -> Option<String> {
-        self.lost.lock().unwrap_or_else(PoisonError::into_inner).clone()
+    pub(super) fn loss_reason(&self) -> Option<String> {
+        lock(&self.lost).clone()
     }
 
     /// Returns the maximum size of a binding, and so of a part of a scene or image, bytes.

@@ -1,20 +1,21 @@
 //! Registry of this machine's adapters and of one open device per adapter and process.
 
 use std::process;
-use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+use std::sync::{Arc, Mutex, OnceLock};
 
 use nearfar_core::base::{Error, Progress, Result};
 use wgpu::{Adapter, Backends, Instance, InstanceDescriptor};
 
-use super::{AdapterKind, AdapterReport, Device};
+use super::{AdapterKind, AdapterReport, Device, lock};
 
 #[derive(Default)]
 struct Registry {
-    native: Option<Vec<Found>>,
-    gl: Option<Vec<Found>>,
+    native: Option<Vec<Entry>>,
+    gl: Option<Vec<Entry>>,
 }
 
-struct Found {
+/// An adapter, and the device that is open on it.
+struct Entry {
     adapter: Adapter,
     report: AdapterReport,
     device: Option<Arc<Device>>,
@@ -23,12 +24,12 @@ struct Found {
 /// The registry, and the process that it belongs to. A forked child has none of the drivers' threads and connections,
 /// and Mesa's OpenGL waits for them for ever: there, adapters are refused before taking a lock that may have been
 /// held.
-static KNOWN: OnceLock<(u32, Mutex<Registry>)> = OnceLock::new();
+static REGISTRY: OnceLock<(u32, Mutex<Registry>)> = OnceLock::new();
 
 /// Returns all adapters, best first, with the reason if one cannot be used.
 pub fn adapters() -> Result<Vec<AdapterReport>> {
     with_registry(|registry| {
-        let mut reports: Vec<AdapterReport> = registry.find_all().map(|found| found.report.clone()).collect();
+        let mut reports: Vec<AdapterReport> = registry.find_all().map(|entry| entry.report.clone()).collect();
         reports.sort_by_key(AdapterReport::rank);
         reports
     })
@@ -36,46 +37,47 @@ pub fn adapters() -> Result<Vec<AdapterReport>> {
 
 /// Returns whether there is a usable hardware adapter. OpenGL is searched last, because that takes longest.
 pub fn is_hardware(wanted: Option<&str>) -> Result<bool> {
-    let is_one = |found: &Found| found.is_usable(wanted) && found.report.kind != AdapterKind::Software;
-    with_registry(|registry| registry.native().iter().any(is_one) || registry.gl().iter().any(is_one))
+    let is_usable = |entry: &Entry| entry.is_usable_hardware(wanted);
+    with_registry(|registry| registry.native().iter().any(is_usable) || registry.gl().iter().any(is_usable))
 }
 
 /// Returns the device on the best `wanted` adapter, opened on first use and again after a loss.
 pub fn device(wanted: Option<&str>) -> Result<Arc<Device>> {
     with_registry(|registry| {
         // A native software adapter is preferred to OpenGL's, and hardware behind OpenGL to both.
-        let decided = registry.native().iter().any(|f| f.is_usable(wanted) && f.report.kind != AdapterKind::Software);
-        if !decided {
+        if !registry.native().iter().any(|entry| entry.is_usable_hardware(wanted)) {
             registry.gl();
         }
-        let best =
-            registry.found_so_far().filter(|found| found.is_usable(wanted)).min_by_key(|found| found.report.rank());
-        let Some(found) = best else { return Err(Error::Device(absence(registry, wanted))) };
-        if let Some(device) = found.device.as_ref().filter(|device| !device.is_lost()) {
+        let usable = registry.entries().filter(|entry| entry.is_usable(wanted));
+        let Some(entry) = usable.min_by_key(|entry| entry.report.rank()) else {
+            return Err(Error::Device(no_adapter_message(registry, wanted)));
+        };
+        if let Some(device) = entry.device.as_ref().filter(|device| !device.is_lost()) {
             return Ok(device.clone());
         }
-        let device = Arc::new(Device::open(&found.adapter, found.report.clone())?);
-        found.device = Some(device.clone());
+        let device = Arc::new(Device::open(&entry.adapter, entry.report.clone())?);
+        entry.device = Some(device.clone());
         Ok(device)
     })?
 }
 
 /// Waits for the work of all devices and closes them. Mesa's drivers crash at process exit while they work.
 pub fn close(progress: &Progress) -> Result<()> {
-    let Some((owner, registry)) = KNOWN.get() else { return Ok(()) };
-    if *owner != process::id() {
-        return Ok(());
+    match REGISTRY.get() {
+        Some((owner, registry)) if *owner == process::id() => {
+            let mut registry = lock(registry);
+            registry.entries().filter_map(|entry| entry.device.take()).try_for_each(|device| device.close(progress))
+        }
+        _ => Ok(()),
     }
-    let mut registry = registry.lock().unwrap_or_else(PoisonError::into_inner);
-    registry.found_so_far().filter_map(|found| found.device.take()).try_for_each(|device| device.close(progress))
 }
 
-fn with_registry<R>(use_it: impl FnOnce(&mut Registry) -> R) -> Result<R> {
-    let (owner, registry) = KNOWN.get_or_init(|| (process::id(), Mutex::default()));
+fn with_registry<R>(function: impl FnOnce(&mut Registry) -> R) -> Result<R> {
+    let (owner, registry) = REGISTRY.get_or_init(|| (process::id(), Mutex::default()));
     if *owner != process::id() {
         return Err(Error::Device(FORKED.to_string()));
     }
-    Ok(use_it(&mut registry.lock().unwrap_or_else(PoisonError::into_inner)))
+    Ok(function(&mut lock(registry)))
 }
 
 /// Message for forked children.
@@ -83,58 +85,59 @@ pub(super) const FORKED: &str = "graphics drivers do not survive a fork, and thi
     start it by multiprocessing's 'spawn' or 'forkserver', or use backend='cpu'";
 
 impl Registry {
-    fn native(&mut self) -> &mut Vec<Found> {
+    fn native(&mut self) -> &mut Vec<Entry> {
         self.native.get_or_insert_with(|| find(Backends::PRIMARY))
     }
 
-    fn gl(&mut self) -> &mut Vec<Found> {
+    fn gl(&mut self) -> &mut Vec<Entry> {
         self.gl.get_or_insert_with(|| find(Backends::GL))
     }
 
-    fn find_all(&mut self) -> impl Iterator<Item = &mut Found> {
+    fn find_all(&mut self) -> impl Iterator<Item = &mut Entry> {
         self.native();
         self.gl();
-        self.found_so_far()
+        self.entries()
     }
 
-    fn found_so_far(&mut self) -> impl Iterator<Item = &mut Found> {
+    /// Returns the adapters that have been searched for so far.
+    fn entries(&mut self) -> impl Iterator<Item = &mut Entry> {
         self.native.iter_mut().chain(&mut self.gl).flatten()
     }
 }
 
-impl Found {
+impl Entry {
     fn is_usable(&self, wanted: Option<&str>) -> bool {
         self.report.refused.is_empty() && wanted.is_none_or(|wanted| self.report.answers_to(wanted))
     }
+
+    fn is_usable_hardware(&self, wanted: Option<&str>) -> bool {
+        self.is_usable(wanted) && self.report.kind != AdapterKind::Software
+    }
 }
 
-fn find(backends: Backends) -> Vec<Found> {
+fn find(backends: Backends) -> Vec<Entry> {
     let mut descriptor = InstanceDescriptor::new_without_display_handle();
     descriptor.backends = backends;
     let instance = Instance::new(descriptor);
     let adapters = pollster::block_on(instance.enumerate_adapters(backends));
-    let found = |adapter: Adapter| Found { report: AdapterReport::new(&adapter), adapter, device: None };
-    adapters.into_iter().map(found).collect()
+    let entry = |adapter: Adapter| Entry { report: AdapterReport::new(&adapter), adapter, device: None };
+    adapters.into_iter().map(entry).collect()
 }
 
 /// Returns the message for the case that no adapter is usable: the reason, and what to install.
-fn absence(registry: &mut Registry, wanted: Option<&str>) -> String {
-    let seen: Vec<String> = registry
-        .find_all()
-        .map(|found| match &found.report.refused[..] {
-            "" => found.report.label(),
-            refused => format!("{} ({refused})", found.report.label()),
-        })
-        .collect();
-    if let (Some(name), false) = (wanted, seen.is_empty()) {
-        let seen = seen.join(", ");
-        return format!(
-            "no graphics adapter '{name}' can be used, found {seen}; select by interface or a part of a name"
-        );
-    }
-    let what = wanted.map_or("no graphics adapter".to_string(), |name| format!("no graphics adapter '{name}'"));
-    let seen = if seen.is_empty() { "found none".to_string() } else { format!("found {}", seen.join(", ")) };
-    format!("{what} can be used, {seen}; {INSTALL}")
+fn no_adapter_message(registry: &mut Registry, wanted: Option<&str>) -> String {
+    let describe = |entry: &mut Entry| match &entry.report.refused[..] {
+        "" => entry.report.label(),
+        refused => format!("{} ({refused})", entry.report.label()),
+    };
+    let adapters = registry.find_all().map(describe).collect::<Vec<_>>().join(", ");
+    let name = wanted.map_or(String::new(), |name| format!(" '{name}'"));
+    let (found, remedy) = match &adapters[..] {
+        "" => ("none", INSTALL),
+        found if wanted.is_some() => (found, "select by interface or a part of a name"),
+        found => (found, INSTALL),
+    };
+    format!("no graphics adapter{name} can be used, found {found}; {remedy}")
 }
 
 const INSTALL: &str = if cfg!(target_os = "macos") {

@@ -1,20 +1,22 @@
 //! Cancellable waiting for the device.
 
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, OnceLock};
 use std::thread;
 use std::time::Duration;
 
-use nearfar_core::base::{self, Error, Progress};
+use nearfar_core::base::{Error, Progress, Result};
 use wgpu::{Buffer, CommandBuffer, MapMode, PollStatus, PollType};
 
 use super::{AdapterKind, Device};
 
 /// Minimum polling interval.
-const SHORTEST_NAP: Duration = Duration::from_micros(20);
-
+const MIN_POLL_INTERVAL: Duration = Duration::from_micros(20);
 /// Maximum polling interval.
-const LONGEST_NAP: Duration = Duration::from_micros(500);
+const MAX_POLL_INTERVAL: Duration = Duration::from_micros(500);
+
+/// Message for buffers that could not be mapped.
+pub(crate) const UNREADABLE: &str = "its memory could not be read; use backend='cpu'";
 
 /// Submitted work; true once a poll has found it complete.
 #[derive(Clone, Default)]
@@ -28,9 +30,9 @@ impl Device {
 
     /// Submits commands; fails if the caller cancels. Software drivers block a submission until the previous work is
     /// complete, so this waits for it, cancellably.
-    pub(crate) fn submit(&self, commands: CommandBuffer, progress: &Progress) -> base::Result<Submission> {
+    pub(crate) fn submit(&self, commands: CommandBuffer, progress: &Progress) -> Result<Submission> {
         if self.is_software() {
-            self.look_until(progress, |status| (status == PollStatus::QueueEmpty).then_some(()))?;
+            self.wait_for_all(progress)?;
         }
         let submission = Submission::default();
         let done = Arc::clone(&submission.0);
@@ -42,43 +44,45 @@ impl Device {
     }
 
     /// Waits for submitted work; fails if the caller cancels.
-    pub(crate) fn wait(&self, submission: &Submission, progress: &Progress) -> base::Result<()> {
-        self.look_until(progress, |_| submission.0.load(Ordering::Acquire).then_some(()))
+    pub(crate) fn wait(&self, submission: &Submission, progress: &Progress) -> Result<()> {
+        self.poll_until(progress, |_| submission.0.load(Ordering::Acquire).then_some(()))
+    }
+
+    fn wait_for_all(&self, progress: &Progress) -> Result<()> {
+        self.poll_until(progress, |status| (status == PollStatus::QueueEmpty).then_some(()))
     }
 
     /// Waits for all submitted work and closes the device; fails if the caller cancels.
-    pub(super) fn close(&self, progress: &Progress) -> base::Result<()> {
-        self.alone(|| {
-            let waited = self.look_until(progress, |status| (status == PollStatus::QueueEmpty).then_some(()));
+    pub(super) fn close(&self, progress: &Progress) -> Result<()> {
+        self.with_exclusive_queue(|| {
             // A lost device has no work to wait for.
-            if waited == Err(Error::Cancelled) {
-                return waited;
+            if self.wait_for_all(progress) == Err(Error::Cancelled) {
+                return Err(Error::Cancelled);
             }
             self.destroy();
             Ok(())
         })
     }
 
-    /// Polls the device, which runs pending callbacks, until `found` has a result or the caller cancels.
+    /// Polls the device, which runs pending callbacks, until `result_of` has a result or the caller cancels.
     ///
     /// Never uses wgpu's blocking wait, for three reasons. Mesa's software drivers ignore a timeout above zero and
     /// return when the work is complete. After a timeout, wgpu 30 compares its old state with a list that other
     /// threads change, and panics if their work ended meanwhile, on every adapter. A lock against that would block
     /// submissions during waits.
-    fn look_until<R>(&self, progress: &Progress, found: impl Fn(PollStatus) -> Option<R>) -> base::Result<R> {
-        let mut nap = SHORTEST_NAP;
+    fn poll_until<R>(&self, progress: &Progress, result_of: impl Fn(PollStatus) -> Option<R>) -> Result<R> {
+        let mut interval = MIN_POLL_INTERVAL;
         loop {
             self.check()?;
-            let polled = self.wgpu.poll(PollType::Poll);
-            let status = polled.map_err(|error| Error::Device(format!("{}: {error}", self.report.label())))?;
+            let status = self.wgpu.poll(PollType::Poll).map_err(|error| self.error(error))?;
             self.check()?;
             progress.check()?;
-            if let Some(result) = found(status) {
+            if let Some(result) = result_of(status) {
                 return Ok(result);
             }
-            thread::sleep(nap);
+            thread::sleep(interval);
             // The interval is a tenth of the time so far: long waits need few polls, short ones little time.
-            nap = (nap * 11 / 10).min(LONGEST_NAP);
+            interval = (interval * 11 / 10).min(MAX_POLL_INTERVAL);
         }
     }
 
@@ -89,12 +93,12 @@ impl Device {
         bytes: u64,
         progress: &Progress,
         take: impl FnOnce(&[u8]) -> R,
-    ) -> base::Result<R> {
+    ) -> Result<R> {
         // Mapped ranges are multiples of 8 bytes.
-        let room = bytes.next_multiple_of(8);
-        self.open_buffer(buffer, room, MapMode::Read, progress)?;
-        let view = buffer.get_mapped_range(..room);
-        let taken = view.map(|view| take(&view[..bytes as usize])).map_err(|error| self.failure(&error));
+        let mapped_bytes = bytes.next_multiple_of(8);
+        self.map_buffer(buffer, mapped_bytes, MapMode::Read, progress)?;
+        let view = buffer.get_mapped_range(..mapped_bytes);
+        let taken = view.map(|view| take(&view[..bytes as usize])).map_err(|error| self.failure(error));
         buffer.unmap();
         // The data are undefined if the device was lost meanwhile.
         self.check()?;
@@ -102,22 +106,17 @@ impl Device {
     }
 
     /// Waits until the beginning of a buffer is mapped for the processor; unmaps it on failure.
-    pub(crate) fn open_buffer(
-        &self,
-        buffer: &Buffer,
-        bytes: u64,
-        mode: MapMode,
-        progress: &Progress,
-    ) -> base::Result<()> {
-        let answer = Arc::new(AtomicU32::new(0));
-        let written = Arc::clone(&answer);
-        buffer.map_async(mode, ..bytes, move |result| written.store(1 + u32::from(result.is_err()), Ordering::Release));
-        let answered = |_| match answer.load(Ordering::Acquire) {
-            0 => None,
-            1 => Some(Ok(())),
-            _ => Some(Err(self.failure(&"its memory could not be read; use backend='cpu'"))),
+    pub(crate) fn map_buffer(&self, buffer: &Buffer, bytes: u64, mode: MapMode, progress: &Progress) -> Result<()> {
+        let mapping = Arc::new(OnceLock::new());
+        let stored = Arc::clone(&mapping);
+        buffer.map_async(mode, ..bytes, move |result| {
+            let _ = stored.set(result.is_ok());
+        });
+        let result_of = |_| match mapping.get()? {
+            true => Some(Ok(())),
+            false => Some(Err(self.failure(UNREADABLE))),
         };
-        self.look_until(progress, answered).unwrap_or_else(|error| {
+        self.poll_until(progress, result_of).unwrap_or_else(|error| {
             buffer.unmap();
             Err(error)
         })

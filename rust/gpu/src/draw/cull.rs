@@ -16,10 +16,10 @@ use super::window::Window;
 #[derive(Clone)]
 pub(crate) struct Frustum {
     planes: Vec<DVec4>,
-    /// Whether it belongs to the whole picture.
-    whole: bool,
+    /// Whether the window is the whole picture.
+    is_whole_picture: bool,
     /// Frustum of the second view, if two are drawn at once.
-    other: Option<Box<Frustum>>,
+    second_view: Option<Box<Frustum>>,
     /// Mask of the picture, and its camera relative to the scene's origin.
     mask: Option<(Arc<Mask>, Camera)>,
 }
@@ -27,15 +27,15 @@ pub(crate) struct Frustum {
 impl Frustum {
     /// Creates the frustum of a camera's window, bounded by the limits, for displaced points; eye and limits are
     /// relative to the scene's origin.
-    pub fn new(camera: &Camera, window: &Window, eye: DVec3, limits: &Limits, moved: &Displacement) -> Self {
-        let Displacement { shift, slack } = *moved;
+    pub fn new(camera: &Camera, window: &Window, eye: DVec3, limits: &Limits, displacement: &Displacement) -> Self {
+        let Displacement { shift, slack } = *displacement;
         let (eye, far) = (eye - shift, f64::from(limits.segment.t_max));
         let Axes { right, up, ahead, fov } = Axes::new(camera);
         let fov = window.part_of(camera, &fov);
         let sides = [(right, fov.left, 1.0), (right, fov.right, -1.0), (up, fov.down, 1.0), (up, fov.up, -1.0)];
-        let plane = |normal: DVec3, at: f64| {
+        let plane = |normal: DVec3, distance: f64| {
             let normal = normal.normalize();
-            normal.extend(-normal.dot(eye) - at + slack)
+            normal.extend(-normal.dot(eye) - distance + slack)
         };
         let parallel = camera.is_parallel();
         let mut planes: Vec<DVec4> = sides
@@ -49,16 +49,17 @@ impl Frustum {
         if far.is_finite() {
             planes.push(plane(-ahead, -far));
         }
-        planes.extend(limits.planes().iter().map(|kept| {
-            let normal = kept.truncate();
-            normal.extend(kept.w + normal.dot(shift) + slack * normal.length())
+        planes.extend(limits.planes().iter().map(|plane| {
+            let normal = plane.truncate();
+            normal.extend(plane.w + normal.dot(shift) + slack * normal.length())
         }));
-        Self { planes, whole: (window.width, window.height) == (camera.width, camera.height), other: None, mask: None }
+        let is_whole_picture = (window.width, window.height) == (camera.width, camera.height);
+        Self { planes, is_whole_picture, second_view: None, mask: None }
     }
 
     /// Returns the union with another frustum.
     pub fn or(self, other: Self) -> Self {
-        Self { other: Some(Box::new(other)), ..self }
+        Self { second_view: Some(Box::new(other)), ..self }
     }
 
     /// Returns the frustum restricted to the drawn pixels of a mask; the camera is relative to the scene's origin.
@@ -80,20 +81,19 @@ impl Frustum {
             let slack = 1e-6 * farthest.abs().max_element();
             plane.truncate().dot(farthest) + plane.w + slack >= 0.0
         });
-        inside && self.is_drawn(bounds) || self.other.as_ref().is_some_and(|other| other.sees(bounds))
+        inside && self.is_drawn(bounds) || self.second_view.as_ref().is_some_and(|view| view.sees(bounds))
     }
 
     /// Same as `sees`, for a box that is known to pass the whole picture's half-spaces.
     #[inline]
     pub fn sees_inside_picture(&self, bounds: &Aabb) -> bool {
-        if self.whole { self.is_drawn(bounds) } else { self.sees(bounds) }
+        if self.is_whole_picture { self.is_drawn(bounds) } else { self.sees(bounds) }
     }
 
     /// Returns false if no drawn pixel of the mask shows a box.
     fn is_drawn(&self, bounds: &Aabb) -> bool {
-        self.mask
-            .as_ref()
-            .is_none_or(|(mask, camera)| mask.pyramid.as_ref().is_none_or(|pyramid| pyramid.sees(camera, bounds)))
+        let Some((mask, camera)) = &self.mask else { return true };
+        mask.pyramid.as_ref().is_none_or(|pyramid| pyramid.sees(camera, bounds))
     }
 }
 

@@ -1,7 +1,7 @@
 //! A frame that stays on the device: kernels read it there, and it is copied to the processor on request.
 
 use std::sync::atomic::Ordering;
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard};
 
 use glam::DVec3;
 use nearfar_core::base::{Error, Progress, Result};
@@ -10,12 +10,11 @@ use nearfar_core::render::{Channels, Frame};
 use wgpu::PollType;
 
 use super::job::Job;
-use super::outputs::window_limits;
 use super::picture::Picture;
 use super::read;
-use super::slots::Slots;
-use super::submitted::Submitted;
-use crate::device::Device;
+use super::slots::{Slots, Submitted};
+use super::window::window_limits;
+use crate::device::{Device, lock};
 
 /// Images of a frame on the device. Its slot is reused after the frame is dropped.
 pub struct DeviceFrame {
@@ -28,7 +27,7 @@ pub struct DeviceFrame {
 
 /// Lock of a device's frames.
 #[derive(Default)]
-struct Alone(Mutex<()>);
+struct FrameLock(Mutex<()>);
 
 /// Location of a channel in a buffer.
 pub(crate) struct Section<'a> {
@@ -45,7 +44,7 @@ impl Job {
         };
         self.device.check_whole(&camera, self.channels)?;
         let Some(submitted) = self.submitted.pop_front() else {
-            return Err(self.device.failure(&"a frame without a window"));
+            return Err(self.device.failure("a frame without a window"));
         };
         // The output was mapped in case it is read; kernels cannot use a mapped buffer.
         submitted.slot.readable().unmap();
@@ -58,13 +57,14 @@ impl Job {
 impl Device {
     /// Fails for a frame that is too large to stay on the device, because it would be drawn in several windows.
     pub fn check_whole(&self, camera: &Camera, channels: Channels) -> Result<()> {
-        let (most, side) = window_limits(self, channels);
+        let (max_pixels, max_side) = window_limits(self, channels);
         let Camera { width, height, .. } = *camera;
-        if width.max(height) <= side && u64::from(width) * u64::from(height) <= most {
+        if width.max(height) <= max_side && u64::from(width) * u64::from(height) <= max_pixels {
             return Ok(());
         }
         let label = self.report().label();
-        let expected = format!("at most {most} pixels in these channels and {side} each way, which {label} can hold");
+        let expected =
+            format!("at most {max_pixels} pixels in these channels and {max_side} each way, which {label} can hold");
         Err(Error::value("camera", expected, format!("{width} × {height}")))
     }
 }
@@ -99,19 +99,16 @@ impl DeviceFrame {
 
     /// Locks the frames of the device: held while a frame is mapped, and while work that reads one is submitted, which
     /// exclude each other.
-    pub(crate) fn alone(&self) -> MutexGuard<'_, ()> {
-        self.device.state::<Alone>().0.lock().unwrap_or_else(PoisonError::into_inner)
+    pub(crate) fn lock(&self) -> MutexGuard<'_, ()> {
+        lock(&self.device.state::<FrameLock>().0)
     }
 
     /// Copies the output's words on this thread alone: a thread that waits inside rayon may run another task, which
     /// may need the same lock.
     fn words(&self, submitted: &Submitted, progress: &Progress) -> Result<Vec<u32>> {
-        let _alone = self.alone();
-        self.device.read_buffer(submitted.slot.readable(), submitted.slot.shape.bytes, progress, |bytes| {
-            let mut words = vec![0; bytes.len() / size_of::<u32>()];
-            bytemuck::cast_slice_mut(&mut words).copy_from_slice(bytes);
-            words
-        })
+        let _lock = self.lock();
+        let slot = &submitted.slot;
+        self.device.read_buffer(slot.readable(), slot.shape.bytes, progress, bytemuck::pod_collect_to_vec)
     }
 
     /// Returns the linear colour, three words per pixel.
@@ -134,7 +131,7 @@ impl DeviceFrame {
 
     fn submitted(&self) -> Result<&Submitted> {
         self.device.check()?;
-        self.submitted.as_ref().ok_or_else(|| self.device.failure(&"a frame without a slot"))
+        self.submitted.as_ref().ok_or_else(|| self.device.failure("a frame without a slot"))
     }
 }
 
@@ -143,10 +140,10 @@ impl Drop for DeviceFrame {
         let Some(submitted) = self.submitted.take() else { return };
         // Mapping callbacks run during a poll.
         let polled = self.device.wgpu.poll(PollType::Poll);
-        let [opened, refused] = [0, 1].map(|i: usize| submitted.opened[i].load(Ordering::Acquire));
+        let [mapped, failed] = [0, 1].map(|i: usize| submitted.mapped[i].load(Ordering::Acquire));
         // Two mappings were requested. The output was unmapped, possibly before its mapping succeeded; the inputs must
         // be mapped for the next frame.
-        if polled.is_ok() && !self.device.is_lost() && opened > 0 && opened + refused == 2 {
+        if polled.is_ok() && !self.device.is_lost() && mapped > 0 && mapped + failed == 2 {
             self.device.state::<Slots>().give_back(submitted.slot);
         }
     }

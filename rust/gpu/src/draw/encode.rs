@@ -1,17 +1,19 @@
 //! Command encoding of a frame's passes: raster layer by layer, then resolve batch by batch.
 
+use std::num::NonZeroU64;
+use std::ops::Range;
+
 use nearfar_core::base::Result;
 use wgpu::{
-    BindGroup, BindGroupDescriptor, BindGroupEntry, BindingResource, BufferBinding, Color, CommandEncoder,
-    ComputePassDescriptor, LoadOp, Operations, RenderPassColorAttachment, RenderPassDepthStencilAttachment,
-    RenderPassDescriptor, StoreOp,
+    BindGroup, BindingResource, BufferBinding, Color, CommandEncoder, ComputePassDescriptor, LoadOp, Operations,
+    RenderPassColorAttachment, RenderPassDepthStencilAttachment, RenderPassDescriptor, StoreOp,
 };
 
 use super::inputs::{BLOCK, PASS_BLOCKS};
 use super::layers::Layer;
 use super::picture::Picture;
 use super::pipelines::{Layouts, Pipelines, RasterKey, ResolveKey, views_mask};
-use super::plan::{Group, Plan, RecordsAt};
+use super::plan::{Batch, Plan, RecordsLocation};
 use super::slots::{Slot, Target};
 use super::style::Style;
 use super::timing::Stopwatch;
@@ -19,7 +21,7 @@ use crate::device::{Device, SAMPLES};
 use crate::upload::{Page, Placeholders, SceneTables};
 
 /// Clear colour of visible faces: four halves of ones, for no face.
-const NOTHING: Color = Color { r: 65535.0, g: 65535.0, b: 65535.0, a: 65535.0 };
+const NO_FACE: Color = Color { r: 65535.0, g: 65535.0, b: 65535.0, a: 65535.0 };
 
 /// A pass over a window.
 #[derive(Clone, Copy, Debug)]
@@ -32,7 +34,7 @@ pub(super) struct PassKind {
 }
 
 /// Bind groups of a frame.
-pub(super) struct Bound<'a> {
+pub(super) struct FrameBindings<'a> {
     device: &'a Device,
     picture: &'a Picture,
     plan: &'a Plan,
@@ -40,101 +42,98 @@ pub(super) struct Bound<'a> {
     view: BindGroup,
     /// Bind group of both views, if a pass draws two.
     views: Option<BindGroup>,
-    raster: Vec<BindGroup>,
-    resolve: Vec<BindGroup>,
-    /// Bind group and block of the batch without records.
-    empty: (BindGroup, u32),
+    /// Scene of each batch for raster and for resolve passes.
+    raster_scenes: Vec<BindGroup>,
+    resolve_scenes: Vec<BindGroup>,
+    /// Scene of the batch without records.
+    empty_scene: BindGroup,
     /// Visible instances of each view, single-sampled and multisampled.
     targets: [Vec<BindGroup>; 2],
-    /// Bit mask of the drawn pixels.
     mask: Option<BindGroup>,
 }
 
-impl<'a> Bound<'a> {
-    /// Creates the bind groups; `None` before the slot has inputs.
+impl<'a> FrameBindings<'a> {
+    /// Creates the bind groups for a slot and its inputs.
     pub fn new(
         device: &'a Device,
         picture: &'a Picture,
         plan: &'a Plan,
-        slot: &'a Slot,
+        (slot, inputs): (&'a Slot, &wgpu::Buffer),
         placeholders: &'a Placeholders,
-    ) -> Option<Self> {
+    ) -> Self {
         let layouts = device.state::<Pipelines>().layouts(device);
-        let inputs = slot.inputs.buffer()?;
         let map = picture.backdrop.as_ref().map_or(&placeholders.map, |backdrop| &backdrop.texels);
         let views = slot.shape.views;
         let view = |count: u32| {
-            let passes = section(inputs, 0, u64::from(count) * (PASS_BLOCKS * BLOCK) as u64);
-            let maps = [&map.color.view, &map.range.view].map(BindingResource::TextureView);
-            let [color, range] = maps;
-            group(device, &layouts.view, &[passes, section(inputs, 0, BLOCK as u64), color, range])
+            let passes = section(inputs, &(0..count as usize * PASS_BLOCKS * BLOCK));
+            let [color, range] = [&map.color.view, &map.range.view].map(BindingResource::TextureView);
+            device.bind_group(&layouts.view, (0..).zip([passes, section(inputs, &(0..BLOCK)), color, range]))
         };
-        let order = section(inputs, plan.order.start as u64, plan.order.len().next_multiple_of(4) as u64);
-        let raster = |g: &Group| {
-            let mut entries = scene(picture, inputs, g);
-            entries.push(order.clone());
-            group(device, &layouts.raster_scene, &entries)
-        };
+        let order = section(inputs, &plan.order);
+        let scenes = plan.batches.iter().map(|batch| {
+            let records = match &batch.records {
+                RecordsLocation::Buffer(buffer) => buffer.as_entire_binding(),
+                RecordsLocation::Inputs(range) => section(inputs, range),
+            };
+            let tables = tables(&picture.layers[batch.layer].tables, &batch.page, records);
+            let raster = tables.clone().into_iter().chain([order.clone()]);
+            let raster = device.bind_group(&layouts.raster_scene, (0..).zip(raster));
+            (raster, device.bind_group(&layouts.resolve_scene, (0..).zip(tables)))
+        });
+        let (raster_scenes, resolve_scenes) = scenes.unzip();
         let records = placeholders.tables.parts.as_entire_binding();
-        let empty_scene =
-            group(device, &layouts.resolve_scene, &tables(&placeholders.tables, &placeholders.page, records));
-        Some(Self {
+        let empty_tables = tables(&placeholders.tables, &placeholders.page, records);
+        Self {
             device,
             picture,
             plan,
             slot,
             view: view(1),
             views: (views > 1).then(|| view(views)),
-            raster: plan.groups.iter().map(raster).collect(),
-            resolve: plan
-                .groups
-                .iter()
-                .map(|g| group(device, &layouts.resolve_scene, &scene(picture, inputs, g)))
-                .collect(),
-            empty: (empty_scene, plan.empty as u32),
+            raster_scenes,
+            resolve_scenes,
+            empty_scene: device.bind_group(&layouts.resolve_scene, (0..).zip(empty_tables)),
             targets: targets(device, layouts, slot),
-            mask: plan
-                .mask
-                .as_ref()
-                .map(|bits| group(device, &layouts.mask, &[section(inputs, bits.start as u64, bits.len() as u64)])),
-        })
+            mask: plan.mask.as_ref().map(|bits| device.bind_group(&layouts.mask, [(0, section(inputs, bits))])),
+        }
     }
 
     /// Encodes one pass: raster, then resolve.
     pub fn encode(&self, encoder: &mut CommandEncoder, pass: PassKind) -> Result<()> {
         let samples = if pass.multisampled { SAMPLES } else { 1 };
-        let target = self.slot.multisampled.as_ref().filter(|_| pass.multisampled).unwrap_or(&self.slot.single);
+        let target = self.slot.multisampled.as_ref().filter(|_| pass.multisampled).unwrap_or(&self.slot.single_sampled);
         let views = self.slot.shape.views as usize;
         let offset = |view: usize| ((pass.number * views + view) * PASS_BLOCKS * BLOCK) as u32;
         self.raster(encoder, target, samples, offset(0))?;
-        let targets = &self.targets[usize::from(pass.multisampled)];
-        targets
-            .iter()
-            .enumerate()
-            .try_for_each(|(view, target)| self.resolve(encoder, pass, samples, (target, offset(view))))
+        let mut targets = self.targets[usize::from(pass.multisampled)].iter().enumerate();
+        targets.try_for_each(|(view, target)| self.resolve(encoder, pass, samples, (target, offset(view))))
     }
 
     fn raster(&self, encoder: &mut CommandEncoder, target: &Target, samples: u32, offset: u32) -> Result<()> {
         let layers = &self.picture.layers;
         let pipelines = self.device.state::<Pipelines>();
-        let hiding = self.mask.as_ref().map(|_| pipelines.mask(self.device, samples)).transpose()?;
+        let mask = match &self.mask {
+            Some(mask) => Some((mask, pipelines.mask(self.device, samples)?)),
+            None => None,
+        };
+        let pipeline = |batch: &Batch, one_record| {
+            let is_used = batch.calls.iter().any(|call| call.has_one_record == one_record);
+            let key = self.raster_key(&layers[batch.layer], one_record, samples);
+            is_used.then(|| pipelines.raster(self.device, key)).transpose()
+        };
+        // A layer that covers earlier ones begins a pass with a new depth buffer, for itself and for later layers, even
+        // if nothing of it is visible.
+        let pass_of = |batch: &Batch| layers[..=batch.layer].iter().filter(|layer| layer.covers).count();
         let mut start = 0;
-        let mut first = true;
-        while first || start < self.plan.groups.len() {
-            let groups = &self.plan.groups[start..];
-            // A layer that covers earlier ones begins a pass with a new depth buffer, for itself and for later layers,
-            // even if nothing of it is visible.
-            let section = |n: usize| layers[..=groups[n].layer].iter().filter(|layer| layer.covers).count();
-            let same = |n: usize| section(n) == section(0);
-            let count = (0..groups.len()).take_while(|&n| same(n)).count();
-            let pipeline = |g: &Group, single| {
-                let used = g.calls.iter().any(|call| call.single == single);
-                let (layer, views) = (&layers[g.layer], self.slot.shape.views);
-                let key = raster_key(self.device, self.picture, layer, single, samples, views);
-                used.then(|| self.device.state::<Pipelines>().raster(self.device, key)).transpose()
-            };
-            let pipelines: Vec<_> =
-                groups[..count].iter().map(|g| Ok([pipeline(g, false)?, pipeline(g, true)?])).collect::<Result<_>>()?;
+        let mut is_first = true;
+        while is_first || start < self.plan.batches.len() {
+            let rest = &self.plan.batches[start..];
+            let count = rest.iter().take_while(|batch| pass_of(batch) == pass_of(&rest[0])).count();
+            let batches = &rest[..count];
+            let pipelines: Vec<_> = batches
+                .iter()
+                .map(|batch| Ok([pipeline(batch, false)?, pipeline(batch, true)?]))
+                .collect::<Result<_>>()?;
             let mut pass = encoder.begin_render_pass(&RenderPassDescriptor {
                 label: Some("raster"),
                 color_attachments: &[Some(RenderPassColorAttachment {
@@ -142,7 +141,7 @@ impl<'a> Bound<'a> {
                     depth_slice: None,
                     resolve_target: None,
                     ops: Operations {
-                        load: if first { LoadOp::Clear(NOTHING) } else { LoadOp::Load },
+                        load: if is_first { LoadOp::Clear(NO_FACE) } else { LoadOp::Load },
                         store: StoreOp::Store,
                     },
                 })],
@@ -155,31 +154,31 @@ impl<'a> Bound<'a> {
                 multiview_mask: views_mask(self.slot.shape.views),
                 ..RenderPassDescriptor::default()
             });
-            if let (Some(mask), Some(pipeline)) = (&self.mask, &hiding) {
+            if let Some((mask, pipeline)) = &mask {
                 pass.set_pipeline(pipeline);
-                pass.set_bind_group(0, mask, &[]);
-                pass.set_bind_group(1, &self.view, &[offset, self.empty.1]);
+                pass.set_bind_group(0, *mask, &[]);
+                pass.set_bind_group(1, &self.view, &[offset, self.plan.empty_block as u32]);
                 pass.draw(0..3, 0..1);
             }
             let view = self.views.as_ref().unwrap_or(&self.view);
-            for (n, (group, pipelines)) in groups[..count].iter().zip(&pipelines).enumerate() {
-                pass.set_bind_group(0, &self.raster[start + n], &[]);
-                let (mut drawn_by, mut bound) = (None, None);
-                for call in &group.calls {
-                    if drawn_by != Some(call.single) {
-                        let Some(pipeline) = &pipelines[usize::from(call.single)] else { continue };
+            for ((batch, scene), pipelines) in batches.iter().zip(&self.raster_scenes[start..]).zip(&pipelines) {
+                pass.set_bind_group(0, scene, &[]);
+                let (mut pipeline_of, mut bound_block) = (None, None);
+                for call in &batch.calls {
+                    if pipeline_of != Some(call.has_one_record) {
+                        let Some(pipeline) = &pipelines[usize::from(call.has_one_record)] else { continue };
                         pass.set_pipeline(pipeline);
-                        drawn_by = Some(call.single);
+                        pipeline_of = Some(call.has_one_record);
                     }
-                    if bound != Some(call.block) {
+                    if bound_block != Some(call.block) {
                         pass.set_bind_group(1, view, &[offset, call.block as u32]);
-                        bound = Some(call.block);
+                        bound_block = Some(call.block);
                     }
                     pass.draw(call.vertices.clone(), call.instances.clone());
                 }
             }
             start += count;
-            first = false;
+            is_first = false;
         }
         Ok(())
     }
@@ -191,31 +190,32 @@ impl<'a> Bound<'a> {
         samples: u32,
         (target, offset): (&BindGroup, u32),
     ) -> Result<()> {
-        let key = |style: Style, single, first, layer: Option<&Layer>| ResolveKey {
-            style,
-            mapped: first && self.picture.backdrop.is_some(),
-            limited: first && self.picture.backdrop.is_some() && self.picture.limits.is_some(),
-            bare: first && self.picture.bare,
-            color: kind.color,
-            surface: kind.surface,
-            single,
-            textured: layer.is_some_and(|layer| layer.tables.materials.textured),
-            colored: layer.is_some_and(|layer| layer.tables.colored),
-            smooth: layer.is_some_and(|layer| layer.tables.smooth),
-            glowing: layer.is_some_and(|layer| layer.tables.materials.glowing),
-            samples,
+        let picture = self.picture;
+        let compile = |style: Style, one_record, writes_first, layer: Option<&Layer>| {
+            let tables = layer.map(|layer| &layer.tables);
+            let key = ResolveKey {
+                style,
+                mapped: writes_first && picture.backdrop.is_some(),
+                limited: writes_first && picture.backdrop.is_some() && picture.limits.is_some(),
+                bare: writes_first && picture.bare,
+                color: kind.color,
+                surface: kind.surface,
+                one_record,
+                textured: tables.is_some_and(|tables| tables.materials.textured),
+                colored: tables.is_some_and(|tables| tables.colored),
+                smooth: tables.is_some_and(|tables| tables.smooth),
+                glowing: tables.is_some_and(|tables| tables.materials.glowing),
+                samples,
+            };
+            self.device.state::<Pipelines>().resolve(self.device, key)
         };
-        let layers = &self.picture.layers;
-        let resolve = |group: &Group| {
-            let layer = &layers[group.layer];
-            let first = std::ptr::eq(group, &self.plan.groups[0]) && !self.plan.needs_empty(self.picture);
-            self.device.state::<Pipelines>().resolve(self.device, key(layer.style, group.single, first, Some(layer)))
-        };
-        let pipelines: Vec<_> = self.plan.groups.iter().map(resolve).collect::<Result<_>>()?;
-        let missed = self
-            .device
-            .state::<Pipelines>()
-            .resolve(self.device, key(self.picture.backdrop_style, false, true, None))?;
+        let needs_empty_batch = self.plan.needs_empty_batch(picture);
+        let pipelines = self.plan.batches.iter().enumerate().map(|(n, batch)| {
+            let layer = &picture.layers[batch.layer];
+            compile(layer.style, batch.has_one_record, n == 0 && !needs_empty_batch, Some(layer))
+        });
+        let pipelines: Vec<_> = pipelines.collect::<Result<_>>()?;
+        let empty_pipeline = compile(picture.backdrop_style, false, true, None)?;
         let mut pass = encoder.begin_compute_pass(&ComputePassDescriptor {
             label: Some("resolve"),
             timestamp_writes: self.slot.watch.as_ref().and_then(Stopwatch::resolve),
@@ -228,43 +228,37 @@ impl<'a> Bound<'a> {
             pass.set_bind_group(1, &self.view, &[offset, block]);
             pass.dispatch_workgroups(groups[0], groups[1], 1);
         };
-        if self.plan.needs_empty(self.picture) {
-            dispatch(&missed, &self.empty.0, self.empty.1);
+        if needs_empty_batch {
+            dispatch(&empty_pipeline, &self.empty_scene, self.plan.empty_block as u32);
         }
-        for ((group, pipeline), scene) in self.plan.groups.iter().zip(&pipelines).zip(&self.resolve) {
-            dispatch(pipeline, scene, group.block as u32);
+        for ((batch, pipeline), scene) in self.plan.batches.iter().zip(&pipelines).zip(&self.resolve_scenes) {
+            dispatch(pipeline, scene, batch.block as u32);
         }
         Ok(())
     }
-}
 
-fn raster_key(device: &Device, picture: &Picture, layer: &Layer, single: bool, samples: u32, views: u32) -> RasterKey {
-    let (cutout, clipped) = (layer.scene.has_cutouts(), picture.clips(device, layer));
-    let limited = picture.limits.is_some() && !clipped;
-    RasterKey { style: layer.style, cut: layer.cut, cutout, limited, clipped, single, samples, views }
+    fn raster_key(&self, layer: &Layer, one_record: bool, samples: u32) -> RasterKey {
+        let (cutout, clipped) = (layer.scene.has_cutouts(), self.picture.clips(self.device, layer));
+        let limited = self.picture.limits.is_some() && !clipped;
+        let views = self.slot.shape.views;
+        RasterKey { style: layer.style, cut: layer.cut, cutout, limited, clipped, one_record, samples, views }
+    }
 }
 
 fn targets(device: &Device, layouts: &Layouts, slot: &Slot) -> [Vec<BindGroup>; 2] {
     let views = |layout: usize, target: &Target| {
-        let bound = |view| {
-            let entries = [BindingResource::TextureView(view), slot.output.as_entire_binding()];
-            group(device, &layouts.target[layout], &entries)
+        let bind_group = |view| {
+            let resources = [BindingResource::TextureView(view), slot.output.as_entire_binding()];
+            device.bind_group(&layouts.target[layout], (0..).zip(resources))
         };
-        target.views.iter().map(bound).collect()
+        target.views.iter().map(bind_group).collect()
     };
-    [views(0, &slot.single), slot.multisampled.as_ref().map_or_else(Vec::new, |several| views(1, several))]
+    let multisampled = slot.multisampled.as_ref().map_or_else(Vec::new, |target| views(1, target));
+    [views(0, &slot.single_sampled), multisampled]
 }
 
-fn scene<'a>(picture: &'a Picture, inputs: &'a wgpu::Buffer, group: &'a Group) -> Vec<BindingResource<'a>> {
-    let records = match &group.records {
-        RecordsAt::Buffer(buffer) => buffer.as_entire_binding(),
-        RecordsAt::Inputs(range) => section(inputs, range.start as u64, range.len() as u64),
-    };
-    tables(&picture.layers[group.layer].tables, &group.page, records)
-}
-
-fn tables<'a>(tables: &'a SceneTables, page: &'a Page, records: BindingResource<'a>) -> Vec<BindingResource<'a>> {
-    vec![
+fn tables<'a>(tables: &'a SceneTables, page: &'a Page, records: BindingResource<'a>) -> [BindingResource<'a>; 6] {
+    [
         page.buffer.as_entire_binding(),
         records,
         tables.parts.as_entire_binding(),
@@ -274,15 +268,7 @@ fn tables<'a>(tables: &'a SceneTables, page: &'a Page, records: BindingResource<
     ]
 }
 
-fn section(buffer: &wgpu::Buffer, offset: u64, size: u64) -> BindingResource<'_> {
-    BindingResource::Buffer(BufferBinding { buffer, offset, size: std::num::NonZeroU64::new(size) })
-}
-
-fn group(device: &Device, layout: &wgpu::BindGroupLayout, resources: &[BindingResource<'_>]) -> BindGroup {
-    let entries: Vec<_> = resources
-        .iter()
-        .enumerate()
-        .map(|(binding, resource)| BindGroupEntry { binding: binding as u32, resource: resource.clone() })
-        .collect();
-    device.wgpu.create_bind_group(&BindGroupDescriptor { label: None, layout, entries: &entries })
+fn section<'a>(buffer: &'a wgpu::Buffer, bytes: &Range<usize>) -> BindingResource<'a> {
+    let size = NonZeroU64::new(bytes.len() as u64);
+    BindingResource::Buffer(BufferBinding { buffer, offset: bytes.start as u64, size })
 }

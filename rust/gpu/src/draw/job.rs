@@ -3,27 +3,25 @@
 use std::collections::VecDeque;
 use std::sync::Arc;
 
-use nearfar_core::base::{Aabb, Error, Progress, Result};
+use nearfar_core::base::{Aabb, Error, Progress, REACH, Result};
 use nearfar_core::camera::Camera;
 use nearfar_core::render::tiles::{MAX_SAMPLES, sample_offsets};
 use nearfar_core::render::{Channels, Frame, Limits};
 use wgpu::CommandEncoderDescriptor;
 
 use super::cull::Frustum;
-use super::encode::{Bound, PassKind};
+use super::encode::{FrameBindings, PassKind};
 use super::inputs::{BLOCK, PASS_BLOCKS};
 use super::layers::Layer;
-use super::outputs::{bytes_per_pixel, layouts, window_limits};
 use super::picture::Picture;
 use super::plan::Plan;
 use super::read;
-use super::slots::{Shape, Slots};
+use super::slots::{Shape, Slots, Submitted, map_buffers};
 use super::style::Displacement;
-use super::submitted::{Submitted, open_buffers};
 use super::timing::Stopwatch;
 use super::view::{Sampling, eye_of, pass_of};
-use super::window::Window;
-use crate::device::{Counted, Device, SAMPLES, Scope, Submission};
+use super::window::{Window, bytes_per_pixel, layouts, window_limits};
+use crate::device::{Counter, Device, SAMPLES, Scope, Submission};
 use crate::upload::Residents;
 
 /// Windows in flight at a time.
@@ -72,17 +70,16 @@ impl Job {
             return Err(Error::value("samples", format!("a whole number from 1 to {MAX_SAMPLES}"), samples));
         }
         for camera in &cameras {
-            let away = (camera.position - picture.origin).abs().max_element();
-            let reach = nearfar_core::base::REACH;
-            if away > reach {
-                let expected = format!("a place within {reach:e} m of the scene's origin");
-                return Err(Error::value("position", expected, format!("{away:e} m")));
+            let distance = (camera.position - picture.origin).abs().max_element();
+            if distance > REACH {
+                let expected = format!("a place within {REACH:e} m of the scene's origin");
+                return Err(Error::value("position", expected, format!("{distance:e} m")));
             }
         }
         let Camera { width, height, .. } = cameras[0];
         let pixels = u64::from(width) * u64::from(height);
         let frames = cameras.iter().map(|_| Frame::new(channels, pixels as usize)).collect::<Result<_>>()?;
-        let (most, side) = window_limits(device, channels);
+        let (max_pixels, max_side) = window_limits(device, channels);
         progress.expect(pixels * cameras.len() as u64);
         let mut job = Self {
             device: Arc::clone(device),
@@ -90,7 +87,7 @@ impl Job {
             cameras,
             channels,
             samples,
-            waiting: Window::split(width, height, most, side).into(),
+            waiting: Window::split(width, height, max_pixels, max_side).into(),
             submitted: VecDeque::new(),
             frames,
         };
@@ -107,7 +104,7 @@ impl Job {
     pub fn finish_all(mut self, progress: &Progress) -> Result<Vec<Frame>> {
         while let Some(submitted) = self.submitted.pop_front() {
             self.device.wait(&submitted.submission, progress)?;
-            submitted.await_opening(&self.device, progress)?;
+            submitted.await_mapping(&self.device, progress)?;
             read::copy(&self.device, &submitted, &self.picture, self.cameras[0].width, &mut self.frames)?;
             submitted.slot.readable().unmap();
             submitted.slot.watch.as_ref().map_or(Ok(()), |watch| watch.count(&self.device, progress))?;
@@ -149,36 +146,33 @@ impl Job {
         for (pass, sampling) in &passes {
             for (view, (camera, outputs)) in self.cameras.iter().zip(&outputs).enumerate() {
                 let block = pass_of(picture, camera, &window, sampling, outputs, farthest);
-                let at = (pass.number * views + view) * PASS_BLOCKS * BLOCK;
-                plan.inputs[at..at + size_of_val(&block)].copy_from_slice(bytemuck::bytes_of(&block));
+                let start = (pass.number * views + view) * PASS_BLOCKS * BLOCK;
+                plan.inputs[start..start + size_of_val(&block)].copy_from_slice(bytemuck::bytes_of(&block));
             }
         }
-        device.count(Counted::Triangles, plan.triangles * passes.len() as u64);
+        device.count(Counter::Triangles, plan.triangles * passes.len() as u64);
         let mut slot = device.state::<Slots>().take(device, shape)?;
         slot.watch.iter().for_each(Stopwatch::restart);
         let placeholders = device.state::<Residents>().placeholders(device)?;
         let scope = Scope::open(device);
         let encoder = || device.wgpu.create_command_encoder(&CommandEncoderDescriptor { label: Some("frame") });
         let mut commands = encoder();
-        slot.inputs.send(device, &mut commands, std::mem::take(&mut plan.inputs))?;
-        let Some(bound) = Bound::new(device, picture, &plan, &slot, &placeholders) else {
-            return Err(device.failure(&"a slot without buffers"));
-        };
-        let mut last: Option<Submission> = None;
-        let at_once = if device.is_software() { PASSES_IN_SOFTWARE } else { PASSES_PER_SUBMISSION };
-        for (n, chunk) in passes.chunks(at_once).enumerate() {
+        let inputs = slot.inputs.send(device, &mut commands, std::mem::take(&mut plan.inputs))?;
+        let bindings = FrameBindings::new(device, picture, &plan, (&slot, &inputs), &placeholders);
+        let mut in_flight: Option<Submission> = None;
+        let passes_per_submission = if device.is_software() { PASSES_IN_SOFTWARE } else { PASSES_PER_SUBMISSION };
+        for (n, chunk) in passes.chunks(passes_per_submission).enumerate() {
             if n > 0 {
                 let full = std::mem::replace(&mut commands, encoder());
-                let submission = device.submit(full.finish(), progress)?;
-                if let Some(before) = last.replace(submission) {
-                    device.wait(&before, progress)?;
+                if let Some(previous) = in_flight.replace(device.submit(full.finish(), progress)?) {
+                    device.wait(&previous, progress)?;
                 }
             }
             for (pass, _) in chunk {
-                bound.encode(&mut commands, *pass)?;
+                bindings.encode(&mut commands, *pass)?;
             }
         }
-        drop(bound);
+        drop(bindings);
         if let Some(staging) = &slot.staging {
             commands.copy_buffer_to_buffer(&slot.output, 0, staging, 0, bytes.next_multiple_of(4));
         }
@@ -186,9 +180,9 @@ impl Job {
             watch.stop(&mut commands);
         }
         let submission = device.submit(commands.finish(), progress)?;
-        let opened = open_buffers(&slot, bytes);
+        let mapped = map_buffers(&slot, bytes);
         scope.close()?;
-        Ok(Submitted { window, slot, outputs, numbering: plan.numbering, submission, opened })
+        Ok(Submitted { window, slot, outputs, numbering: plan.numbering, submission, mapped })
     }
 
     /// Returns the passes of a window: colour and the other channels in one pass if one sample serves both.
@@ -220,12 +214,14 @@ impl Job {
     /// Returns the frustum for the visible points of a layer; `None` if its displacement is unbounded.
     fn frustum(&self, layer: &Layer, window: &Window) -> Option<Frustum> {
         let limits = self.picture.limits.unwrap_or(Limits::NONE);
-        let moved = layer.displacement?;
+        let displacement = layer.displacement?;
         let of_view = |camera: &Camera| {
             let eye = eye_of(camera, &self.picture);
-            let frustum = Frustum::new(camera, window, eye, &limits, &moved);
+            let frustum = Frustum::new(camera, window, eye, &limits, &displacement);
             match &self.picture.mask {
-                Some(mask) if moved == Displacement::NONE => frustum.masked(mask, Camera { position: eye, ..*camera }),
+                Some(mask) if displacement == Displacement::NONE => {
+                    frustum.masked(mask, Camera { position: eye, ..*camera })
+                }
                 _ => frustum,
             }
         };
@@ -241,7 +237,7 @@ impl Job {
         let eye = eye_of(camera, &self.picture);
         let bounds =
             self.picture.layers.iter().flat_map(|layer| layer.scene.instances()).map(|instance| instance.bounds);
-        let far = |b: Aabb| (b.min.as_dvec3() - eye).abs().max((b.max.as_dvec3() - eye).abs()).length();
-        bounds.filter(|bounds| !bounds.is_empty()).map(far).fold(1.0, f64::max) * 1.01
+        let distance = |b: Aabb| (b.min.as_dvec3() - eye).abs().max((b.max.as_dvec3() - eye).abs()).length();
+        bounds.filter(|bounds| !bounds.is_empty()).map(distance).fold(1.0, f64::max) * 1.01
     }
 }

@@ -5,43 +5,35 @@ use std::sync::Arc;
 use nearfar_core::scene::{Instance, Scene};
 
 use super::style::{Cut, Displacement, Style};
-use crate::upload::{RECORD_WORDS, SceneTables, SetTables};
+use crate::upload::{SceneTables, SetTables};
 
 /// One of a scene's two instance sets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Set {
-    /// Static instances.
-    Standing,
-    /// Moving instances.
+    Static,
     Moving,
 }
 
 /// Instances drawn with one style.
 #[derive(Clone)]
 pub(crate) struct Layer {
-    /// Scene with the instances.
     pub scene: Scene,
-    /// Device tables of the scene.
     pub tables: Arc<SceneTables>,
-    /// Instance set that is drawn.
     pub set: Set,
-    /// Displacement of points.
     pub style: Style,
-    /// Filter of fragments.
     pub cut: Cut,
     /// Bound of the displacement; `None` if unbounded, so that nothing is culled.
     pub displacement: Option<Displacement>,
     /// Whether it hides all earlier layers: the depth buffer is cleared.
     pub covers: bool,
     /// Flag per instance whether the picture may show it, if known.
-    pub seen: Option<Arc<[bool]>>,
+    pub may_show: Option<Arc<[bool]>>,
     /// Source faces in another scene, whose objects and triangles appear in images.
     pub sources: Option<Arc<Sources>>,
 }
 
 /// Source faces and instances of a derived scene.
 pub(crate) struct Sources {
-    /// Scene that they belong to.
     pub scene: Scene,
     /// Instance and face; object numbers of the static meshes are indices of this list.
     pub faces: Vec<(u32, u32)>,
@@ -60,19 +52,14 @@ impl Layer {
             cut: Cut::NONE,
             displacement: Some(Displacement::NONE),
             covers: false,
-            seen: None,
+            may_show: None,
             sources: None,
         }
     }
 
-    /// Returns instance and first face of each record of the set.
-    pub fn record_faces(&self) -> &[(u32, u32)] {
-        &self.set_tables().record_faces
-    }
-
-    /// Returns a record of the set.
-    pub fn record(&self, record: u32) -> [u32; RECORD_WORDS] {
-        self.set_tables().record(self.instances(), record as usize)
+    /// Returns whether all triangles are drawn undisplaced, and no parts of them are discarded.
+    pub fn draws_whole_triangles(&self) -> bool {
+        self.style == Style::PLAIN && self.cut == Cut::NONE && !self.scene.has_cutouts()
     }
 
     /// Returns the object of a face of the nth instance of the set.
@@ -86,7 +73,7 @@ impl Layer {
     /// Returns the number of a triangle of the nth instance of the set.
     pub fn triangle_of(&self, instance: u32, face: u32) -> i64 {
         let first = match self.set {
-            Set::Standing => 0,
+            Set::Static => 0,
             Set::Moving => self.scene.standing.instances().len() as u32,
         };
         let (scene, instance, face) = self.source(instance, face).unwrap_or((&self.scene, first + instance, face));
@@ -97,25 +84,23 @@ impl Layer {
     fn source(&self, instance: u32, face: u32) -> Option<(&Scene, u32, u32)> {
         let sources = self.sources.as_ref()?;
         let (instance, face) = match self.set {
-            Set::Standing => sources.faces[self.instances()[instance as usize].object_of(face) as usize],
+            Set::Static => sources.faces[self.instances()[instance as usize].object_of(face) as usize],
             Set::Moving => (sources.moving[instance as usize], face),
         };
         Some((&sources.scene, instance, face))
     }
 
-    /// Returns the instances of the set.
     pub fn instances(&self) -> &[Instance] {
         match self.set {
-            Set::Standing => self.scene.standing.instances(),
+            Set::Static => self.scene.standing.instances(),
             Set::Moving => self.scene.moving.instances(),
         }
     }
 
-    /// Returns the device tables of the set.
     pub fn set_tables(&self) -> &SetTables {
         match self.set {
-            Set::Standing => &self.tables.standing,
-            Set::Moving => &self.tables.moving,
+            Set::Static => &self.tables.static_set,
+            Set::Moving => &self.tables.moving_set,
         }
     }
 }

@@ -31,14 +31,9 @@ impl Mask {
     /// Returns one bit per pixel of a window, row by row.
     pub fn bits(&self, window: &Window, width: u32) -> Vec<u32> {
         let mut words = vec![0u32; window.pixels().div_ceil(32)];
-        let mut n = 0;
-        for row in window.row..window.row + window.height {
-            let start = row as usize * width as usize + window.column as usize;
-            for drawn in &self.pixels[start..start + window.width as usize] {
-                words[n / 32] |= u32::from(*drawn) << (n % 32);
-                n += 1;
-            }
-        }
+        let rows = self.pixels.chunks(width as usize).skip(window.row as usize).take(window.height as usize);
+        let pixels = rows.flat_map(|row| &row[window.column as usize..][..window.width as usize]);
+        pixels.enumerate().for_each(|(n, &drawn)| words[n / 32] |= u32::from(drawn) << (n % 32));
         words
     }
 }

@@ -1,6 +1,5 @@
 //! Drawing of frames: instance sets drawn in order, each in its style, and the resulting images.
 
-mod both;
 mod cull;
 mod device_frame;
 mod encode;
@@ -8,14 +7,12 @@ mod inputs;
 mod job;
 mod layers;
 mod mask;
-mod outputs;
 mod picture;
 mod pipelines;
 mod plan;
 mod read;
 mod slots;
 mod style;
-mod submitted;
 mod timing;
 mod view;
 mod visible;
@@ -24,7 +21,6 @@ mod window;
 pub use device_frame::DeviceFrame;
 pub use job::Job;
 
-pub(crate) use both::draws_both;
 pub(crate) use layers::{Layer, Set, Sources};
 pub(crate) use mask::Mask;
 pub(crate) use picture::{Backdrop, Picture};

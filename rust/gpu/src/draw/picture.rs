@@ -4,12 +4,14 @@ use std::sync::Arc;
 
 use glam::DVec3;
 use nearfar_core::base::Buffer;
-use nearfar_core::render::{Limits, Segment};
+use nearfar_core::camera::Camera;
+use nearfar_core::render::{Channels, Limits, Segment};
 
 use super::layers::Layer;
 use super::mask::Mask;
-use super::style::{Cut, Parameters, Style};
-use crate::device::Device;
+use super::style::{Parameters, Style};
+use super::window::window_limits;
+use crate::device::{Device, SAMPLES};
 use crate::upload::EnvTexels;
 
 /// A picture to be drawn for a camera.
@@ -49,9 +51,26 @@ pub(crate) struct Backdrop {
 impl Picture {
     /// Returns whether the adapter clips a layer's triangles: only planes, and only undisplaced whole triangles.
     pub fn clips(&self, device: &Device, layer: &Layer) -> bool {
-        let whole = layer.style == Style::PLAIN && layer.cut == Cut::NONE && !layer.scene.has_cutouts();
-        let planes = self.limits.is_some_and(|limits| limits.segment == Segment::WHOLE);
-        device.clips && whole && planes
+        let only_planes = self.limits.is_some_and(|limits| limits.segment == Segment::WHOLE);
+        device.clips && layer.draws_whole_triangles() && only_planes
+    }
+
+    /// Returns whether a device draws the frames of two cameras at once: each triangle is submitted once and placed in
+    /// both. No style or cut may discard parts of triangles, and both frames must fit into one window.
+    pub fn draws_both(&self, device: &Device, cameras: &[Camera], channels: Channels, samples: u32) -> bool {
+        let [left, right] = cameras else { return false };
+        let (width, height) = (left.width, left.height);
+        let (max_pixels, max_side) = window_limits(device, channels);
+        device.draws_two_views()
+            && (width, height) == (right.width, right.height)
+            && !left.is_parallel()
+            && !right.is_parallel()
+            && self.mask.is_none()
+            && self.limits.is_none()
+            && (samples != SAMPLES || !device.multisamples)
+            && width.max(height) <= max_side
+            && 2 * u64::from(width) * u64::from(height) <= max_pixels
+            && self.layers.iter().all(Layer::draws_whole_triangles)
     }
 
     /// Creates a picture of layers without parameters, in front of the sky.

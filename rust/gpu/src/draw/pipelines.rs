@@ -2,20 +2,20 @@
 
 use std::collections::HashMap;
 use std::num::NonZeroU32;
-use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+use std::sync::{Mutex, OnceLock};
 
 use nearfar_core::base::Result;
 use nearfar_core::render::shade;
 use wgpu::{
     BindGroupLayout, BindGroupLayoutDescriptor, BindGroupLayoutEntry, BindingType, BufferBindingType, ColorTargetState,
     ColorWrites, CompareFunction, ComputePipeline, ComputePipelineDescriptor, DepthStencilState, FragmentState,
-    MultisampleState, PipelineCompilationOptions, PipelineLayoutDescriptor, RenderPipeline, RenderPipelineDescriptor,
-    ShaderModule, ShaderModuleDescriptor, ShaderSource, ShaderStages, TextureFormat, TextureSampleType,
-    TextureViewDimension, VertexState,
+    MultisampleState, PipelineCompilationOptions, PipelineLayout, PipelineLayoutDescriptor, RenderPipeline,
+    RenderPipelineDescriptor, ShaderModule, ShaderModuleDescriptor, ShaderSource, ShaderStages, TextureFormat,
+    TextureSampleType, TextureViewDimension, VertexState,
 };
 
 use super::style::{Cut, Style};
-use crate::device::{Device, Scope, VISIBLE};
+use crate::device::{Compiled, Device, VISIBLE, lock};
 
 /// Depth format; depth is reversed.
 pub(super) const DEPTH: TextureFormat = TextureFormat::Depth32Float;
@@ -30,7 +30,7 @@ pub(super) struct RasterKey {
     pub limited: bool,
     /// Whether the adapter clips triangles at planes; whole triangles only.
     pub clipped: bool,
-    pub single: bool,
+    pub one_record: bool,
     pub samples: u32,
     /// Number of views per pass, 1 or 2.
     pub views: u32,
@@ -61,11 +61,10 @@ pub(super) struct ResolveKey {
     pub mapped: bool,
     /// Whether the map is visible only on a segment of each ray.
     pub limited: bool,
-    /// Whether samples without a face are black.
     pub bare: bool,
     pub color: bool,
     pub surface: bool,
-    pub single: bool,
+    pub one_record: bool,
     pub textured: bool,
     pub colored: bool,
     pub smooth: bool,
@@ -74,17 +73,16 @@ pub(super) struct ResolveKey {
     pub samples: u32,
 }
 
-/// Pipelines of a device.
 #[derive(Default)]
 pub(crate) struct Pipelines {
     layouts: OnceLock<Layouts>,
     modules: Mutex<HashMap<String, ShaderModule>>,
-    rasters: Mutex<HashMap<RasterKey, Arc<RenderPipeline>>>,
-    resolves: Mutex<HashMap<ResolveKey, Arc<ComputePipeline>>>,
-    masks: Mutex<HashMap<u32, Arc<RenderPipeline>>>,
+    raster: Compiled<RasterKey, RenderPipeline>,
+    resolve: Compiled<ResolveKey, ComputePipeline>,
+    /// By the number of samples.
+    masks: Compiled<u32, RenderPipeline>,
 }
 
-/// Layouts of the bind groups.
 pub(super) struct Layouts {
     /// Tables of a scene and the order of its records.
     pub raster_scene: BindGroupLayout,
@@ -94,8 +92,21 @@ pub(super) struct Layouts {
     pub view: BindGroupLayout,
     /// Visible faces, single-sampled or multisampled, and the output.
     pub target: [BindGroupLayout; 2],
-    /// Bit mask of the drawn pixels.
     pub mask: BindGroupLayout,
+}
+
+/// Properties in which the two kinds of render pipelines differ: those of layers and of masks.
+struct RenderSettings<'a> {
+    label: &'static str,
+    source: &'a str,
+    entries: [&'static str; 2],
+    /// Layout of bind group 0.
+    layout: &'a BindGroupLayout,
+    constants: &'a [(&'a str, f64)],
+    depth_compare: CompareFunction,
+    write_mask: ColorWrites,
+    samples: u32,
+    views: u32,
 }
 
 impl Pipelines {
@@ -103,166 +114,131 @@ impl Pipelines {
         self.layouts.get_or_init(|| Layouts::new(device))
     }
 
-    pub(super) fn raster(&self, device: &Device, key: RasterKey) -> Result<Arc<RenderPipeline>> {
-        let mut known = self.rasters.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(pipeline) = known.get(&key) {
-            return Ok(Arc::clone(pipeline));
-        }
-        let layouts = self.layouts(device);
-        let scope = Scope::open(device);
-        let module = self.module(device, &raster_source(&key));
-        let layout = device.wgpu.create_pipeline_layout(&PipelineLayoutDescriptor {
-            label: Some("raster"),
-            bind_group_layouts: &[Some(&layouts.raster_scene), Some(&layouts.view)],
-            immediate_size: 0,
-        });
-        let constants = [
-            ("STYLE", f64::from(key.style.0.variant)),
-            ("CUT", f64::from(key.cut.snippet.variant)),
-            ("FACE_NORMALS", f64::from(u8::from(key.cut.face_normals))),
-            ("CUTOUT", f64::from(u8::from(key.cutout))),
-            ("LIMITED", f64::from(u8::from(key.limited))),
-            ("SINGLE", f64::from(u8::from(key.single))),
-        ];
-        let compilation_options =
-            PipelineCompilationOptions { constants: &constants, ..PipelineCompilationOptions::default() };
-        let [vertices, fragments] = key.entries(device.writes_depth);
-        let pipeline = device.wgpu.create_render_pipeline(&RenderPipelineDescriptor {
-            label: Some("raster"),
-            layout: Some(&layout),
-            vertex: VertexState {
-                module: &module,
-                entry_point: Some(vertices),
-                compilation_options: compilation_options.clone(),
-                buffers: &[],
-            },
-            primitive: wgpu::PrimitiveState::default(),
-            depth_stencil: Some(DepthStencilState {
-                format: DEPTH,
-                depth_write_enabled: Some(true),
+    pub(super) fn raster(&self, device: &Device, key: RasterKey) -> Result<RenderPipeline> {
+        self.raster.get(device, key, |key| {
+            let constants = [
+                ("STYLE", f64::from(key.style.0.variant)),
+                ("CUT", f64::from(key.cut.snippet.variant)),
+                ("FACE_NORMALS", f64::from(key.cut.face_normals)),
+                ("CUTOUT", f64::from(key.cutout)),
+                ("LIMITED", f64::from(key.limited)),
+                ("ONE_RECORD", f64::from(key.one_record)),
+            ];
+            let settings = RenderSettings {
+                label: "raster",
+                source: &raster_source(key),
+                entries: key.entries(device.writes_depth),
+                layout: &self.layouts(device).raster_scene,
+                constants: &constants,
                 // At equal depths the first fragment stays, which is the lower triangle, as in the tracer.
-                depth_compare: Some(CompareFunction::Greater),
-                stencil: wgpu::StencilState::default(),
-                bias: wgpu::DepthBiasState::default(),
-            }),
-            multisample: MultisampleState { count: key.samples, ..MultisampleState::default() },
-            fragment: Some(FragmentState {
-                module: &module,
-                entry_point: Some(fragments),
-                compilation_options,
-                targets: &[Some(VISIBLE.into())],
-            }),
-            multiview_mask: views_mask(key.views),
-            cache: None,
-        });
-        scope.close()?;
-        let pipeline = Arc::new(pipeline);
-        known.insert(key, Arc::clone(&pipeline));
-        Ok(pipeline)
+                depth_compare: CompareFunction::Greater,
+                write_mask: ColorWrites::ALL,
+                samples: key.samples,
+                views: key.views,
+            };
+            self.compile_render(device, &settings)
+        })
     }
 
-    pub(super) fn resolve(&self, device: &Device, key: ResolveKey) -> Result<Arc<ComputePipeline>> {
-        let mut known = self.resolves.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(pipeline) = known.get(&key) {
-            return Ok(Arc::clone(pipeline));
-        }
-        let layouts = self.layouts(device);
-        let scope = Scope::open(device);
-        let module = self.module(device, &resolve_source(key.style, key.samples));
-        let layout = device.wgpu.create_pipeline_layout(&PipelineLayoutDescriptor {
-            label: Some("resolve"),
-            bind_group_layouts: &[
-                Some(&layouts.resolve_scene),
-                Some(&layouts.view),
-                Some(&layouts.target[usize::from(key.samples > 1)]),
-            ],
-            immediate_size: 0,
-        });
-        let constants = [
-            ("STYLE", f64::from(key.style.0.variant)),
-            ("MAPPED", f64::from(u8::from(key.mapped))),
-            ("LIMITED", f64::from(u8::from(key.limited))),
-            ("BARE", f64::from(u8::from(key.bare))),
-            ("COLOR", f64::from(u8::from(key.color))),
-            ("SURFACE", f64::from(u8::from(key.surface))),
-            ("SINGLE", f64::from(u8::from(key.single))),
-            ("TEXTURED", f64::from(u8::from(key.textured))),
-            ("COLORED", f64::from(u8::from(key.colored))),
-            ("SMOOTH", f64::from(u8::from(key.smooth))),
-            ("GLOWING", f64::from(u8::from(key.glowing))),
-        ];
-        let pipeline = device.wgpu.create_compute_pipeline(&ComputePipelineDescriptor {
-            label: Some("resolve"),
-            layout: Some(&layout),
-            module: &module,
-            entry_point: Some("resolve"),
-            compilation_options: PipelineCompilationOptions {
-                constants: &constants,
-                ..PipelineCompilationOptions::default()
-            },
-            cache: None,
-        });
-        scope.close()?;
-        let pipeline = Arc::new(pipeline);
-        known.insert(key, Arc::clone(&pipeline));
-        Ok(pipeline)
+    pub(super) fn resolve(&self, device: &Device, key: ResolveKey) -> Result<ComputePipeline> {
+        self.resolve.get(device, key, |key| {
+            let layouts = self.layouts(device);
+            let target = &layouts.target[usize::from(key.samples > 1)];
+            let groups = [Some(&layouts.resolve_scene), Some(&layouts.view), Some(target)];
+            let constants = [
+                ("STYLE", f64::from(key.style.0.variant)),
+                ("MAPPED", f64::from(key.mapped)),
+                ("LIMITED", f64::from(key.limited)),
+                ("BARE", f64::from(key.bare)),
+                ("COLOR", f64::from(key.color)),
+                ("SURFACE", f64::from(key.surface)),
+                ("ONE_RECORD", f64::from(key.one_record)),
+                ("TEXTURED", f64::from(key.textured)),
+                ("COLORED", f64::from(key.colored)),
+                ("SMOOTH", f64::from(key.smooth)),
+                ("GLOWING", f64::from(key.glowing)),
+            ];
+            device.wgpu.create_compute_pipeline(&ComputePipelineDescriptor {
+                label: Some("resolve"),
+                layout: Some(&pipeline_layout(device, "resolve", &groups)),
+                module: &self.module(device, &resolve_source(key.style, key.samples)),
+                entry_point: Some("resolve"),
+                compilation_options: options(&constants),
+                cache: None,
+            })
+        })
     }
 
     /// Returns the pipeline that writes the nearest depth to pixels that are not drawn.
-    pub(super) fn mask(&self, device: &Device, samples: u32) -> Result<Arc<RenderPipeline>> {
-        let mut known = self.masks.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(pipeline) = known.get(&samples) {
-            return Ok(Arc::clone(pipeline));
-        }
-        let layouts = self.layouts(device);
-        let scope = Scope::open(device);
-        let module = self.module(device, MASK);
-        let layout = device.wgpu.create_pipeline_layout(&PipelineLayoutDescriptor {
-            label: Some("mask"),
-            bind_group_layouts: &[Some(&layouts.mask), Some(&layouts.view)],
-            immediate_size: 0,
-        });
-        let pipeline = device.wgpu.create_render_pipeline(&RenderPipelineDescriptor {
-            label: Some("mask"),
-            layout: Some(&layout),
+    pub(super) fn mask(&self, device: &Device, samples: u32) -> Result<RenderPipeline> {
+        self.masks.get(device, samples, |&samples| {
+            let settings = RenderSettings {
+                label: "mask",
+                source: MASK,
+                entries: ["whole_window", "hide"],
+                layout: &self.layouts(device).mask,
+                constants: &[],
+                depth_compare: CompareFunction::Always,
+                write_mask: ColorWrites::empty(),
+                samples,
+                views: 1,
+            };
+            self.compile_render(device, &settings)
+        })
+    }
+
+    fn compile_render(&self, device: &Device, settings: &RenderSettings<'_>) -> RenderPipeline {
+        let module = &self.module(device, settings.source);
+        let groups = [Some(settings.layout), Some(&self.layouts(device).view)];
+        let [vertices, fragments] = settings.entries;
+        device.wgpu.create_render_pipeline(&RenderPipelineDescriptor {
+            label: Some(settings.label),
+            layout: Some(&pipeline_layout(device, settings.label, &groups)),
             vertex: VertexState {
-                module: &module,
-                entry_point: Some("whole_window"),
-                compilation_options: PipelineCompilationOptions::default(),
+                module,
+                entry_point: Some(vertices),
+                compilation_options: options(settings.constants),
                 buffers: &[],
             },
             primitive: wgpu::PrimitiveState::default(),
             depth_stencil: Some(DepthStencilState {
                 format: DEPTH,
                 depth_write_enabled: Some(true),
-                depth_compare: Some(CompareFunction::Always),
+                depth_compare: Some(settings.depth_compare),
                 stencil: wgpu::StencilState::default(),
                 bias: wgpu::DepthBiasState::default(),
             }),
-            multisample: MultisampleState { count: samples, ..MultisampleState::default() },
+            multisample: MultisampleState { count: settings.samples, ..MultisampleState::default() },
             fragment: Some(FragmentState {
-                module: &module,
-                entry_point: Some("hide"),
-                compilation_options: PipelineCompilationOptions::default(),
-                targets: &[Some(ColorTargetState { format: VISIBLE, blend: None, write_mask: ColorWrites::empty() })],
+                module,
+                entry_point: Some(fragments),
+                compilation_options: options(settings.constants),
+                targets: &[Some(ColorTargetState { write_mask: settings.write_mask, ..VISIBLE.into() })],
             }),
-            multiview_mask: None,
+            multiview_mask: views_mask(settings.views),
             cache: None,
-        });
-        scope.close()?;
-        let pipeline = Arc::new(pipeline);
-        known.insert(samples, Arc::clone(&pipeline));
-        Ok(pipeline)
+        })
     }
 
     fn module(&self, device: &Device, source: &str) -> ShaderModule {
-        let mut known = self.modules.lock().unwrap_or_else(PoisonError::into_inner);
-        let make = || {
+        let create = || {
             let source = ShaderSource::Wgsl(source.to_string().into());
             device.wgpu.create_shader_module(ShaderModuleDescriptor { label: Some("nearfar"), source })
         };
-        known.entry(source.to_string()).or_insert_with(make).clone()
+        lock(&self.modules).entry(source.to_string()).or_insert_with(create).clone()
     }
+}
+
+fn options<'a>(constants: &'a [(&'a str, f64)]) -> PipelineCompilationOptions<'a> {
+    PipelineCompilationOptions { constants, ..PipelineCompilationOptions::default() }
+}
+
+fn pipeline_layout(device: &Device, label: &str, groups: &[Option<&BindGroupLayout>]) -> PipelineLayout {
+    device.wgpu.create_pipeline_layout(&PipelineLayoutDescriptor {
+        label: Some(label),
+        bind_group_layouts: groups,
+        immediate_size: 0,
+    })
 }
 
 const SCENE: &str = include_str!("../shaders/scene.wgsl");

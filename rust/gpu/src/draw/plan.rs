@@ -3,13 +3,13 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use bytemuck::{Pod, Zeroable};
+use bytemuck::{NoUninit, Pod, Zeroable};
 
 use super::cull::Frustum;
 use super::inputs::{BLOCK, PASS_BLOCKS};
 use super::layers::{Layer, Set};
 use super::picture::Picture;
-use super::visible::{Drawn, Visible};
+use super::visible::{DrawCall, calls_within, visible_calls};
 use crate::upload::{PART_WORDS, Page, RECORD_WORDS, Records};
 
 /// The uniform block `Batch` of `scene.wgsl`.
@@ -24,23 +24,23 @@ struct BatchBlock {
 
 /// Location of a batch's records.
 #[derive(Clone)]
-pub(super) enum RecordsAt {
+pub(super) enum RecordsLocation {
     /// In their own buffer.
     Buffer(Arc<wgpu::Buffer>),
     /// Among the frame's inputs.
     Inputs(Range<usize>),
 }
 
-/// Triangles of one page placed by one batch of a layer's records.
-pub(super) struct Group {
+/// Triangles of one page, placed by those of a layer's records that one binding holds.
+pub(super) struct Batch {
     pub layer: usize,
     pub page: Arc<Page>,
-    pub records: RecordsAt,
+    pub records: RecordsLocation,
     pub calls: Vec<Call>,
     /// Offset of its uniform block in the inputs.
     pub block: usize,
-    /// Whether all pixels of its batch show one record.
-    pub single: bool,
+    /// Whether it has one record, which all of its pixels show.
+    pub has_one_record: bool,
 }
 
 /// A draw call.
@@ -51,7 +51,7 @@ pub(super) struct Call {
     /// Offset in the inputs of a uniform block with the call's part and first record.
     pub block: usize,
     /// Whether the first record is the only one.
-    pub single: bool,
+    pub has_one_record: bool,
 }
 
 /// Consecutive records of one layer and their numbers in the frame.
@@ -67,12 +67,12 @@ pub(super) struct Numbering {
 
 /// Draw plan of a frame, with its inputs.
 pub(super) struct Plan {
-    pub groups: Vec<Group>,
+    pub batches: Vec<Batch>,
     pub numbering: Vec<Numbering>,
     /// Bytes of the shader inputs; blocks of passes come first.
     pub inputs: Vec<u8>,
     /// Offset of the block of the batch without records, which resolves pixels without a face.
-    pub empty: usize,
+    pub empty_block: usize,
     /// Order of records, among the inputs.
     pub order: Range<usize>,
     pub triangles: u64,
@@ -83,129 +83,111 @@ pub(super) struct Plan {
 impl Plan {
     /// Plans the visible part of the layers; the inputs begin with space for the blocks of `passes` passes.
     pub fn new(picture: &Picture, frustum: impl Fn(&Layer) -> Option<Frustum>, passes: usize) -> Self {
-        let empty = passes * BLOCK * PASS_BLOCKS;
+        let empty_block = passes * BLOCK * PASS_BLOCKS;
         let mut plan = Self {
-            groups: Vec::new(),
+            batches: Vec::new(),
             numbering: Vec::new(),
-            inputs: vec![0; empty],
-            empty,
+            inputs: vec![0; empty_block],
+            empty_block,
             order: 0..0,
             triangles: 0,
             mask: None,
         };
-        let nothing = BatchBlock { records: [0, 0, u32::MAX, 1], ..BatchBlock::zeroed() };
-        plan.inputs.extend_from_slice(bytemuck::bytes_of(&nothing));
+        plan.push(&[BatchBlock { records: [0, 0, u32::MAX, 1], ..BatchBlock::zeroed() }]);
         let mut order: Vec<u32> = Vec::new();
         for (number, layer) in picture.layers.iter().enumerate() {
-            plan.add(number, layer, frustum(layer).as_ref(), &mut order);
+            plan.add_layer(number, layer, frustum(layer).as_ref(), &mut order);
         }
-        plan.let_first_write(picture);
-        plan.align();
-        let start = plan.inputs.len();
+        if !plan.needs_empty_batch(picture) {
+            let writes_first = plan.batches[0].block + 3 * size_of::<u32>();
+            plan.inputs[writes_first..writes_first + size_of::<u32>()].copy_from_slice(&1u32.to_ne_bytes());
+        }
         order.push(0);
-        plan.inputs.extend_from_slice(bytemuck::cast_slice(&order));
-        plan.order = start..plan.inputs.len();
+        plan.order = plan.push(&order);
         plan
     }
 
     /// Adds one bit per pixel of the window.
     pub fn add_mask(&mut self, bits: &[u32]) {
-        self.align();
-        let start = self.inputs.len();
-        self.inputs.extend_from_slice(bytemuck::cast_slice(bits));
-        self.mask = Some(start..self.inputs.len());
+        self.mask = Some(self.push(bits));
     }
 
-    fn add(&mut self, number: usize, layer: &Layer, frustum: Option<&Frustum>, order: &mut Vec<u32>) {
+    fn add_layer(&mut self, number: usize, layer: &Layer, frustum: Option<&Frustum>, order: &mut Vec<u32>) {
         let (set, instances) = (layer.set_tables(), layer.instances());
-        let batches: Vec<(RecordsAt, u32, u32)> = match layer.set {
-            Set::Standing => {
-                let one = |r: &Records| (RecordsAt::Buffer(Arc::clone(&r.buffer)), r.first, r.count);
-                layer.tables.records.iter().map(one).collect()
+        let locations: Vec<(RecordsLocation, u32, u32)> = match layer.set {
+            Set::Static => {
+                let location = |r: &Records| (RecordsLocation::Buffer(Arc::clone(&r.buffer)), r.first, r.count);
+                layer.tables.records.iter().map(location).collect()
             }
             Set::Moving if instances.is_empty() => Vec::new(),
             Set::Moving => {
-                self.align();
-                let (words, start) = (set.record_words(instances), self.inputs.len());
-                self.inputs.extend_from_slice(bytemuck::cast_slice(&words));
-                let count = (words.len() / RECORD_WORDS) as u32;
-                vec![(RecordsAt::Inputs(start..self.inputs.len()), 0, count)]
+                let words = set.record_words(instances);
+                vec![(RecordsLocation::Inputs(self.push(&words)), 0, (words.len() / RECORD_WORDS) as u32)]
             }
         };
-        let mut visible = Visible::new(instances, &set.instances, frustum, layer.seen.as_deref());
-        for (records, first_in_set, count) in batches {
+        let calls = visible_calls(instances, &set.instances, frustum, layer.may_show.as_deref());
+        for (records, first_in_set, count) in locations {
             let first = self.numbering.last().map_or(0, |last| last.first + last.count);
-            self.numbering.push(Numbering { layer: number, first, count, first_in_set });
-            let range = first_in_set..first_in_set + count;
-            for (page, draws) in visible.remove_within(&range) {
-                self.push(number, layer, (page, records.clone()), (first, count, first_in_set), draws, order);
+            let numbering = Numbering { layer: number, first, count, first_in_set };
+            for (page, calls) in calls_within(&calls, &(first_in_set..first_in_set + count)) {
+                self.add_batch(layer, &numbering, (page, records.clone()), calls, order);
             }
+            self.numbering.push(numbering);
         }
     }
 
-    fn push(
+    fn add_batch(
         &mut self,
-        layer_number: usize,
         layer: &Layer,
-        (page, records): (Arc<Page>, RecordsAt),
-        (first, count, first_in_set): (u32, u32, u32),
-        draws: Vec<Drawn>,
+        numbering: &Numbering,
+        (page, records): (Arc<Page>, RecordsLocation),
+        draw_calls: Vec<DrawCall>,
         order: &mut Vec<u32>,
     ) {
         let shift = layer.tables.materials.texels.shift;
         let block = BatchBlock {
-            records: [first, count, page.number as u32, 0],
+            records: [numbering.first, numbering.count, page.number as u32, 0],
             shifts: [shift, 0, 0, 0],
-            record: [0; RECORD_WORDS],
-            part: [0; PART_WORDS],
+            ..BatchBlock::zeroed()
         };
-        let push_first = |plan: &mut Self, local: u32| {
-            let record = layer.record(first_in_set + local);
+        let has_one_record = numbering.count == 1;
+        let push_block = |plan: &mut Self, first_record: u32| {
+            let record = layer.set_tables().record(layer.instances(), (numbering.first_in_set + first_record) as usize);
             let part = layer.tables.part_of(&record);
-            plan.push_block(&BatchBlock { shifts: [shift, local, 0, 0], record, part, ..block })
+            plan.push(&[BatchBlock { shifts: [shift, first_record, 0, 0], record, part, ..block }]).start
         };
-        let at = if count == 1 { push_first(self, 0) } else { self.push_block(&block) };
-        let (mut calls, mut last) = (Vec::with_capacity(draws.len()), None);
-        for Drawn { vertices, records } in draws {
+        let batch_block = if has_one_record { push_block(self, 0) } else { self.push(&[block]).start };
+        let (mut calls, mut last) = (Vec::with_capacity(draw_calls.len()), None);
+        for DrawCall { vertices, records } in draw_calls {
             self.triangles += u64::from(vertices.end - vertices.start) / 3 * records.len() as u64;
             // All records of a call place one part. Looking it up for every vertex takes longer than uploading it
             // once.
-            let known =
-                if count == 1 { Some(at) } else { last.filter(|(first, _)| *first == records[0]).map(|(_, at)| at) };
-            let block = known.unwrap_or_else(|| push_first(self, records[0]));
+            let block = match last {
+                _ if has_one_record => batch_block,
+                Some((first_record, block)) if first_record == records[0] => block,
+                _ => push_block(self, records[0]),
+            };
             last = Some((records[0], block));
-            let single = records.len() == 1;
+            let has_one_record = records.len() == 1;
             let start = order.len() as u32;
-            order.extend(records.iter().filter(|_| !single));
-            let instances = if single { 0..1 } else { start..order.len() as u32 };
-            calls.push(Call { vertices, instances, block, single });
+            order.extend(records.iter().filter(|_| !has_one_record));
+            let instances = if has_one_record { 0..1 } else { start..order.len() as u32 };
+            calls.push(Call { vertices, instances, block, has_one_record });
         }
-        self.groups.push(Group { layer: layer_number, page, records, calls, block: at, single: count == 1 });
+        self.batches.push(Batch { layer: numbering.layer, page, records, calls, block: batch_block, has_one_record });
     }
 
-    fn push_block(&mut self, block: &BatchBlock) -> usize {
-        self.align();
-        let at = self.inputs.len();
-        self.inputs.extend_from_slice(bytemuck::bytes_of(block));
-        at
+    /// Returns whether pixels without a face need their own batch. Otherwise the first batch also resolves them: its
+    /// style is the backdrop's.
+    pub fn needs_empty_batch(&self, picture: &Picture) -> bool {
+        self.batches.first().is_none_or(|first| picture.layers[first.layer].style != picture.backdrop_style)
     }
 
-    /// Lets the first batch also resolve pixels without a face, if its style is the backdrop's.
-    fn let_first_write(&mut self, picture: &Picture) {
-        if let Some(first) =
-            self.groups.first().filter(|first| picture.layers[first.layer].style == picture.backdrop_style)
-        {
-            let flag = first.block + 3 * size_of::<u32>();
-            self.inputs[flag..flag + size_of::<u32>()].copy_from_slice(bytemuck::bytes_of(&1u32));
-        }
-    }
-
-    /// Returns whether pixels without a face need their own batch.
-    pub fn needs_empty(&self, picture: &Picture) -> bool {
-        self.groups.first().is_none_or(|first| picture.layers[first.layer].style != picture.backdrop_style)
-    }
-
-    fn align(&mut self) {
-        self.inputs.resize(self.inputs.len().next_multiple_of(BLOCK), 0);
+    /// Adds values to the inputs at the next multiple of a block; returns their range.
+    fn push<T: NoUninit>(&mut self, values: &[T]) -> Range<usize> {
+        let start = self.inputs.len().next_multiple_of(BLOCK);
+        self.inputs.resize(start, 0);
+        self.inputs.extend_from_slice(bytemuck::cast_slice(values));
+        start..self.inputs.len()
     }
 }

@@ -8,9 +8,8 @@ use rayon::prelude::*;
 use super::layers::Layer;
 use super::picture::Picture;
 use super::plan::Numbering;
-use super::submitted::Submitted;
-use super::view::Outputs;
-use super::window::Window;
+use super::slots::Submitted;
+use super::window::{Outputs, Window};
 use crate::device::Device;
 
 /// Copies a window to its position in each view's frame, with `width` pixels per row.
@@ -22,7 +21,7 @@ pub(super) fn copy(
     frames: &mut [Frame],
 ) -> Result<()> {
     let view = submitted.slot.readable().get_mapped_range(..submitted.slot.shape.bytes.next_multiple_of(8));
-    let view = view.map_err(|error| device.failure(&error))?;
+    let view = view.map_err(|error| device.failure(error))?;
     for (frame, outputs) in frames.iter_mut().zip(&submitted.outputs) {
         fill(bytemuck::cast_slice(&view), submitted, outputs, picture, width, frame);
     }
@@ -40,9 +39,9 @@ pub(super) fn fill(
     frame: &mut Frame,
 ) {
     let window = &submitted.window;
-    let section = |channel: usize, each: usize| {
+    let section = |channel: usize, words_per_pixel: usize| {
         let start = outputs[channel] as usize;
-        &words[start..start + each * window.pixels()]
+        &words[start..start + words_per_pixel * window.pixels()]
     };
     let vectors = [
         (0, &mut frame.color),
@@ -62,7 +61,7 @@ pub(super) fn fill(
     let numbers = FaceNumbers { picture, numbering: &submitted.numbering };
     if !frame.object_id.is_empty() {
         fill_rows(&mut frame.object_id, section(2, 2), window, width, |to, from| {
-            numbers.fill(to, from, Layer::object_of, |texel| numbers.far_object(texel), -1);
+            numbers.fill(to, from, Layer::object_of, |texel| numbers.map_object(texel), -1);
         });
     }
     if !frame.face_id.is_empty() {
@@ -102,33 +101,33 @@ impl FaceNumbers<'_> {
         of_texel: impl Fn(u32) -> T,
         none: T,
     ) {
-        let mut last = ([u32::MAX; 2], none);
+        let (mut last_id, mut value) = ([u32::MAX; 2], none);
         for (slot, &id) in to.iter_mut().zip(from) {
-            if id != last.0 {
+            if id != last_id {
                 let [record, face] = id;
-                let value = match self.locate(record) {
+                value = match self.locate(record) {
                     Some((layer, record)) => {
-                        let (instance, first_face) = layer.record_faces()[record as usize];
+                        let (instance, first_face) = layer.set_tables().record_faces[record as usize];
                         of_face(layer, instance, first_face + face)
                     }
                     None if face != u32::MAX => of_texel(face),
                     None => none,
                 };
-                last = (id, value);
+                last_id = id;
             }
-            *slot = last.1;
+            *slot = value;
         }
     }
 
     /// Returns the layer of a record, and its index in the layer's set.
     fn locate(&self, record: u32) -> Option<(&Layer, u32)> {
         let after = self.numbering.partition_point(|numbering| numbering.first <= record);
-        let found = self.numbering.get(after.checked_sub(1)?)?;
-        let local = record - found.first;
-        (local < found.count).then(|| (&self.picture.layers[found.layer], found.first_in_set + local))
+        let numbering = self.numbering.get(after.checked_sub(1)?)?;
+        let index = record - numbering.first;
+        (index < numbering.count).then(|| (&self.picture.layers[numbering.layer], numbering.first_in_set + index))
     }
 
-    fn far_object(&self, texel: u32) -> i32 {
+    fn map_object(&self, texel: u32) -> i32 {
         let objects = self.picture.backdrop.as_ref().and_then(|backdrop| backdrop.objects.as_ref());
         objects.and_then(|objects| objects.get(texel as usize)).copied().unwrap_or(-1)
     }

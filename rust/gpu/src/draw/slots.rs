@@ -1,24 +1,26 @@
-//! Pool of targets and buffers for frames in flight. A frame takes a fitting slot and returns it, so steady frames
-//! allocate nothing.
+//! Windows in flight, and a pool of targets and buffers for them. A frame takes a fitting slot and returns it, so steady
+//! frames allocate nothing.
 
-use std::sync::{Mutex, PoisonError};
+use std::sync::atomic::{AtomicU32, Ordering};
+use std::sync::{Arc, Mutex};
 
-use nearfar_core::base::Result;
+use nearfar_core::base::{Progress, Result};
 use wgpu::{
-    BufferUsages, Extent3d, TextureDescriptor, TextureDimension, TextureFormat, TextureUsages, TextureView,
+    BufferUsages, Extent3d, MapMode, TextureDescriptor, TextureDimension, TextureFormat, TextureUsages, TextureView,
     TextureViewDescriptor, TextureViewDimension,
 };
 
 use super::inputs::ShaderInputs;
 use super::pipelines::DEPTH;
+use super::plan::Numbering;
 use super::timing::Stopwatch;
-use crate::device::{Device, SAMPLES, VISIBLE};
+use super::window::{Outputs, Window};
+use crate::device::{Device, SAMPLES, Submission, UNREADABLE, VISIBLE, lock};
 
 /// Maximum number and bytes of idle slots; the last one is kept whatever its size.
 const MAX_IDLE_SLOTS: usize = 6;
 const MAX_IDLE_BYTES: u64 = 1 << 29;
 
-/// Idle slots.
 #[derive(Default)]
 pub(crate) struct Slots(Mutex<Vec<Slot>>);
 
@@ -31,14 +33,13 @@ pub(super) struct Shape {
     pub views: u32,
     /// Whether there is an additional multisampled target.
     pub multisampled: bool,
-    /// Bytes of the output.
     pub bytes: u64,
 }
 
 impl Shape {
     /// Returns the bytes of a slot of this shape, without inputs.
     fn total_bytes(&self) -> u64 {
-        let samples = 1 + if self.multisampled { u64::from(SAMPLES) } else { 0 };
+        let samples = 1 + u64::from(self.multisampled) * u64::from(SAMPLES);
         2 * self.bytes + 12 * samples * u64::from(self.views) * u64::from(self.width) * u64::from(self.height)
     }
 }
@@ -54,12 +55,11 @@ pub(super) struct Target {
 /// Memory of one window in flight.
 pub(super) struct Slot {
     pub shape: Shape,
-    pub single: Target,
+    pub single_sampled: Target,
     pub multisampled: Option<Target>,
     pub output: wgpu::Buffer,
     /// Staging copy for the processor; `None` if it can read the output itself.
     pub staging: Option<wgpu::Buffer>,
-    /// Shader inputs.
     pub inputs: ShaderInputs,
     /// Timer of the passes, if the device has a clock.
     pub watch: Option<Stopwatch>,
@@ -68,19 +68,15 @@ pub(super) struct Slot {
 impl Slots {
     /// Takes a slot of a shape, creating one if none is idle.
     pub(super) fn take(&self, device: &Device, shape: Shape) -> Result<Slot> {
-        let mut slots = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        match slots.iter().rposition(|slot| slot.shape == shape) {
-            Some(found) => Ok(slots.remove(found)),
-            None => {
-                drop(slots);
-                Slot::new(device, shape)
-            }
-        }
+        let take =
+            |slots: &mut Vec<Slot>| slots.iter().rposition(|slot| slot.shape == shape).map(|index| slots.remove(index));
+        let idle = take(&mut lock(&self.0));
+        idle.map_or_else(|| Slot::new(device, shape), Ok)
     }
 
     /// Returns a slot after its frame is read and its buffers are mapped again.
     pub(super) fn give_back(&self, slot: Slot) {
-        let mut slots = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut slots = lock(&self.0);
         slots.push(slot);
         let bytes = |slots: &[Slot]| slots.iter().map(|slot| slot.shape.total_bytes()).sum::<u64>();
         while slots.len() > MAX_IDLE_SLOTS || slots.len() > 1 && bytes(&slots) > MAX_IDLE_BYTES {
@@ -96,13 +92,13 @@ impl Slot {
             usage |= BufferUsages::MAP_READ;
         }
         let read = BufferUsages::MAP_READ | BufferUsages::COPY_DST;
-        let staging = |()| device.buffer("read-back", shape.bytes, read);
+        let staging = || device.buffer("read-back", shape.bytes, read);
         Ok(Self {
             shape,
-            single: Target::new(device, shape, 1)?,
+            single_sampled: Target::new(device, shape, 1)?,
             multisampled: shape.multisampled.then(|| Target::new(device, shape, SAMPLES)).transpose()?,
             output: device.buffer("output", shape.bytes, usage)?,
-            staging: (!device.shares_memory).then_some(()).map(staging).transpose()?,
+            staging: (!device.shares_memory).then(staging).transpose()?,
             inputs: ShaderInputs::default(),
             watch: Stopwatch::new(device)?,
         })
@@ -149,4 +145,48 @@ impl Target {
             depth: depth.create_view(&TextureViewDescriptor::default()),
         })
     }
+}
+
+/// A window that the device is processing.
+pub(super) struct Submitted {
+    pub window: Window,
+    pub slot: Slot,
+    /// Output layout of each view.
+    pub outputs: Vec<Outputs>,
+    pub numbering: Vec<Numbering>,
+    pub submission: Submission,
+    /// Number of buffers mapped again, and of failed mappings.
+    pub mapped: Arc<[AtomicU32; 2]>,
+}
+
+impl Submitted {
+    /// Waits until the output is mapped for reading and the inputs are mapped again.
+    pub fn await_mapping(&self, device: &Device, progress: &Progress) -> Result<()> {
+        loop {
+            let [mapped, failed] = [0, 1].map(|i: usize| self.mapped[i].load(Ordering::Acquire));
+            if failed > 0 {
+                return Err(device.failure(UNREADABLE));
+            }
+            if mapped == 2 {
+                return Ok(());
+            }
+            device.wait(&self.submission, progress)?;
+            progress.check()?;
+        }
+    }
+}
+
+/// Requests to map the output and the inputs; counts the results.
+pub(super) fn map_buffers(slot: &Slot, bytes: u64) -> Arc<[AtomicU32; 2]> {
+    let mapped: Arc<[AtomicU32; 2]> = Arc::default();
+    let count = |mapped: &Arc<[AtomicU32; 2]>| {
+        let mapped = Arc::clone(mapped);
+        move |ok: bool| {
+            mapped[usize::from(!ok)].fetch_add(1, Ordering::Release);
+        }
+    };
+    let read = count(&mapped);
+    slot.readable().map_async(MapMode::Read, ..bytes.next_multiple_of(8), move |result| read(result.is_ok()));
+    slot.inputs.map_again(count(&mapped));
+    mapped
 }

@@ -42,7 +42,7 @@ impl Style {
     pub const PLAIN: Self = Self(Snippet { name: "plain", text: include_str!("../shaders/plain.wgsl"), variant: 0 });
 }
 
-/// Filter of fragments. The snippet defines `cut_place` (a vertex vector, interpolated for `is_kept`) and `is_kept`
+/// Filter of fragments. The snippet defines `cut_vector` (a vertex vector, interpolated for `is_kept`) and `is_kept`
 /// (whether a fragment is drawn), by the override `CUT`: see `whole.wgsl`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct Cut {
@@ -100,8 +100,8 @@ mod tests {
     const RIGHT: Cut = Cut {
         snippet: Snippet {
             name: "right",
-            text: "fn cut_place(p: vec3<f32>) -> vec3<f32> { return p; }
-                   fn is_kept(place: vec3<f32>, from_eye: vec3<f32>, normal: vec3<f32>) -> bool {
+            text: "fn cut_vector(p: vec3<f32>) -> vec3<f32> { return p; }
+                   fn is_kept(vector: vec3<f32>, from_eye: vec3<f32>, normal: vec3<f32>) -> bool {
                        return from_eye.x >= 0.0;
                    }",
             variant: 0,
@@ -121,7 +121,7 @@ mod tests {
     fn draw(device: &Arc<Device>, eye: DVec3, change: impl FnOnce(Layer) -> Layer) -> Frame {
         let scene = scene();
         let tables = device.state::<Residents>().scene(device, &scene).unwrap();
-        let mut picture = Picture::plain(vec![change(Layer::plain(scene, tables, Set::Standing))], DVec3::ZERO);
+        let mut picture = Picture::plain(vec![change(Layer::plain(scene, tables, Set::Static))], DVec3::ZERO);
         picture.parameters[0] = SHIFT.as_vec3().extend(0.0).to_array();
         let fov = Fov { left: -1.0, right: 1.0, down: -1.0, up: 1.0 };
         let camera = Camera::new(eye, DQuat::IDENTITY, Projection::Perspective(fov), 32, 32).unwrap();

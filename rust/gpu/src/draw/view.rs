@@ -2,14 +2,13 @@
 
 use bytemuck::{Pod, Zeroable};
 use glam::{DMat3, DVec2, DVec3, DVec4};
-use nearfar_core::camera::direction_from_face;
-use nearfar_core::camera::{Camera, Fov, Projection};
+use nearfar_core::camera::{Camera, Fov, Projection, direction_from_face};
 use nearfar_core::render::{Limits, MAX_PLANES, Segment};
 
 use super::inputs::{BLOCK, PASS_BLOCKS};
 use super::picture::Picture;
 use super::style::Parameters;
-use super::window::Window;
+use super::window::{Outputs, Window};
 
 /// Distance of the near plane, metres. The precision of reversed floating-point depth does not depend on it.
 const NEAR: f64 = 1e-6;
@@ -23,7 +22,7 @@ pub(super) struct Pass {
     backdrop: [f32; 4],
     start: [[f32; 4]; 3],
     direction: [[f32; 4]; 3],
-    direction_rest: [[f32; 4]; 3],
+    direction_remainder: [[f32; 4]; 3],
     footprint: [f32; 4],
     window: [u32; 4],
     environment: [u32; 4],
@@ -37,12 +36,6 @@ pub(super) struct Pass {
 }
 
 const _: () = assert!(size_of::<Pass>() == PASS_BLOCKS * BLOCK);
-
-/// Number of an image's channels in the output.
-pub(super) const CHANNELS: usize = 8;
-
-/// First word of each of an image's channels in the output, or `u32::MAX`.
-pub(super) type Outputs = [u32; CHANNELS];
 
 /// Sample that a pass takes in each pixel of a window.
 #[derive(Clone, Copy, Debug)]
@@ -102,30 +95,29 @@ pub(super) fn pass_of(
 ) -> Pass {
     let eye = eye_of(camera, picture);
     let near = if camera.is_parallel() { 0.0 } else { NEAR };
-    let taken_at = picture.backdrop.as_ref().map_or(DVec3::ZERO, |backdrop| backdrop.center);
-    let from_backdrop = camera.position - picture.origin - taken_at;
+    let map_center = picture.backdrop.as_ref().map_or(DVec3::ZERO, |backdrop| backdrop.center);
+    let from_map_center = camera.position - picture.origin - map_center;
     // Rays of the window's pixel (0, 0) through the sample's position, and their steps.
-    let place = DVec2::new(f64::from(window.column) + sampling.offset[0], f64::from(window.row) + sampling.offset[1]);
-    let ray = |x: f64, y: f64| camera.ray(place.x + x, place.y + y);
+    let corner = DVec2::new(f64::from(window.column) + sampling.offset[0], f64::from(window.row) + sampling.offset[1]);
+    let ray = |x: f64, y: f64| camera.ray(corner.x + x, corner.y + y);
     let (first, right, down) = (ray(0.0, 0.0), ray(1.0, 0.0), ray(0.0, 1.0));
     let directions = on_grid([first.1, right.1 - first.1, down.1 - first.1], window);
-    let wide = |v: DVec3| v.as_vec3().extend(0.0).to_array();
-    let environment = picture
-        .backdrop
-        .as_ref()
-        .map(|backdrop| &backdrop.texels)
-        .map_or([0; 4], |map| [map.size, map.color.shift, map.range.shift, u32::from(map.has_range)]);
+    let vec4 = |v: DVec3| v.as_vec3().extend(0.0).to_array();
+    let map = picture.backdrop.as_ref().map(|backdrop| &backdrop.texels);
+    let environment = map.map_or([0; 4], |map| [map.size, map.color.shift, map.range.shift, u32::from(map.has_range)]);
+    let limits = picture.limits.unwrap_or(Limits::NONE).relative_to(eye);
+    let (Segment { t_min, t_max }, planes) = (limits.segment, limits.planes());
     let [color, range, ids, position, normal, albedo, shading_normal, coverage] = *outputs;
     Pass {
         clip: clip_rows(camera, window, sampling, farthest).map(|row| row.as_vec4().to_array()),
         eye: eye.as_vec3().extend(near as f32).to_array(),
-        backdrop: wide(from_backdrop),
-        start: [first.0, right.0 - first.0, down.0 - first.0].map(wide),
-        direction: directions.map(|(grid, _)| wide(grid)),
-        direction_rest: directions.map(|(_, rest)| wide(rest)),
+        backdrop: vec4(from_map_center),
+        start: [first.0, right.0 - first.0, down.0 - first.0].map(vec4),
+        direction: directions.map(|(grid, _)| vec4(grid)),
+        direction_remainder: directions.map(|(_, remainder)| vec4(remainder)),
         footprint: [
             (camera.pixel_size() * sampling.scale) as f32,
-            if camera.is_parallel() { 1.0 } else { 0.0 },
+            f32::from(camera.is_parallel()),
             sampling.weight,
             0.0,
         ],
@@ -133,30 +125,12 @@ pub(super) fn pass_of(
         environment,
         outputs: [color, range, ids, position],
         more_outputs: [normal, albedo, shading_normal, coverage],
-        segment: segment_of(picture),
-        planes: planes_of(picture, eye),
+        // Shaders have no infinity.
+        segment: [t_min.min(f32::MAX), t_max.min(f32::MAX), f32::from(t_max.is_infinite()), planes.len() as f32],
+        planes: std::array::from_fn(|i| planes.get(i).map_or([0.0; 4], |plane| plane.as_vec4().to_array())),
         parameters: picture.parameters,
         unused: [[0.0; 4]; 15],
     }
-}
-
-/// Returns start and end of each ray's visible segment, whether it is unbounded (shaders have no infinity), and the
-/// number of planes.
-fn segment_of(picture: &Picture) -> [f32; 4] {
-    let limits = picture.limits.unwrap_or(Limits::NONE);
-    let Segment { t_min, t_max } = limits.segment;
-    let count = limits.planes().len() as f32;
-    [t_min.min(f32::MAX), t_max.min(f32::MAX), f32::from(u8::from(t_max.is_infinite())), count]
-}
-
-/// Returns the clip half-spaces for points relative to the eye.
-fn planes_of(picture: &Picture, eye: DVec3) -> [[f32; 4]; MAX_PLANES] {
-    let mut planes = [[0.0; 4]; MAX_PLANES];
-    let limits = picture.limits.unwrap_or(Limits::NONE).relative_to(eye);
-    for (to, plane) in planes.iter_mut().zip(limits.planes()) {
-        *to = plane.as_vec4().to_array();
-    }
-    planes
 }
 
 /// Returns the direction of pixel (0, 0) and its steps, each as a multiple of a grid so coarse that shaders add and
@@ -176,8 +150,8 @@ fn on_grid(vectors: [DVec3; 3], window: &Window) -> [(DVec3, DVec3); 3] {
 /// at infinity; for parallel rays 1 at the image plane and 0 at the farthest depth.
 fn clip_rows(camera: &Camera, window: &Window, sampling: &Sampling, farthest: f64) -> [DVec4; 4] {
     let Axes { right, up, ahead, fov } = Axes::new(camera);
-    let (center, size) =
-        (DVec2::new(fov.left + fov.right, fov.down + fov.up), DVec2::new(fov.right - fov.left, fov.up - fov.down));
+    let center = DVec2::new(fov.left + fov.right, fov.down + fov.up);
+    let size = DVec2::new(fov.right - fov.left, fov.up - fov.down);
     let (x, y, z, w) = if camera.is_parallel() {
         (
             (2.0 * right / size.x).extend(-center.x / size.x),
@@ -238,7 +212,7 @@ mod tests {
             let (x, y) = (x as f32, y as f32);
             let [a, b, c] = parts.map(|(grid, _)| grid.as_vec3());
             let sum = a + x * b + y * c;
-            let [a, b, c] = parts.map(|(_, rest)| rest.as_vec3());
+            let [a, b, c] = parts.map(|(_, remainder)| remainder.as_vec3());
             let got = (sum + (a + x * b + y * c)).as_dvec3();
             let exact = vectors[0] + f64::from(x) * vectors[1] + f64::from(y) * vectors[2];
             // Half a step of float32 at 2, plus the rounding of the small remainder.

@@ -1,6 +1,15 @@
-//! Windows: parts of an image drawn one after the other.
+//! Windows: parts of an image drawn one after the other, and their output: the words of each channel, view by view.
 
 use nearfar_core::camera::{Camera, Fov};
+use nearfar_core::render::Channels;
+
+use crate::device::Device;
+
+/// Number of an image's channels in the output.
+pub(super) const CHANNELS: usize = 8;
+
+/// First word of each of an image's channels in the output, or `u32::MAX`.
+pub(super) type Outputs = [u32; CHANNELS];
 
 /// A part of an image drawn at once.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -31,16 +40,46 @@ impl Window {
 
     /// Splits an image into windows with limited pixels and side length.
     pub fn split(width: u32, height: u32, pixels: u64, side: u32) -> Vec<Self> {
-        let across = side.min(width).min(pixels.min(u64::from(u32::MAX)) as u32).max(1);
-        let down = ((pixels / u64::from(across)).min(u64::from(side)) as u32).clamp(1, height);
-        let mut windows = Vec::new();
-        for row in (0..height).step_by(down as usize) {
-            for column in (0..width).step_by(across as usize) {
-                windows.push(Self { column, row, width: across.min(width - column), height: down.min(height - row) });
-            }
-        }
-        windows
+        let columns = side.min(width).min(pixels.min(u64::from(u32::MAX)) as u32).max(1);
+        let rows = ((pixels / u64::from(columns)).min(u64::from(side)) as u32).clamp(1, height);
+        let windows_of_row = |row: u32| {
+            let height = rows.min(height - row);
+            let window = move |column| Self { column, row, width: columns.min(width - column), height };
+            (0..width).step_by(columns as usize).map(window)
+        };
+        (0..height).step_by(rows as usize).flat_map(windows_of_row).collect()
     }
+}
+
+/// Bytes per pixel of each channel: colour, range, ids, position, normal, albedo, shading normal, coverage.
+const CHANNEL_BYTES: [u64; CHANNELS] = [12, 4, 8, 12, 12, 12, 12, 4];
+
+/// Returns flags of the requested channels, in the order of `CHANNEL_BYTES`.
+fn channel_flags(channels: Channels) -> [bool; CHANNELS] {
+    let Channels { color, coverage, range, object_id, face_id, position, normal, albedo, shading_normal } = channels;
+    [color, range, object_id || face_id, position, normal, albedo, shading_normal, coverage]
+}
+
+pub(super) fn bytes_per_pixel(channels: Channels) -> u64 {
+    channel_flags(channels).iter().zip(CHANNEL_BYTES).map(|(&requested, bytes)| u64::from(requested) * bytes).sum()
+}
+
+/// Returns the maximum number of pixels of a window, and its maximum width and height.
+pub(super) fn window_limits(device: &Device, channels: Channels) -> (u64, u32) {
+    let max_pixels = device.largest_binding() / bytes_per_pixel(channels).max(1);
+    (max_pixels.max(1), device.limits.max_texture_dimension_2d)
+}
+
+/// Returns the first word of each channel of a window, for each view.
+pub(super) fn layouts(channels: Channels, window: &Window, views: usize) -> Vec<Outputs> {
+    let is_requested = channel_flags(channels);
+    let mut end = 0;
+    let mut first_word = |channel: usize| {
+        let first = end;
+        end += if is_requested[channel] { (CHANNEL_BYTES[channel] / 4) as u32 * window.pixels() as u32 } else { 0 };
+        if is_requested[channel] { first } else { u32::MAX }
+    };
+    (0..views).map(|_| std::array::from_fn(&mut first_word)).collect()
 }
 
 #[cfg(test)]
@@ -49,19 +88,17 @@ mod tests {
 
     #[test]
     fn windows_cover_every_pixel_once() {
-        for (width, height, pixels, side) in [(7, 5, 1, 9), (100, 3, 250, 64), (64, 64, 1 << 20, 64), (1, 900, 100, 50)]
-        {
-            let windows = Window::split(width, height, pixels, side);
-            let mut seen = vec![0; (width * height) as usize];
-            for window in windows {
+        let cases = [(7, 5, 1, 9), (100, 3, 250, 64), (64, 64, 1 << 20, 64), (1, 900, 100, 50)];
+        for (width, height, pixels, side) in cases {
+            let mut counts = vec![0; (width * height) as usize];
+            for window in Window::split(width, height, pixels, side) {
                 assert!(window.pixels() as u64 <= pixels && window.width <= side && window.height <= side);
                 for row in window.row..window.row + window.height {
-                    for column in window.column..window.column + window.width {
-                        seen[(row * width + column) as usize] += 1;
-                    }
+                    let first = (row * width + window.column) as usize;
+                    counts[first..first + window.width as usize].iter_mut().for_each(|count| *count += 1);
                 }
             }
-            assert!(seen.iter().all(|&count| count == 1));
+            assert!(counts.iter().all(|&count| count == 1));
         }
     }
 }

@@ -9,7 +9,7 @@ use nearfar_core::render::Frame;
 use nearfar_core::render::bake::Bake;
 use nearfar_core::scene::Scene;
 
-use super::near_far::{NearFar, Zone};
+use super::near_far::{NearFar, ZoneCut};
 use crate::device::Device;
 use crate::draw::{Job, Layer, Picture, Set};
 use crate::upload::Residents;
@@ -19,33 +19,30 @@ pub fn bake(device: &Arc<Device>, scene: &Scene, settings: &Bake, progress: &Pro
     settings.check(scene)?;
     let channels = settings.channels();
     channels.check_room(6 * u64::from(settings.size).pow(2))?;
-    let standing = Scene { moving: Default::default(), ..scene.clone() };
-    let tables = device.state::<Residents>().scene(device, &standing)?;
-    let cut = if settings.radius > 0.0 { Zone::Overlapping } else { Zone::Whole }.cut();
-    let layer = Layer { cut, ..Layer::plain(standing, tables, Set::Standing) };
+    let static_scene = Scene { moving: Default::default(), ..scene.clone() };
+    let tables = device.state::<Residents>().scene(device, &static_scene)?;
+    let cut = if settings.radius > 0.0 { ZoneCut::OutsideOverlapping } else { ZoneCut::None }.cut();
+    let layer = Layer { cut, ..Layer::plain(static_scene, tables, Set::Static) };
     let near_far = NearFar {
         offset: DVec3::ZERO,
-        apart: DVec3::ZERO,
+        camera_offset: DVec3::ZERO,
         radii: [0.0; 2],
         strength: 1.0,
-        split: settings.radius,
+        cut_radius: settings.radius,
         two_texels: settings.two_texels(),
     };
     let picture =
         Picture { parameters: near_far.parameters(), multisampled: false, ..Picture::plain(vec![layer], scene.origin) };
     let begin =
         |face| Job::begin(device, picture.clone(), &settings.camera(face)?, channels, settings.samples, progress);
-    let mut whole = Frame::default();
-    let mut next = Some(begin(0)?);
-    for face in 1..=6 {
-        let Some(job) = next.take() else { break };
-        if face < 6 {
-            next = Some(begin(face)?);
-        }
-        let part = job.finish(progress)?;
-        whole.color.extend(part.color);
-        whole.range.extend(part.range);
-        whole.object_id.extend(part.object_id);
+    let mut faces = Frame::default();
+    let (mut next, mut numbers) = (Some(begin(0)?), 1..6);
+    while let Some(job) = next {
+        next = numbers.next().map(begin).transpose()?;
+        let face = job.finish(progress)?;
+        faces.color.extend(face.color);
+        faces.range.extend(face.range);
+        faces.object_id.extend(face.object_id);
     }
-    Ok(whole)
+    Ok(faces)
 }

@@ -1,7 +1,7 @@
 // Discontinuity, Eq. 5-6 of Popescu, Lee, Choi, Fahmy (2022): points binned by their position in the truth, then all
 // pairs of neighbours.
 
-struct Torn {
+struct Settings {
     // Image position in the truth of a point relative to its eye: dot(xyz) / depth + w, with the depth from `ahead`.
     x: vec4<f32>,
     y: vec4<f32>,
@@ -20,7 +20,7 @@ struct Torn {
     slice: vec4<u32>,
 }
 
-@group(0) @binding(0) var<uniform> settings: Torn;
+@group(0) @binding(0) var<uniform> settings: Settings;
 @group(0) @binding(1) var<storage, read> frame: array<u32>;
 // Shift from each pixel to its point's position in the truth; later the sum over its neighbours, and their number.
 @group(0) @binding(2) var<storage, read_write> shifts: array<vec2<f32>>;
@@ -33,55 +33,44 @@ struct Torn {
 @group(0) @binding(6) var<storage, read_write> list: array<u32>;
 // Pixel centre and shift, cell by cell, in order of pixels.
 @group(0) @binding(7) var<storage, read_write> points: array<vec4<f32>>;
-@group(0) @binding(8) var<storage, read_write> torn: array<u32>;
+@group(0) @binding(8) var<storage, read_write> discontinuity: array<u32>;
 // Maximum number of points in a cell.
-@group(0) @binding(9) var<storage, read_write> most: array<u32>;
+@group(0) @binding(9) var<storage, read_write> max_count: array<u32>;
 
 const NONE: u32 = 0xffffffffu;
-const NAN: u32 = 0x7fc00000u;
-const EXPONENT: u32 = 0x7f800000u;
 // Distance in pixels beyond which points have no neighbours.
-const FARTHEST: f32 = 1e7;
-
-fn number_of(group: vec3<u32>, local: u32) -> u32 {
-    return (group.y * ROW + group.x) * GROUP + local;
-}
+const MAX_DISTANCE: f32 = 1e7;
 
 fn center_of(pixel: u32) -> vec2<f32> {
     return vec2<f32>(f32(pixel % settings.size.x), f32(pixel / settings.size.x)) + 0.5;
 }
 
-// Decided by bits: compilers may assume that there are no NaNs.
-fn is_finite(bits: u32) -> bool {
-    return (bits & EXPONENT) != EXPONENT;
-}
-
 @compute @workgroup_size(GROUP)
-fn discontinuity_place(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) local: u32) {
+fn discontinuity_bin(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) local: u32) {
     let pixel = number_of(group, local);
     if pixel >= settings.size.y {
         return;
     }
-    torn[pixel] = NAN;
+    discontinuity[pixel] = NAN;
     cells[pixel] = vec2<u32>(NONE, 0u);
     let at = settings.size.z + 3u * pixel;
-    let words = vec3<u32>(frame[at], frame[at + 1u], frame[at + 2u]);
-    if !(is_finite(words.x) && is_finite(words.y) && is_finite(words.z)) {
+    let point = bitcast<vec3<f32>>(vec3<u32>(frame[at], frame[at + 1u], frame[at + 2u]));
+    if !is_finite(point) {
         return;
     }
-    let from_eye = (bitcast<vec3<f32>>(words) - settings.eye_high.xyz) - settings.eye_low.xyz;
+    let from_eye = (point - settings.eye_high.xyz) - settings.eye_low.xyz;
     let depth = dot(from_eye, settings.ahead.xyz);
     if depth <= 0.0 {
         return;
     }
-    let by = select(depth, 1.0, settings.ahead.w > 0.0);
-    let place = vec2<f32>(dot(from_eye, settings.x.xyz), dot(from_eye, settings.y.xyz)) / by + vec2<f32>(settings.x.w, settings.y.w);
-    let bits = bitcast<vec2<u32>>(place);
-    if !is_finite(bits.x) || !is_finite(bits.y) || max(abs(place.x), abs(place.y)) >= FARTHEST {
+    let divisor = select(depth, 1.0, settings.ahead.w > 0.0);
+    let position = vec2<f32>(dot(from_eye, settings.x.xyz), dot(from_eye, settings.y.xyz)) / divisor
+        + vec2<f32>(settings.x.w, settings.y.w);
+    if !is_finite(vec3<f32>(position, 0.0)) || max(abs(position.x), abs(position.y)) >= MAX_DISTANCE {
         return;
     }
-    shifts[pixel] = place - center_of(pixel);
-    let cell = vec2<i32>(floor(place * settings.limits.z));
+    shifts[pixel] = position - center_of(pixel);
+    let cell = vec2<i32>(floor(position * settings.limits.z));
     let wrapped = wrap(cell.x, settings.grid.x) + settings.grid.x * wrap(cell.y, settings.grid.y);
     cells[pixel] = vec2<u32>(wrapped, atomicAdd(&counts[wrapped], 1u));
 }
@@ -91,38 +80,39 @@ fn wrap(i: i32, length: u32) -> u32 {
     return select(u32(i) % length, length - 1u - u32(-1 - i) % length, i < 0);
 }
 
-var<workgroup> parts: array<u32, GROUP>;
-var<workgroup> fullest: array<u32, GROUP>;
+// Sum and maximum of each thread's counts.
+var<workgroup> sums: array<u32, GROUP>;
+var<workgroup> maxima: array<u32, GROUP>;
 
 // Computes where each cell's points begin: one workgroup, in which each thread sums a run of cells.
 @compute @workgroup_size(GROUP)
-fn discontinuity_add_up(@builtin(local_invocation_index) local: u32) {
+fn discontinuity_add_counts(@builtin(local_invocation_index) local: u32) {
     let run = (settings.size.w + GROUP - 1u) / GROUP;
     let first = min(local * run, settings.size.w);
     let last = min(first + run, settings.size.w);
     var sum = 0u;
-    var full = 0u;
+    var max_here = 0u;
     for (var cell = first; cell < last; cell++) {
         let count = atomicLoad(&counts[cell]);
         sum += count;
-        full = max(full, count);
+        max_here = max(max_here, count);
     }
-    parts[local] = sum;
-    fullest[local] = full;
+    sums[local] = sum;
+    maxima[local] = max_here;
     workgroupBarrier();
     if local == 0u {
         var before = 0u;
         for (var i = 0u; i < GROUP; i++) {
-            let own = parts[i];
-            parts[i] = before;
-            before += own;
-            full = max(full, fullest[i]);
+            let count = sums[i];
+            sums[i] = before;
+            before += count;
+            max_here = max(max_here, maxima[i]);
         }
-        most[0] = full;
+        max_count[0] = max_here;
         starts[settings.size.w] = before;
     }
     workgroupBarrier();
-    var start = parts[local];
+    var start = sums[local];
     for (var cell = first; cell < last; cell++) {
         starts[cell] = start;
         start += atomicLoad(&counts[cell]);
@@ -170,40 +160,39 @@ fn discontinuity_gather(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_
 }
 
 @compute @workgroup_size(GROUP)
-fn discontinuity_tear(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) local: u32) {
+fn discontinuity_sum(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) local: u32) {
     let number = number_of(group, local);
     if number >= settings.grid.w || settings.grid.z + number >= starts[settings.size.w] {
         return;
     }
-    let own = settings.grid.z + number;
-    let point = points[own];
+    let point_number = settings.grid.z + number;
+    let point = points[point_number];
     let pixel = u32(point.y) * settings.size.x + u32(point.x);
     let cell = vec2<u32>(cells[pixel].x % settings.grid.x, cells[pixel].x / settings.grid.x);
-    // Sum, and count.
-    var found = vec2<f32>(0.0);
+    var sum_and_count = vec2<f32>(0.0);
     if settings.slice.x > 0u {
-        found = shifts[pixel];
+        sum_and_count = shifts[pixel];
     }
     for (var i = 0u; i < 9u; i++) {
         // Neighbouring cells wrap around the grid's end.
-        let beside = (cell + settings.grid.xy - 1u + vec2<u32>(i % 3u, i / 3u)) % settings.grid.xy;
-        let slice = slice_of(beside.x + settings.grid.x * beside.y);
+        let neighbour = (cell + settings.grid.xy - 1u + vec2<u32>(i % 3u, i / 3u)) % settings.grid.xy;
+        let slice = slice_of(neighbour.x + settings.grid.x * neighbour.y);
         // Summed cell by cell, so that long sums lose no digits.
-        var part = vec2<f32>(0.0);
+        var of_cell = vec2<f32>(0.0);
         for (var other = slice.x; other < slice.y; other++) {
-            let there = points[other];
-            let apart = there.xy - point.xy;
-            let truly = apart + (there.zw - point.zw);
-            let shown = dot(apart, apart);
-            let truth = dot(truly, truly);
-            if truth < settings.limits.x && other != own {
-                part += vec2<f32>(sqrt(shown / max(truth, settings.limits.y)) - 1.0, 1.0);
+            let other_point = points[other];
+            let in_frame = other_point.xy - point.xy;
+            let in_truth = in_frame + (other_point.zw - point.zw);
+            let frame_squared = dot(in_frame, in_frame);
+            let truth_squared = dot(in_truth, in_truth);
+            if truth_squared < settings.limits.x && other != point_number {
+                of_cell += vec2<f32>(sqrt(frame_squared / max(truth_squared, settings.limits.y)) - 1.0, 1.0);
             }
         }
-        found += part;
+        sum_and_count += of_cell;
     }
-    shifts[pixel] = found;
-    if found.y > 0.0 {
-        torn[pixel] = bitcast<u32>(found.x / found.y);
+    shifts[pixel] = sum_and_count;
+    if sum_and_count.y > 0.0 {
+        discontinuity[pixel] = bitcast<u32>(sum_and_count.x / sum_and_count.y);
     }
 }

@@ -11,44 +11,40 @@ struct Lookup {
 @group(2) @binding(1) var<storage, read> faces: array<u32>;
 @group(2) @binding(2) var<storage, read> directions: array<f32>;
 @group(2) @binding(3) var<storage, read_write> values: array<u32>;
-@group(2) @binding(4) var<storage, read_write> wrong: atomic<u32>;
+@group(2) @binding(4) var<storage, read_write> count_to_end: atomic<u32>;
 
 // Weights below this may be due to rounding.
 const NEGLIGIBLE: f32 = 1e-10;
-const EXPONENT: u32 = 0x7f800000u;
-const SIGN: u32 = 0x80000000u;
-
-fn number_of(group: vec3<u32>, local: u32) -> u32 {
-    return (group.y * ROW + group.x) * GROUP + local;
-}
 
 fn direction_of(number: u32) -> vec3<f32> {
     return vec3<f32>(directions[3u * number], directions[3u * number + 1u], directions[3u * number + 2u]);
 }
 
 // Zero and non-finite numbers are found by bits: compilers may assume that there are none.
-fn is_wrong(d: vec3<f32>) -> bool {
+fn is_invalid(d: vec3<f32>) -> bool {
     let bits = bitcast<vec3<u32>>(d) & vec3<u32>(~SIGN);
     return all(bits == vec3<u32>(0u)) || any(bits >= vec3<u32>(EXPONENT));
 }
 
-fn note(number: u32) {
-    atomicMax(&wrong, lookup.rows.y - number);
+fn note_invalid(number: u32) {
+    atomicMax(&count_to_end, lookup.rows.y - number);
 }
 
-// Converts the bits of floats to numbers in the same order.
-fn ordered(bits: u32) -> u32 {
-    return select(bits | SIGN, ~bits, (bits & SIGN) != 0u);
-}
-
+// Inverse of `ordered`.
 fn bits_of(order: u32) -> u32 {
     return select(~order, order & ~SIGN, (order & SIGN) != 0u);
 }
 
-fn extreme(number: u32, greatest: bool) {
+// Stores the maximum of the taps that are known if IS_MAX is 1, and otherwise the minimum.
+@compute @workgroup_size(GROUP)
+fn lookup_extreme(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) local: u32) {
+    let number = number_of(group, local);
+    if number >= lookup.rows.x {
+        return;
+    }
     let d = direction_of(number);
-    if is_wrong(d) {
-        note(number);
+    if is_invalid(d) {
+        note_invalid(number);
         return;
     }
     let channels = lookup.map.y;
@@ -61,28 +57,12 @@ fn extreme(number: u32, greatest: bool) {
             // NaN marks an unknown value and is skipped.
             if taps.weight[i] > NEGLIGIBLE && (bits & ~SIGN) <= EXPONENT {
                 let order = ordered(bits);
-                let other = select(min(found, order), max(found, order), greatest);
-                found = select(order, other, known);
+                let extreme = select(min(found, order), max(found, order), IS_MAX == 1u);
+                found = select(order, extreme, known);
                 known = true;
             }
         }
-        values[number * channels + channel] = select(0x7fc00000u, bits_of(found), known);
-    }
-}
-
-@compute @workgroup_size(GROUP)
-fn lookup_least(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) local: u32) {
-    let number = number_of(group, local);
-    if number < lookup.rows.x {
-        extreme(number, false);
-    }
-}
-
-@compute @workgroup_size(GROUP)
-fn lookup_greatest(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) local: u32) {
-    let number = number_of(group, local);
-    if number < lookup.rows.x {
-        extreme(number, true);
+        values[number * channels + channel] = select(NAN, bits_of(found), known);
     }
 }
 
@@ -93,8 +73,8 @@ fn lookup_nearest(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invoca
         return;
     }
     let d = direction_of(number);
-    if is_wrong(d) {
-        note(number);
+    if is_invalid(d) {
+        note_invalid(number);
         return;
     }
     let channels = lookup.map.y;

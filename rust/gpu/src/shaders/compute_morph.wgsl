@@ -14,32 +14,26 @@ struct Morph {
 
 @group(0) @binding(0) var<uniform> morph: Morph;
 @group(0) @binding(1) var<storage, read> points: array<f32>;
-@group(0) @binding(2) var<storage, read_write> moved: array<f32>;
-
-fn number_of(group: vec3<u32>, local: u32) -> u32 {
-    return (group.y * ROW + group.x) * GROUP + local;
-}
+@group(0) @binding(2) var<storage, read_write> displayed_points: array<f32>;
 
 fn point_of(number: u32) -> vec3<f32> {
     return vec3<f32>(points[3u * number], points[3u * number + 1u], points[3u * number + 2u]);
 }
 
 fn store(number: u32, point: vec3<f32>) {
-    moved[3u * number] = point.x;
-    moved[3u * number + 1u] = point.y;
-    moved[3u * number + 2u] = point.z;
-}
-
-// Tests bits, because compilers may assume that there are no NaNs.
-fn is_finite(p: vec3<f32>) -> bool {
-    return all((bitcast<vec3<u32>>(p) & vec3<u32>(0x7f800000u)) != vec3<u32>(0x7f800000u));
+    displayed_points[3u * number] = point.x;
+    displayed_points[3u * number + 1u] = point.y;
+    displayed_points[3u * number + 2u] = point.z;
 }
 
 fn relative_to_center(p: vec3<f32>) -> vec3<f32> {
     return (p - morph.center_high.xyz) - morph.center_low.xyz;
 }
 
-fn store_displayed(number: u32, keeps_rho: bool) {
+// Keeps each point on its own cylinder if KEEPS_RHO is 1, and blends otherwise.
+@compute @workgroup_size(GROUP)
+fn morph_points(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) local: u32) {
+    let number = number_of(group, local);
     if number >= morph.count.x {
         return;
     }
@@ -47,17 +41,7 @@ fn store_displayed(number: u32, keeps_rho: bool) {
     var displayed = p + morph.offset.xyz;
     if is_finite(p) {
         let zones = Zones(morph.radii.x, morph.radii.y, morph.radii.z, morph.center_high.w);
-        displayed = displayed_in_world(p, relative_to_center(p), morph.offset.xyz, zones, keeps_rho);
+        displayed = displayed_in_world(p, relative_to_center(p), morph.offset.xyz, zones, KEEPS_RHO == 1u);
     }
     store(number, displayed);
-}
-
-@compute @workgroup_size(GROUP)
-fn morph_blend(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) local: u32) {
-    store_displayed(number_of(group, local), false);
-}
-
-@compute @workgroup_size(GROUP)
-fn morph_cylinder(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) local: u32) {
-    store_displayed(number_of(group, local), true);
 }

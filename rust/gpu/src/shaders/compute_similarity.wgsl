@@ -37,7 +37,7 @@ fn encoded(linear: f32) -> f32 {
 
 @compute @workgroup_size(GROUP)
 fn similarity_luma(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) local: u32) {
-    let pixel = (group.y * ROW + group.x) * GROUP + local;
+    let pixel = number_of(group, local);
     if pixel >= settings.size.z {
         return;
     }
@@ -55,15 +55,15 @@ const SIDE: u32 = TILE + TAPS - 1u;
 const MIDDLE: u32 = TAPS / 2u;
 
 // Sum and difference of all pixels seen by a tile's windows.
-var<workgroup> around: array<vec2<f32>, SIDE * SIDE>;
+var<workgroup> loaded: array<vec2<f32>, SIDE * SIDE>;
 // Means and variances of sum and difference along each row.
-var<workgroup> across: array<vec4<f32>, SIDE * TILE>;
+var<workgroup> row_moments: array<vec4<f32>, SIDE * TILE>;
 
 // Mirrors an index at the ends of a line: d c b a | a b c d | d c b a. In OpenGL, remainders of negative numbers are
 // undefined, so indices, which are off by less than TAPS lines, are shifted by whole periods first.
 fn mirror(i: i32, length: i32) -> u32 {
-    let there = (i + 2 * i32(TAPS) * length) % (2 * length);
-    return u32(select(2 * length - 1 - there, there, there < length));
+    let shifted = (i + 2 * i32(TAPS) * length) % (2 * length);
+    return u32(select(2 * length - 1 - shifted, shifted, shifted < length));
 }
 
 fn weight(k: u32) -> f32 {
@@ -76,43 +76,43 @@ fn load(tile: vec2<u32>, local: u32) {
         let at = vec2<i32>(tile * TILE + vec2<u32>(i % SIDE, i / SIDE)) - i32(MIDDLE);
         let column = mirror(at.x, i32(settings.size.x));
         let row = mirror(at.y, i32(settings.size.y));
-        around[i] = planes[row * settings.size.x + column];
+        loaded[i] = planes[row * settings.size.x + column];
     }
 }
 
 // Computes moments along rows, about the window's middle pixel: little remains to be subtracted from the mean of
 // squares.
-fn pass_along_rows(local: u32) {
+fn compute_row_moments(local: u32) {
     for (var i = local; i < SIDE * TILE; i += TILE * TILE) {
         let first = i / TILE * SIDE + i % TILE;
-        let center = around[first + MIDDLE];
+        let center = loaded[first + MIDDLE];
         var mean = vec2<f32>(0.0);
         var square = vec2<f32>(0.0);
         for (var k = 0u; k < TAPS; k++) {
-            let away = around[first + k] - center;
-            mean += weight(k) * away;
-            square += weight(k) * away * away;
+            let difference = loaded[first + k] - center;
+            mean += weight(k) * difference;
+            square += weight(k) * difference * difference;
         }
-        across[i] = vec4<f32>(center + mean, square - mean * mean);
+        row_moments[i] = vec4<f32>(center + mean, square - mean * mean);
     }
 }
 
 // Returns 1 minus the similarity of the window around a pixel. Both factors are 1 minus a non-negative term that is 0
 // for equal images: D^2 / ((S^2 + D^2)/2 + c1) and var d / ((var s + var d)/2 + c2).
-fn unlikeness(column: u32, row: u32) -> f32 {
-    let center = across[(row + MIDDLE) * TILE + column].xy;
+fn dissimilarity(column: u32, row: u32) -> f32 {
+    let center = row_moments[(row + MIDDLE) * TILE + column].xy;
     var mean = vec2<f32>(0.0);
     var square = vec2<f32>(0.0);
     for (var k = 0u; k < TAPS; k++) {
-        let line = across[(row + k) * TILE + column];
-        let away = line.xy - center;
-        mean += weight(k) * away;
-        square += weight(k) * (line.zw + away * away);
+        let line = row_moments[(row + k) * TILE + column];
+        let difference = line.xy - center;
+        mean += weight(k) * difference;
+        square += weight(k) * (line.zw + difference * difference);
     }
     let variance = max(square - mean * mean, vec2<f32>(0.0));
     let level = center + mean;
-    let apart = level.y * level.y;
-    let by_mean = apart / (0.5 * (level.x * level.x + apart) + settings.constants.x);
+    let difference_squared = level.y * level.y;
+    let by_mean = difference_squared / (0.5 * (level.x * level.x + difference_squared) + settings.constants.x);
     let by_contrast = variance.y / (0.5 * (variance.x + variance.y) + settings.constants.y);
     return by_mean + by_contrast - by_mean * by_contrast;
 }
@@ -120,31 +120,31 @@ fn unlikeness(column: u32, row: u32) -> f32 {
 fn measure(tile: vec2<u32>, local: u32) -> f32 {
     load(tile, local);
     workgroupBarrier();
-    pass_along_rows(local);
+    compute_row_moments(local);
     workgroupBarrier();
-    return unlikeness(local % TILE, local / TILE);
+    return dissimilarity(local % TILE, local / TILE);
 }
 
 // Sums the windows of this workgroup that count, in a fixed order.
-fn add_up(tile: vec2<u32>, local: u32, value: f32) {
+fn store_sum(tile: vec2<u32>, local: u32, value: f32) {
     let pixel = tile * TILE + vec2<u32>(local % TILE, local / TILE);
     let counts = all(pixel >= settings.inside.xy) && all(pixel < settings.inside.zw);
-    around[local] = vec2<f32>(select(0.0, value, counts), 0.0);
+    loaded[local] = vec2<f32>(select(0.0, value, counts), 0.0);
     workgroupBarrier();
     for (var stride = TILE * TILE / 2u; stride > 0u; stride /= 2u) {
         if local < stride {
-            around[local] += around[local + stride];
+            loaded[local] += loaded[local + stride];
         }
         workgroupBarrier();
     }
     if local == 0u {
-        sums[tile.y * settings.size.w + tile.x] = around[0].x;
+        sums[tile.y * settings.size.w + tile.x] = loaded[0].x;
     }
 }
 
 @compute @workgroup_size(TILE, TILE)
 fn similarity_sums(@builtin(workgroup_id) tile: vec3<u32>, @builtin(local_invocation_index) local: u32) {
-    add_up(tile.xy, local, measure(tile.xy, local));
+    store_sum(tile.xy, local, measure(tile.xy, local));
 }
 
 @compute @workgroup_size(TILE, TILE)
@@ -154,5 +154,5 @@ fn similarity_map(@builtin(workgroup_id) tile: vec3<u32>, @builtin(local_invocat
     if all(pixel < settings.size.xy) {
         map[pixel.y * settings.size.x + pixel.x] = 1.0 - value;
     }
-    add_up(tile.xy, local, value);
+    store_sum(tile.xy, local, value);
 }

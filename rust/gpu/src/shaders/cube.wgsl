@@ -31,7 +31,7 @@ fn texel_number(d: vec3<f32>, size: u32) -> u32 {
 }
 
 // Returns the texel whose centre lies at or below a position, and the fraction of the way to the next one.
-fn below(place: f32, size: u32) -> vec2<f32> {
+fn texel_below(place: f32, size: u32) -> vec2<f32> {
     let x = max((place + 1.0) * 0.5 * f32(size) - 0.5, 0.0);
     let index = min(floor(x), f32(size - 1u));
     return vec2<f32>(index, select(0.0, x - index, index + 1.0 < f32(size)));
@@ -43,8 +43,8 @@ fn taps_of(d: vec3<f32>, size: u32) -> Taps {
     if max(abs(at.y), abs(at.z)) > 1.0 - half {
         return taps_at_seam(d, size);
     }
-    let column = below(at.y, size);
-    let row = below(at.z, size);
+    let column = texel_below(at.y, size);
+    let row = texel_below(at.z, size);
     let first = (u32(at.x) * size + u32(row.x)) * size + u32(column.x);
     let right = select(0u, 1u, u32(column.x) + 1u < size);
     let down = select(0u, size, u32(row.x) + 1u < size);
@@ -86,13 +86,13 @@ fn center_of(index: f32, size: u32) -> f32 {
 
 fn taps_at_seam(d: vec3<f32>, size: u32) -> Taps {
     let axes = descending(abs(d));
-    let m = vec3<f32>(abs(d[axes.x]), abs(d[axes.y]), abs(d[axes.z])) / abs(d[axes.x]);
+    let components = vec3<f32>(abs(d[axes.x]), abs(d[axes.y]), abs(d[axes.z])) / abs(d[axes.x]);
     let half = 1.0 / f32(size);
     let row = 1.0 - half;
-    let s = (m.y - row) / (half * (1.0 + m.y));
-    let along = m.z * (1.0 - s * half);
+    let s = (components.y - row) / (half * (1.0 + components.y));
+    let along = components.z * (1.0 - s * half);
     if along <= row {
-        let at = below(along, size);
+        let at = texel_below(along, size);
         let low = center_of(at.x, size);
         let high = center_of(min(at.x + 1.0, f32(size - 1u)), size);
         return Taps(
@@ -105,8 +105,8 @@ fn taps_at_seam(d: vec3<f32>, size: u32) -> Taps {
             vec4<f32>((1.0 - s) * (1.0 - at.y), (1.0 - s) * at.y, s * (1.0 - at.y), s * at.y),
         );
     }
-    let sum = (m.x + m.y + m.z) / (1.0 + 2.0 * row);
-    let weight = max((m / sum - vec3<f32>(row)) / half, vec3<f32>(0.0));
+    let sum = (components.x + components.y + components.z) / (1.0 + 2.0 * row);
+    let weight = max((components / sum - vec3<f32>(row)) / half, vec3<f32>(0.0));
     let total = weight.x + weight.y + weight.z;
     let first = texel_along(d, axes, vec3<f32>(1.0, row, row), size);
     return Taps(
@@ -121,12 +121,12 @@ fn taps_at_seam(d: vec3<f32>, size: u32) -> Taps {
 }
 
 fn map_color_of(texel: u32) -> vec3<f32> {
-    let at = place_of(texel, view.environment.y);
+    let at = texel_position(texel, view.environment.y);
     return textureLoad(map_color, at.xy, at.z, 0).rgb;
 }
 
 fn map_range_of(texel: u32) -> f32 {
-    let at = place_of(texel, view.environment.z);
+    let at = texel_position(texel, view.environment.z);
     return textureLoad(map_range, at.xy, at.z, 0).r;
 }
 

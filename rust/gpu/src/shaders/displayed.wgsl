@@ -18,16 +18,16 @@ fn user_place() -> Place {
 fn displayed(p: vec3<f32>) -> vec3<f32> {
     let q = morphed(p);
     if STYLE == CYLINDER_FROM_CENTER {
-        return as_far_as_from_center(q);
+        return at_distance_from_center(q);
     }
     return q;
 }
 
 // Moves a point displayed beyond r2 along its direction to its distance from the centre: the inverse of
 // `backdrop_range`.
-fn as_far_as_from_center(q: vec3<f32>) -> vec3<f32> {
-    let slope = length(q.xz);
-    return q * (length(user_place().at + q.xz) / max(slope, 1e-30));
+fn at_distance_from_center(q: vec3<f32>) -> vec3<f32> {
+    let ground_length = length(q.xz);
+    return q * (length(user_place().at + q.xz) / max(ground_length, 1e-30));
 }
 
 fn morphed(p: vec3<f32>) -> vec3<f32> {
@@ -44,11 +44,11 @@ fn morphed(p: vec3<f32>) -> vec3<f32> {
     }
     let w = view.parameters[2].w * user_weight(rho, view.parameters[1].y, view.parameters[1].w);
     let from_user = p + view.parameters[2].xyz;
-    var to = blended(from_user, from_center, w);
+    var displayed_from_user = blended(from_user, from_center, w);
     if STYLE == CYLINDER || STYLE == CYLINDER_FROM_CENTER {
-        to = on_cylinder(user_place(), from_user, from_center, w, rho);
+        displayed_from_user = on_cylinder(user_place(), from_user, from_center, w, rho);
     }
-    return to.w * to.xyz - view.parameters[2].xyz;
+    return displayed_from_user.w * displayed_from_user.xyz - view.parameters[2].xyz;
 }
 
 // Returns the displayed distance of a surface that the centre sees at a distance beyond r2.

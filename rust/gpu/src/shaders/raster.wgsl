@@ -24,13 +24,13 @@ struct Corner {
 
 fn corner_of(number: u32, instance: u32) -> Corner {
     var local = batch.shifts.y;
-    if !SINGLE {
+    if !ONE_RECORD {
         local = order[instance];
     }
     let record = record_of(local);
     let part = batch.part;
     let vertex = page[part.faces + number];
-    let p = seen_from_eye(record, part, vertex);
+    let p = position_from_eye(record, part, vertex);
     let q = displayed(p);
     let at = vec4<f32>(q, 1.0);
     let position = vec4<f32>(dot(view.clip_x, at), dot(view.clip_y, at), dot(view.clip_z, at), dot(view.clip_w, at));
@@ -85,7 +85,7 @@ struct Vertex {
     @builtin(position) position: vec4<f32>,
     @location(0) @interpolate(flat) id: vec2<u32>,
     // Vector for the cut.
-    @location(1) place: vec3<f32>,
+    @location(1) cut_vector: vec3<f32>,
     // Displayed position, relative to the eye.
     @location(2) from_eye: vec3<f32>,
     @location(3) @interpolate(flat) normal: vec3<f32>,
@@ -100,13 +100,13 @@ fn vertex(@builtin(vertex_index) number: u32, @builtin(instance_index) instance:
     var out: Vertex;
     out.position = corner.position;
     out.id = id_of(corner.local, number);
-    out.place = cut_place(corner.p);
+    out.cut_vector = cut_vector(corner.p);
     out.from_eye = corner.q;
     if FACE_NORMALS {
         let face = number / 3u;
-        let a = seen_from_eye(corner.record, part, corner_number(part, face, 0u));
-        let b = seen_from_eye(corner.record, part, corner_number(part, face, 1u));
-        let c = seen_from_eye(corner.record, part, corner_number(part, face, 2u));
+        let a = position_from_eye(corner.record, part, corner_number(part, face, 0u));
+        let b = position_from_eye(corner.record, part, corner_number(part, face, 1u));
+        let c = position_from_eye(corner.record, part, corner_number(part, face, 2u));
         let size = max(max(length(b - a), length(c - a)), 1e-30);
         out.normal = cross((b - a) / size, (c - a) / size);
     }
@@ -123,7 +123,7 @@ fn vertex(@builtin(vertex_index) number: u32, @builtin(instance_index) instance:
 }
 
 fn is_drawn(in: Vertex) -> bool {
-    var drawn = is_kept(in.place, in.from_eye, in.normal);
+    var drawn = is_kept(in.cut_vector, in.from_eye, in.normal);
     if CUTOUT {
         drawn = drawn && is_solid(in);
     }
@@ -138,7 +138,7 @@ fn is_within_limits(from_eye: vec3<f32>) -> bool {
     var distance = length(from_eye);
     var place = from_eye;
     if view.footprint.y > 0.0 {
-        distance = dot(from_eye, normalize(view.direction.xyz + view.rest.xyz));
+        distance = dot(from_eye, normalize(view.direction.xyz + view.remainder.xyz));
     } else {
         let direction = from_eye / distance;
         distance = displayed_range(direction, distance);

@@ -28,12 +28,12 @@ struct Ray {
 fn ray_of(pixel: vec2<u32>) -> Ray {
     let at = vec2<f32>(pixel);
     let start = view.start.xyz + at.x * view.start_x.xyz + at.y * view.start_y.xyz;
-    let rest = view.rest.xyz + at.x * view.rest_x.xyz + at.y * view.rest_y.xyz;
-    let longer = (view.direction.xyz + at.x * view.direction_x.xyz + at.y * view.direction_y.xyz) + rest;
-    let secant = length(longer);
+    let remainder = view.remainder.xyz + at.x * view.remainder_x.xyz + at.y * view.remainder_y.xyz;
+    let direction = (view.direction.xyz + at.x * view.direction_x.xyz + at.y * view.direction_y.xyz) + remainder;
+    let secant = length(direction);
     let size = view.footprint.x;
     let footprint = select(vec2<f32>(0.0, size / (secant * sqrt(secant))), vec2<f32>(size, 0.0), view.footprint.y > 0.0);
-    return Ray(start, longer / secant, footprint);
+    return Ray(start, direction / secant, footprint);
 }
 
 struct Surface {
@@ -69,9 +69,9 @@ fn along_ray(p: vec3<f32>, direction: vec3<f32>) -> vec3<f32> {
 // Returns the point where a ray intersects a face; if it misses by a fraction of a pixel, as rasterisation allows, the
 // nearest point of the face.
 fn surface_of(record: Record, part: Part, face: u32, ray: Ray) -> Surface {
-    let a = seen_from_eye(record, part, corner_number(part, face, 0u));
-    let b = seen_from_eye(record, part, corner_number(part, face, 1u));
-    let c = seen_from_eye(record, part, corner_number(part, face, 2u));
+    let a = position_from_eye(record, part, corner_number(part, face, 0u));
+    let b = position_from_eye(record, part, corner_number(part, face, 1u));
+    let c = position_from_eye(record, part, corner_number(part, face, 2u));
     let displayed_a = displayed(a) - ray.start;
     let displayed_b = displayed(b) - ray.start;
     let displayed_c = displayed(c) - ray.start;
@@ -94,16 +94,16 @@ fn surface_of(record: Record, part: Part, face: u32, ray: Ray) -> Surface {
     let size = max(max(length(b - a), length(c - a)), 1e-30);
     let normal = cross((b - a) / size, (c - a) / size);
     let area = length(normal);
-    var outside = -ray.direction;
+    var unit_normal = -ray.direction;
     if area > 0.0 {
-        outside = normal / area;
+        unit_normal = normal / area;
     }
-    let cosine = dot(outside, ray.direction);
+    let cosine = dot(unit_normal, ray.direction);
     return Surface(
         at,
         max(range, 0.0),
         blend_3(a, b, c, at),
-        select(outside, -outside, cosine > 0.0),
+        select(unit_normal, -unit_normal, cosine > 0.0),
         min(abs(cosine), 1.0),
         area * size * size,
     );
@@ -134,16 +134,15 @@ fn sees_map(direction: vec3<f32>) -> bool {
     if !LIMITED {
         return true;
     }
-    let part = seen_along(direction);
-    var seen = part.y > 0.0;
-    if seen && view.environment.w != 0u {
-        let range = map_range_of(texel_number(direction, view.environment.x));
-        seen = range > 1e30 || backdrop_range(direction, range) >= part.x;
+    let segment = visible_segment(direction);
+    if segment.y <= 0.0 || view.environment.w == 0u {
+        return segment.y > 0.0;
     }
-    return seen;
+    let range = map_range_of(texel_number(direction, view.environment.x));
+    return range > 1e30 || backdrop_range(direction, range) >= segment.x;
 }
 
-fn missed_color(ray: Ray) -> vec3<f32> {
+fn backdrop_color(ray: Ray) -> vec3<f32> {
     if BARE {
         return vec3<f32>(0.0);
     }
@@ -154,7 +153,7 @@ fn missed_color(ray: Ray) -> vec3<f32> {
 }
 
 // Returns whether this batch's records and page contain a face.
-fn is_mine(id: vec2<u32>) -> bool {
+fn is_in_batch(id: vec2<u32>) -> bool {
     if id.x - batch.records.x >= batch.records.y {
         return false;
     }
@@ -165,17 +164,32 @@ fn store(word: u32, value: f32) {
     output[word] = bitcast<u32>(value);
 }
 
-fn store_3(word: u32, value: vec3<f32>) {
-    store(word, value.x);
-    store(word + 1u, value.y);
-    store(word + 2u, value.z);
+// Stores a pixel's vector in the image that begins at a word, if it is requested.
+fn store_3(first: u32, number: u32, value: vec3<f32>) {
+    if first != NONE {
+        let word = first + 3u * number;
+        store(word, value.x);
+        store(word + 1u, value.y);
+        store(word + 2u, value.z);
+    }
+}
+
+// Stores a pixel's range and ids, if they are requested.
+fn store_range_and_id(number: u32, range: f32, id: vec2<u32>) {
+    if view.outputs.y != NONE {
+        store(view.outputs.y + number, range);
+    }
+    if view.outputs.z != NONE {
+        output[view.outputs.z + 2u * number] = id.x;
+        output[view.outputs.z + 2u * number + 1u] = id.y;
+    }
 }
 
 fn color_of_sample(id: vec2<u32>, ray: Ray) -> vec3<f32> {
     if id.x == NONE {
-        return select(vec3<f32>(0.0), missed_color(ray), batch.records.w != 0u);
+        return select(vec3<f32>(0.0), backdrop_color(ray), batch.records.w != 0u);
     }
-    if !is_mine(id) {
+    if !is_in_batch(id) {
         return vec3<f32>(0.0);
     }
     let record = record_of(id.x - batch.records.x);
@@ -212,7 +226,7 @@ fn store_color(number: u32, color: vec3<f32>, adds: bool) {
             bitcast<f32>(output[word + 2u]),
         );
     }
-    store_3(word, sum);
+    store_3(view.outputs.x, number, sum);
 }
 
 // Stores the fraction of a pixel's samples that show a face.
@@ -222,11 +236,11 @@ fn store_coverage(number: u32, pixel: vec2<u32>, adds: bool) {
     for (var i = 0u; i < SAMPLES; i++) {
         shown += select(1.0, 0.0, face_at(pixel, i).x == NONE);
     }
-    var share = shown / f32(SAMPLES) * view.footprint.z;
+    var coverage = shown / f32(SAMPLES) * view.footprint.z;
     if adds {
-        share += bitcast<f32>(output[word]);
+        coverage += bitcast<f32>(output[word]);
     }
-    store(word, share);
+    store(word, coverage);
 }
 
 @compute @workgroup_size(8, 8)
@@ -250,7 +264,7 @@ fn resolve(@builtin(global_invocation_id) pixel: vec3<u32>) {
     if id.x == NONE {
         if writes_first {
             if COLOR {
-                store_color(number, missed_color(ray), adds);
+                store_color(number, backdrop_color(ray), adds);
             }
             if SURFACE {
                 store_miss(number, ray);
@@ -258,7 +272,7 @@ fn resolve(@builtin(global_invocation_id) pixel: vec3<u32>) {
         }
         return;
     }
-    if !is_mine(id) {
+    if !is_in_batch(id) {
         return;
     }
     let record = record_of(id.x - batch.records.x);
@@ -271,29 +285,19 @@ fn resolve(@builtin(global_invocation_id) pixel: vec3<u32>) {
         store_surface(number, id, surface, ray);
         if view.more_outputs.y != NONE {
             let color = albedo(part, material_of(part, id.y), spot_of(id.y, surface, ray));
-            store_3(view.more_outputs.y + 3u * number, color);
+            store_3(view.more_outputs.y, number, color);
         }
         if view.more_outputs.z != NONE {
             let normal = shading_normal(record, part, id.y, surface.at, surface.normal);
-            store_3(view.more_outputs.z + 3u * number, normal);
+            store_3(view.more_outputs.z, number, normal);
         }
     }
 }
 
 fn store_surface(number: u32, id: vec2<u32>, surface: Surface, ray: Ray) {
-    if view.outputs.y != NONE {
-        store(view.outputs.y + number, displayed_range(ray.direction, surface.range));
-    }
-    if view.outputs.z != NONE {
-        output[view.outputs.z + 2u * number] = id.x;
-        output[view.outputs.z + 2u * number + 1u] = id.y;
-    }
-    if view.outputs.w != NONE {
-        store_3(view.outputs.w + 3u * number, surface.point + view.eye.xyz);
-    }
-    if view.more_outputs.x != NONE {
-        store_3(view.more_outputs.x + 3u * number, surface.normal);
-    }
+    store_range_and_id(number, displayed_range(ray.direction, surface.range), id);
+    store_3(view.outputs.w, number, surface.point + view.eye.xyz);
+    store_3(view.more_outputs.x, number, surface.normal);
 }
 
 // Stores a pixel without a face: the map's range, and the number of its texel in place of a face.
@@ -308,23 +312,13 @@ fn store_miss(number: u32, ray: Ray) {
             range = map_range_of(texel);
         }
     }
-    if view.outputs.y != NONE {
-        store(view.outputs.y + number, backdrop_range(ray.direction, range));
+    store_range_and_id(number, backdrop_range(ray.direction, range), vec2<u32>(NONE, texel));
+    var point = vec3<f32>(nan);
+    if range < 1e30 {
+        point = view.eye.xyz - view.backdrop.xyz + range * ray.direction;
     }
-    if view.outputs.z != NONE {
-        output[view.outputs.z + 2u * number] = NONE;
-        output[view.outputs.z + 2u * number + 1u] = texel;
-    }
-    if view.outputs.w != NONE {
-        var point = vec3<f32>(nan);
-        if range < 1e30 {
-            point = view.eye.xyz - view.backdrop.xyz + range * ray.direction;
-        }
-        store_3(view.outputs.w + 3u * number, point);
-    }
+    store_3(view.outputs.w, number, point);
     for (var i = 0u; i < 3u; i++) {
-        if view.more_outputs[i] != NONE {
-            store_3(view.more_outputs[i] + 3u * number, vec3<f32>(nan));
-        }
+        store_3(view.more_outputs[i], number, vec3<f32>(nan));
     }
 }

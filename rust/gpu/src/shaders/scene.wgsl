@@ -19,9 +19,9 @@ struct Pass {
     direction_x: vec4<f32>,
     direction_y: vec4<f32>,
     // Remainders of the three directions, finer than a grid on which sums are exact.
-    rest: vec4<f32>,
-    rest_x: vec4<f32>,
-    rest_y: vec4<f32>,
+    remainder: vec4<f32>,
+    remainder_x: vec4<f32>,
+    remainder_y: vec4<f32>,
     // Size of a sample's pixel at one metre ahead, 1 for parallel rays, weight of the sample, unused.
     footprint: vec4<f32>,
     // Width and height of the window, samples of the target, whether colour is accumulated.
@@ -103,24 +103,24 @@ const NONE: u32 = 0xffffffffu;
 // Variant of the style.
 override STYLE: u32 = 0u;
 // Whether all faces belong to the batch's single record, so that no look-up is needed.
-override SINGLE: bool = false;
+override ONE_RECORD: bool = false;
 
 fn record_of(local: u32) -> Record {
-    if SINGLE {
+    if ONE_RECORD {
         return batch.record;
     }
     return records[local];
 }
 
 fn part_of(record: Record) -> Part {
-    if SINGLE {
+    if ONE_RECORD {
         return batch.part;
     }
     return parts[record.part.x];
 }
 
 // Returns column, row and layer of the nth texel, with 2^shift texels per row and 2^shift rows per layer.
-fn place_of(n: u32, shift: u32) -> vec3<i32> {
+fn texel_position(n: u32, shift: u32) -> vec3<i32> {
     let mask = (1u << shift) - 1u;
     return vec3<i32>(vec3<u32>(n & mask, (n >> shift) & mask, (n >> shift) >> shift));
 }
@@ -129,10 +129,13 @@ fn corner_number(part: Part, face: u32, corner: u32) -> u32 {
     return page[part.faces + 3u * face + corner];
 }
 
+fn vector_at(word: u32) -> vec3<f32> {
+    return vec3<f32>(bitcast<f32>(page[word]), bitcast<f32>(page[word + 1u]), bitcast<f32>(page[word + 2u]));
+}
+
 // Returns the position of a placed vertex relative to the eye.
-fn seen_from_eye(record: Record, part: Part, vertex: u32) -> vec3<f32> {
-    let at = part.positions + 3u * vertex;
-    let p = vec3<f32>(bitcast<f32>(page[at]), bitcast<f32>(page[at + 1u]), bitcast<f32>(page[at + 2u]));
+fn position_from_eye(record: Record, part: Part, vertex: u32) -> vec3<f32> {
+    let p = vector_at(part.positions + 3u * vertex);
     let turned = vec3<f32>(dot(record.x.xyz, p), dot(record.y.xyz, p), dot(record.z.xyz, p));
     // Instances lie near their mesh's origin, merged meshes far from it: both differences are of the size of the eye's
     // distance.
@@ -149,8 +152,7 @@ fn color_of(part: Part, vertex: u32) -> vec4<f32> {
 }
 
 fn normal_of(part: Part, vertex: u32) -> vec3<f32> {
-    let at = part.normals + 3u * vertex;
-    return vec3<f32>(bitcast<f32>(page[at]), bitcast<f32>(page[at + 1u]), bitcast<f32>(page[at + 2u]));
+    return vector_at(part.normals + 3u * vertex);
 }
 
 fn material_of(part: Part, face: u32) -> Material {
@@ -173,16 +175,16 @@ fn is_within_planes(p: vec3<f32>) -> bool {
 }
 
 // Returns the start of the visible segment of a ray from the eye, and 1 if it is unbounded.
-fn seen_along(direction: vec3<f32>) -> vec2<f32> {
-    var begin = view.segment.x;
-    var endless = view.segment.z;
+fn visible_segment(direction: vec3<f32>) -> vec2<f32> {
+    var start = view.segment.x;
+    var is_unbounded = view.segment.z;
     for (var i = 0u; i < u32(view.segment.w); i++) {
         let slope = dot(view.planes[i].xyz, direction);
         if slope > 0.0 {
-            begin = max(begin, -view.planes[i].w / slope);
+            start = max(start, -view.planes[i].w / slope);
         } else if slope < 0.0 || view.planes[i].w < 0.0 {
-            endless = 0.0;
+            is_unbounded = 0.0;
         }
     }
-    return vec2<f32>(begin, endless);
+    return vec2<f32>(start, is_unbounded);
 }

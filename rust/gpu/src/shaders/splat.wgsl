@@ -60,9 +60,3 @@ const INNER: u32 = 2u;
 fn tile_columns() -> u32 {
     return (draw.size.x + TILE - 1u) / TILE;
 }
-
-// Converts a float to a number in the same order.
-fn ordered(value: f32) -> u32 {
-    let bits = bitcast<u32>(value);
-    return select(bits | 0x80000000u, ~bits, (bits & 0x80000000u) != 0u);
-}

@@ -36,7 +36,7 @@ fn lit(place: u32) -> Lit {
     return Lit(place, normal, albedo * irradiance(normal), albedo * irradiance(-normal));
 }
 
-fn put(at: u32, value: vec4<f32>) {
+fn store_color(at: u32, value: vec4<f32>) {
     let bits = bitcast<vec4<u32>>(value);
     found[at] = bits.x;
     found[at + 1u] = bits.y;
@@ -46,7 +46,7 @@ fn put(at: u32, value: vec4<f32>) {
 
 @compute @workgroup_size(GROUP)
 fn splat_resolve(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) local: u32) {
-    let pixel = (group.y * ROW + group.x) * GROUP + local;
+    let pixel = number_of(group, local);
     let grid = draw.size.w;
     let columns = draw.size.x / grid;
     if pixel >= columns * (draw.size.y / grid) {
@@ -63,9 +63,9 @@ fn splat_resolve(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocat
         return;
     }
     var sum = vec4<f32>(0.0);
-    var others = vec2<u32>(0u);
-    var last: Lit;
-    last.place = NONE;
+    var before_mask = vec2<u32>(0u);
+    var cached: Lit;
+    cached.place = NONE;
     for (var n = 0u; n < grid * grid; n++) {
         let sample = corner + vec2<u32>(n % grid, n / grid);
         let at = 2u * (sample.y * draw.size.x + sample.x);
@@ -73,20 +73,20 @@ fn splat_resolve(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocat
         let middle = vec2<f32>(sample + vec2<u32>(0u, draw.size.z)) + 0.5;
         let direction = draw.direction[0].xyz + draw.direction[1].xyz * middle.x + draw.direction[2].xyz * middle.y;
         if place != NONE {
-            if place != last.place {
-                last = lit(place);
+            if place != cached.place {
+                cached = lit(place);
             }
-            sum += vec4<f32>(select(last.front, last.back, dot(last.normal, direction) > 0.0), 1.0);
+            sum += vec4<f32>(select(cached.front, cached.back, dot(cached.normal, direction) > 0.0), 1.0);
         } else if keys[at + 1u] != 0u {
-            others |= select(vec2<u32>(1u << n, 0u), vec2<u32>(0u, 1u << (n & 31u)), n >= 32u);
+            before_mask |= select(vec2<u32>(1u << n, 0u), vec2<u32>(0u, 1u << (n & 31u)), n >= 32u);
             sum.w += 1.0;
         } else if draw.limits.z == 0u {
             sum += vec4<f32>(background(normalize(direction)), 0.0);
         }
     }
-    put(draw.outputs.x + 4u * pixel, sum / f32(grid * grid));
+    store_color(draw.outputs.x + 4u * pixel, sum / f32(grid * grid));
     if draw.outputs.y != NONE {
-        found[draw.outputs.y + 2u * pixel] = others.x;
-        found[draw.outputs.y + 2u * pixel + 1u] = others.y;
+        found[draw.outputs.y + 2u * pixel] = before_mask.x;
+        found[draw.outputs.y + 2u * pixel + 1u] = before_mask.y;
     }
 }

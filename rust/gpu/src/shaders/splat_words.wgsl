@@ -66,21 +66,21 @@ fn field(page: u32, first: u32, at: u32, width: u32) -> u32 {
 
 fn splat_of(page: u32, head: Head, lane: u32) -> Splat {
     let depth = head.widths & 31u;
-    let one = (head.widths >> 5u) & 15u;
-    let other = (head.widths >> 9u) & 15u;
+    let normal_x = (head.widths >> 5u) & 15u;
+    let normal_y = (head.widths >> 9u) & 15u;
     let red = (head.widths >> 13u) & 15u;
     let green = (head.widths >> 17u) & 15u;
     let blue = (head.widths >> 21u) & 15u;
     let kind = (head.widths >> 25u) & 3u;
-    var at = rank_of(head, lane) * (depth + one + other + red + green + blue + kind);
+    var at = rank_of(head, lane) * (depth + normal_x + normal_y + red + green + blue + kind);
     var splat: Splat;
     let rise = (i32(lane % BLOCK) * head.slopes.x + i32(lane / BLOCK) * head.slopes.y) >> FRACTION;
     splat.depth = u32(head.depth + rise + i32(field(page, head.first, at, depth)));
     at += depth;
-    splat.normal.x = head.normal.x + field(page, head.first, at, one);
-    at += one;
-    splat.normal.y = head.normal.y + field(page, head.first, at, other);
-    at += other;
+    splat.normal.x = head.normal.x + field(page, head.first, at, normal_x);
+    at += normal_x;
+    splat.normal.y = head.normal.y + field(page, head.first, at, normal_y);
+    at += normal_y;
     splat.color.x = (head.color & 255u) + field(page, head.first, at, red);
     at += red;
     splat.color.y = ((head.color >> 8u) & 255u) + field(page, head.first, at, green);

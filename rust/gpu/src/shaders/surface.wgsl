@@ -7,7 +7,7 @@ override SMOOTH: bool = true;
 override GLOWING: bool = true;
 
 fn texel_color(n: u32) -> vec4<f32> {
-    let at = place_of(n, batch.shifts.x);
+    let at = texel_position(n, batch.shifts.x);
     return vec4<f32>(textureLoad(texels, at.xy, at.z, 0)) * (1.0 / 65535.0);
 }
 

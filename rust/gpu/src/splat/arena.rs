@@ -1,14 +1,17 @@
 //! Device memory for views: pages of words, from which unreferenced and then least recently used views are evicted.
 
+use std::borrow::Cow;
 use std::collections::{HashMap, HashSet};
-use std::sync::{Arc, Weak};
+use std::sync::{Arc, Mutex, Weak};
 
-use nearfar_core::base::{Error, Result};
+use nearfar_core::base::{Error, Progress, Result};
 use nearfar_core::orthoview::splat::{Compressed, HEAD, Splats};
+use rayon::prelude::*;
 use wgpu::{Buffer, BufferUsages};
 
-use super::room::Room;
-use crate::device::{Counted, Device, Scope};
+use super::free_list::FreeList;
+use crate::compute::programs::Work;
+use crate::device::{Counter, Device, Scope, lock};
 
 /// Words of the pages; a pass binds all of them.
 const PAGES: [u64; 4] = [1 << 24, 1 << 26, 1 << 28, 1 << 28];
@@ -24,18 +27,18 @@ pub(super) type Words = HashMap<usize, Compressed>;
 #[derive(Default)]
 pub(super) struct Arena {
     pages: Vec<Page>,
-    known: HashMap<usize, Resident>,
+    residents: HashMap<usize, Resident>,
     /// Views of the last picture.
-    shown: HashSet<usize>,
+    last_picture: HashSet<usize>,
     /// Whether allocating another page has failed.
     is_full: bool,
     /// Number of calls so far.
-    now: u64,
+    calls: u64,
 }
 
 struct Page {
     buffer: Buffer,
-    room: Room,
+    free: FreeList,
 }
 
 struct Resident {
@@ -44,20 +47,21 @@ struct Resident {
     first: u32,
     words: u32,
     blocks: u32,
-    used: u64,
+    /// Number of the last call that used it.
+    last_call: u64,
 }
 
 impl Arena {
     /// Returns the locations of a picture's views; uploads those that are not on the device.
     pub fn show(&mut self, device: &Device, views: &[Arc<Splats>], compressed: &Words) -> Result<Vec<Place>> {
         self.begin();
-        self.shown = views.iter().map(identity).collect();
-        let wanted = self.shown.clone();
-        match self.place_all(device, views, compressed, &wanted) {
+        self.last_picture = views.iter().map(identity).collect();
+        let pinned = self.last_picture.clone();
+        match self.place_all(device, views, compressed, &pinned) {
             // Free space may be fragmented: retries with empty pages.
             Err(Error::Device(_)) if device.check().is_ok() => {
-                self.forget(|_| true);
-                self.place_all(device, views, compressed, &wanted)
+                self.evict(|_| true);
+                self.place_all(device, views, compressed, &pinned)
             }
             placed => placed,
         }
@@ -66,28 +70,27 @@ impl Arena {
     /// Uploads views before a picture shows them; those of the last picture stay.
     pub fn keep(&mut self, device: &Device, views: &[Arc<Splats>], compressed: &Words) -> Result<()> {
         self.begin();
-        let wanted = self.shown.iter().copied().chain(views.iter().map(identity)).collect();
-        self.place_all(device, views, compressed, &wanted).map(|_| ())
+        let pinned = self.last_picture.iter().copied().chain(views.iter().map(identity)).collect();
+        self.place_all(device, views, compressed, &pinned).map(|_| ())
     }
 
     /// Counts a call, and evicts unreferenced views.
     fn begin(&mut self) {
-        self.now += 1;
-        self.forget(|resident| resident.view.strong_count() == 0);
+        self.calls += 1;
+        self.evict(|resident| resident.view.strong_count() == 0);
     }
 
     /// Returns the views that are not on the device, without duplicates.
     pub fn missing(&self, views: &[Arc<Splats>]) -> Vec<Arc<Splats>> {
         let mut seen = HashSet::new();
-        let is_known = |view: &Arc<Splats>| {
-            self.known.get(&identity(view)).is_some_and(|resident| resident.view.strong_count() > 0)
+        let is_resident = |view: &Arc<Splats>| {
+            self.residents.get(&identity(view)).is_some_and(|resident| resident.view.strong_count() > 0)
         };
-        views.iter().filter(|view| !is_known(view) && seen.insert(identity(view))).cloned().collect()
+        views.iter().filter(|view| !is_resident(view) && seen.insert(identity(view))).cloned().collect()
     }
 
-    /// Returns the bytes of all views.
     pub fn bytes(&self) -> u64 {
-        self.known.values().map(|resident| WORD * u64::from(resident.words)).sum()
+        self.residents.values().map(|resident| WORD * u64::from(resident.words)).sum()
     }
 
     /// Returns the buffers of all pages, at least one.
@@ -103,46 +106,39 @@ impl Arena {
         device: &Device,
         views: &[Arc<Splats>],
         compressed: &Words,
-        wanted: &HashSet<usize>,
+        pinned: &HashSet<usize>,
     ) -> Result<Vec<Place>> {
-        let one = |view: &Arc<Splats>| {
+        let place = |view: &Arc<Splats>| {
             let key = identity(view);
-            if let Some(resident) = self.known.get_mut(&key) {
-                resident.used = self.now;
+            if let Some(resident) = self.residents.get_mut(&key) {
+                resident.last_call = self.calls;
                 return Ok(resident.place());
             }
-            let own;
-            let content = match compressed.get(&key) {
-                Some(content) => content,
-                None => {
-                    own = view.compressed();
-                    &own
-                }
-            };
-            let (page, first) = self.room(device, content.words.len() as u64, wanted)?;
-            let (buffer, at) = (&self.pages[page].buffer, WORD * u64::from(first));
+            let content = compressed.get(&key).map_or_else(|| Cow::Owned(view.compressed()), Cow::Borrowed);
+            let (words, blocks) = (content.words.len() as u32, content.blocks as u32);
+            let (page, first) = self.allocate(device, content.words.len() as u64, pinned)?;
+            let (buffer, offset) = (&self.pages[page].buffer, WORD * u64::from(first));
             let scope = Scope::open(device);
-            device.with_queue(|queue| queue.write_buffer(buffer, at, bytemuck::cast_slice(&content.words)));
+            device.with_queue(|queue| queue.write_buffer(buffer, offset, bytemuck::cast_slice(&content.words)));
             if let Err(error) = scope.close() {
-                self.pages[page].room.give_back(first, content.words.len() as u32);
+                self.pages[page].free.free(first, words);
                 return Err(error);
             }
-            device.count(Counted::UploadedBytes, WORD * content.words.len() as u64);
-            let (words, blocks) = (content.words.len() as u32, content.blocks as u32);
-            let resident = Resident { view: Arc::downgrade(view), page, first, words, blocks, used: self.now };
+            device.count(Counter::UploadedBytes, WORD * u64::from(words));
+            let resident = Resident { view: Arc::downgrade(view), page, first, words, blocks, last_call: self.calls };
             let place = resident.place();
-            self.known.insert(key, resident);
+            self.residents.insert(key, resident);
             Ok(place)
         };
-        views.iter().map(one).collect()
+        views.iter().map(place).collect()
     }
 
     /// Allocates words; returns the page and the first word.
-    fn room(&mut self, device: &Device, words: u64, wanted: &HashSet<usize>) -> Result<(usize, u32)> {
+    fn allocate(&mut self, device: &Device, words: u64, pinned: &HashSet<usize>) -> Result<(usize, u32)> {
         loop {
-            let take = |page: &mut Page| page.room.take(words as u32);
-            if let Some(found) = self.pages.iter_mut().enumerate().find_map(|(n, page)| Some((n, take(page)?))) {
-                return Ok(found);
+            let first_of = |page: &mut Page| page.free.allocate(words as u32);
+            if let Some(place) = self.pages.iter_mut().enumerate().find_map(|(n, page)| Some((n, first_of(page)?))) {
+                return Ok(place);
             }
             if !self.is_full && self.pages.len() < PAGES.len() && words <= device.largest_binding() / WORD {
                 let added = self.add_page(device, words);
@@ -151,28 +147,30 @@ impl Arena {
                 self.is_full = added.is_err();
                 continue;
             }
-            let spare = self.known.iter().filter(|(key, _)| !wanted.contains(key)).min_by_key(|(_, one)| one.used);
-            let Some((&key, _)) = spare else { return Err(too_many(device)) };
-            self.forget_keys(&HashSet::from([key]));
+            let unpinned = self.residents.iter().filter(|(key, _)| !pinned.contains(key));
+            let Some((&key, _)) = unpinned.min_by_key(|(_, resident)| resident.last_call) else {
+                return Err(device.error("the splats of this picture exceed its memory; use backend='cpu'"));
+            };
+            self.evict_keys(&[key]);
         }
     }
 
     fn add_page(&mut self, device: &Device, words: u64) -> Result<()> {
-        let most = device.largest_binding() / WORD;
-        let size = PAGES[self.pages.len()].min(most).max(words);
+        let limit = device.largest_binding() / WORD;
+        let size = PAGES[self.pages.len()].min(limit).max(words);
         let buffer = device.buffer("views", WORD * size, BufferUsages::STORAGE | BufferUsages::COPY_DST)?;
-        self.pages.push(Page { buffer, room: Room::new(size as u32) });
+        self.pages.push(Page { buffer, free: FreeList::new(size as u32) });
         Ok(())
     }
 
-    fn forget(&mut self, is_over: impl Fn(&Resident) -> bool) {
-        let over: HashSet<usize> = self.known.iter().filter(|(_, one)| is_over(one)).map(|(key, _)| *key).collect();
-        self.forget_keys(&over);
+    fn evict(&mut self, is_unused: impl Fn(&Resident) -> bool) {
+        let unused = self.residents.iter().filter(|(_, resident)| is_unused(resident));
+        self.evict_keys(&unused.map(|(key, _)| *key).collect::<Vec<_>>());
     }
 
-    fn forget_keys(&mut self, keys: &HashSet<usize>) {
-        for resident in keys.iter().filter_map(|key| self.known.remove(key)) {
-            self.pages[resident.page].room.give_back(resident.first, resident.words);
+    fn evict_keys(&mut self, keys: &[usize]) {
+        for resident in keys.iter().filter_map(|key| self.residents.remove(key)) {
+            self.pages[resident.page].free.free(resident.first, resident.words);
         }
     }
 }
@@ -184,11 +182,31 @@ impl Resident {
 }
 
 /// Returns a number that identifies a view while it is referenced.
-pub(super) fn identity(view: &Arc<Splats>) -> usize {
+fn identity(view: &Arc<Splats>) -> usize {
     Arc::as_ptr(view) as usize
 }
 
-fn too_many(device: &Device) -> Error {
-    let label = device.report().label();
-    Error::Device(format!("{label}: the splats of this picture exceed its memory; use backend='cpu'"))
+/// Returns the views on a device.
+pub(super) fn arena_of(device: &Device) -> &Mutex<Arena> {
+    device.state()
+}
+
+/// Packs the views that are not yet on a device into words. No lock is held during parallel work.
+pub(super) fn compress_missing(device: &Device, views: &[Arc<Splats>]) -> Words {
+    let missing = lock(arena_of(device)).missing(views);
+    missing.par_iter().map(|view| (identity(view), view.compressed())).collect()
+}
+
+/// Uploads views to a device before a picture shows them.
+pub fn keep(device: &Device, views: &[Arc<Splats>], progress: &Progress) -> Result<()> {
+    device.check()?;
+    let compressed = compress_missing(device, views);
+    lock(arena_of(device)).keep(device, views, &compressed)?;
+    // Until a submission, copies of the words stay in the processor's memory.
+    Work::new(device).submit(progress).map(|_| ())
+}
+
+/// Returns the bytes of the views on a device.
+pub fn kept_bytes(device: &Device) -> u64 {
+    lock(arena_of(device)).bytes()
 }

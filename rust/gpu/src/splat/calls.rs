@@ -14,43 +14,43 @@ pub(super) struct Call {
     /// Page of their views.
     pub page: u32,
     /// Whether it begins a batch.
-    pub begins: bool,
+    pub begins_batch: bool,
 }
 
 /// Returns the calls for pieces in order of distance, and sorts the pieces by page within their batches; `page_of`
 /// returns the page of a view.
 pub(super) fn calls(pieces: &mut [Piece], page_of: impl Fn(u32) -> u32) -> Vec<Call> {
-    let mut found = Vec::new();
+    let mut calls = Vec::new();
     for batch in batches(pieces) {
-        let own = &mut pieces[batch.start as usize..batch.end as usize];
-        own.sort_by_key(|piece| page_of(piece.view));
+        let batch_pieces = &mut pieces[batch.start as usize..batch.end as usize];
+        batch_pieces.sort_by_key(|piece| page_of(piece.view));
         let mut first = batch.start;
-        for group in own.chunk_by(|one, other| page_of(one.view) == page_of(other.view)) {
-            let after = first + group.len() as u32;
-            found.push(Call { pieces: first..after, page: page_of(group[0].view), begins: first == batch.start });
-            first = after;
+        for group in batch_pieces.chunk_by(|a, b| page_of(a.view) == page_of(b.view)) {
+            let end = first + group.len() as u32;
+            calls.push(Call { pieces: first..end, page: page_of(group[0].view), begins_batch: first == batch.start });
+            first = end;
         }
     }
-    found
+    calls
 }
 
 /// Divides pieces into batches at the fractions of the splats; the last batch has the rest.
 fn batches(pieces: &[Piece]) -> Vec<Range<u32>> {
     let total: u64 = pieces.iter().map(|piece| u64::from(piece.count)).sum();
-    let (mut found, mut drawn, mut start) = (Vec::new(), 0, 0);
+    let (mut batches, mut drawn, mut start) = (Vec::new(), 0, 0);
     let mut ends = BATCHES.iter().map(|power| total >> power).peekable();
     for (number, piece) in (1..).zip(pieces) {
         drawn += u64::from(piece.count);
         if ends.next_if(|end| drawn >= *end).is_some() {
             while ends.next_if(|end| drawn >= *end).is_some() {}
-            found.push(start..number);
+            batches.push(start..number);
             start = number;
         }
     }
     if (start as usize) < pieces.len() {
-        found.push(start..pieces.len() as u32);
+        batches.push(start..pieces.len() as u32);
     }
-    found
+    batches
 }
 
 #[cfg(test)]
@@ -82,7 +82,7 @@ mod tests {
         for call in &found {
             assert!(call.pieces.clone().all(|n| own[n as usize].view % 3 / 2 == call.page));
         }
-        let begins: Vec<u32> = found.iter().filter(|call| call.begins).map(|call| call.pieces.start).collect();
+        let begins: Vec<u32> = found.iter().filter(|call| call.begins_batch).map(|call| call.pieces.start).collect();
         assert_eq!(begins, [0, 2, 4, 8, 16]);
         let mut seen: Vec<u32> = own[16..].iter().map(|piece| piece.view).collect();
         seen.sort_unstable();

@@ -2,16 +2,16 @@
 
 use std::ops::Range;
 
+use nearfar_core::base::Result;
 use nearfar_core::base::memory::room_for;
-use nearfar_core::base::{Error, Result};
 use nearfar_core::orthoview::splat::{Found, Plan};
 
 use crate::device::Device;
 
 /// Bytes of a sample's key.
-pub(super) const KEY: u64 = 8;
+pub(super) const KEY_BYTES: u64 = 8;
 /// Maximum bytes of a band's keys.
-const BAND: u64 = 1 << 28;
+const MAX_BAND_BYTES: u64 = 1 << 28;
 /// Offset of an image that is not requested.
 const NONE: u32 = u32::MAX;
 /// Words per pixel: colours, samples that show `before`, the centre's key.
@@ -25,7 +25,7 @@ pub(super) struct Layout {
     /// Rows of pixels per band.
     pub rows: u32,
     /// Flags of the requested images.
-    wanted: [bool; 3],
+    is_requested: [bool; 3],
 }
 
 impl Layout {
@@ -34,24 +34,21 @@ impl Layout {
         let picture = plan.picture();
         let (grid, size) = (picture.grid, [picture.camera.width, picture.camera.height]);
         let colored = picture.channels.any_sampled();
-        let wanted = [colored, colored && picture.before.is_some(), picture.channels.any_surface()];
-        let words: u32 = WORDS.iter().zip(wanted).filter(|(_, wanted)| *wanted).map(|(words, _)| words).sum();
-        let row = u64::from(size[0]) * (KEY * u64::from(grid * grid)).max(4 * u64::from(words));
-        let most = BAND.min(device.largest_binding());
-        if row > most {
-            let label = device.report().label();
-            return Err(Error::Device(format!("{label}: a row of {} pixels does not fit; use backend='cpu'", size[0])));
+        let is_requested = [colored, colored && picture.before.is_some(), picture.channels.any_surface()];
+        let layout = Self { size, grid, rows: 0, is_requested };
+        let output_bytes = 4 * u64::from(layout.outputs(1).1);
+        let row_bytes = u64::from(size[0]) * (KEY_BYTES * u64::from(grid * grid)).max(output_bytes);
+        let max_bytes = MAX_BAND_BYTES.min(device.largest_binding());
+        if row_bytes > max_bytes {
+            return Err(device.error(format!("a row of {} pixels does not fit; use backend='cpu'", size[0])));
         }
-        room_for(4 * u64::from(words) * u64::from(size[0]) * u64::from(size[1]))?;
-        let pieces = size_of_val(&*plan.pieces) as u64;
-        if pieces > device.largest_binding() {
-            let label = device.report().label();
-            return Err(Error::Device(format!(
-                "{label}: large splats take {pieces} bytes, more than its limit; use backend='cpu'"
-            )));
+        room_for(output_bytes * u64::from(size[0]) * u64::from(size[1]))?;
+        let bytes = size_of_val(&*plan.pieces) as u64;
+        if bytes > device.largest_binding() {
+            let message = format!("large splats take {bytes} bytes, more than its limit; use backend='cpu'");
+            return Err(device.error(message));
         }
-        let rows = (most / row).min(u64::from(size[1])) as u32;
-        Ok(Self { size, grid, rows, wanted })
+        Ok(Self { rows: (max_bytes / row_bytes).min(u64::from(size[1])) as u32, ..layout })
     }
 
     /// Returns the rows of pixels of each band.
@@ -62,13 +59,13 @@ impl Layout {
 
     /// Returns the first word of each image for some pixels, and the total number of words.
     pub fn outputs(&self, pixels: u32) -> ([u32; 3], u32) {
-        let mut next = 0;
-        let place = |n: usize| {
-            let first = next;
-            next += if self.wanted[n] { WORDS[n] * pixels } else { 0 };
-            if self.wanted[n] { first } else { NONE }
+        let mut end = 0;
+        let first_word = |n: usize| {
+            let first = end;
+            end += if self.is_requested[n] { WORDS[n] * pixels } else { 0 };
+            if self.is_requested[n] { first } else { NONE }
         };
-        ([0, 1, 2].map(place), next)
+        ([0, 1, 2].map(first_word), end)
     }
 }
 
@@ -83,28 +80,28 @@ impl Images {
     /// Creates empty images.
     pub fn new(layout: &Layout) -> Self {
         let pixels = layout.size[0] as usize * layout.size[1] as usize;
-        let room = |n: usize| if layout.wanted[n] { pixels } else { 0 };
+        let [colors, others, middles] = layout.is_requested.map(|requested| if requested { pixels } else { 0 });
         Self {
-            colors: Vec::with_capacity(room(0)),
-            others: Vec::with_capacity(room(1)),
-            middles: Vec::with_capacity(room(2)),
+            colors: Vec::with_capacity(colors),
+            others: Vec::with_capacity(others),
+            middles: Vec::with_capacity(middles),
         }
     }
 
     /// Adds a band's results.
     pub fn add(&mut self, layout: &Layout, pixels: u32, words: &[u32]) {
-        let ([colors, others, middles], _) = layout.outputs(pixels);
-        let part = |first: u32, n: usize| {
-            let length = if first == NONE { 0 } else { WORDS[n] * pixels };
-            &words[if first == NONE { 0 } else { first } as usize..][..length as usize]
+        let (firsts, _) = layout.outputs(pixels);
+        let image = |n: usize| match firsts[n] {
+            NONE => &[],
+            first => &words[first as usize..][..(WORDS[n] * pixels) as usize],
         };
-        self.colors.extend_from_slice(bytemuck::cast_slice(part(colors, 0)));
-        self.others.extend_from_slice(bytemuck::cast_slice(part(others, 1)));
-        self.middles.extend_from_slice(bytemuck::cast_slice(part(middles, 2)));
+        self.colors.extend_from_slice(bytemuck::cast_slice(image(0)));
+        self.others.extend_from_slice(bytemuck::cast_slice(image(1)));
+        self.middles.extend_from_slice(bytemuck::cast_slice(image(2)));
     }
 
     /// Returns the complete images.
-    pub fn whole(&self) -> Found<'_> {
+    pub fn as_found(&self) -> Found<'_> {
         Found { colors: &self.colors, others: &self.others, middles: &self.middles }
     }
 }

@@ -8,11 +8,9 @@
 mod arena;
 mod calls;
 mod draw;
+mod free_list;
 mod layout;
 mod programs;
-mod residents;
-mod room;
-mod uniforms;
 
+pub use arena::{keep, kept_bytes};
 pub use draw::draw;
-pub use residents::{keep, kept_bytes};

@@ -18,7 +18,6 @@ const KEY_32: &str = include_str!("../shaders/splat_key32.wgsl");
 const TILES: &str = include_str!("../shaders/splat_tiles.wgsl");
 const RESOLVE: &str = include_str!("../shaders/splat_resolve.wgsl");
 
-/// A kernel.
 #[derive(Clone, Copy)]
 pub(super) enum Kernel {
     /// Draws pieces of views in one page.

@@ -1,13 +1,12 @@
 //! Materials on the device: tables of materials and textures, and all mip levels as texels of linear light.
 
-use half::f16;
 use nearfar_core::base::{Error, Result};
 use nearfar_core::scene::srgb::linear_from_srgb;
 use nearfar_core::scene::{Alpha, Material, Scene, Texture};
 use rayon::prelude::*;
 use wgpu::{BufferUsages, TextureFormat};
 
-use super::Texels;
+use super::texels::Texels;
 use crate::device::Device;
 
 /// Words of a material and of a texture in their tables.
@@ -16,7 +15,6 @@ const TEXTURE_WORDS: usize = 8;
 /// Texture number of a material without a texture.
 const NONE: u32 = u32::MAX;
 
-/// Materials and textures of a scene.
 pub(crate) struct MaterialTable {
     pub materials: wgpu::Buffer,
     pub textures: wgpu::Buffer,
@@ -30,21 +28,19 @@ pub(crate) struct MaterialTable {
 impl MaterialTable {
     pub fn new(device: &Device, scene: &Scene) -> Result<Self> {
         // The last material is for faces without one.
-        let materials: Vec<u32> =
-            scene.materials.iter().chain([&Material::default()]).flat_map(material_words).collect();
+        let materials: Vec<_> = scene.materials.iter().chain([&Material::default()]).map(material_words).collect();
         let has_cutouts = scene.has_cutouts();
         let mut used = vec![false; scene.textures.len()];
         scene.materials.iter().flat_map(Material::textures).for_each(|texture| used[texture as usize] = true);
-        let mut table = Vec::new();
+        let mut table: Vec<[u32; TEXTURE_WORDS]> = Vec::new();
         let mut count = 0u64;
-        for (texture, used) in scene.textures.iter().zip(&used) {
-            let size = if *used { levels_size(texture) } else { 0 };
-            let coarse = count + u64::from(texture.width) * u64::from(texture.height);
+        for (texture, &used) in scene.textures.iter().zip(&used) {
+            let size = if used { levels_size(texture) } else { 0 };
+            let finest_size = u64::from(texture.width) * u64::from(texture.height);
+            let coarse = count + finest_size;
             let cutout = if has_cutouts { count + size } else { coarse };
-            let entry = [count as u32, coarse as u32, cutout as u32, texture.width, texture.height, 0, 0, 0];
-            table.extend::<[u32; TEXTURE_WORDS]>(entry);
-            let cutout_size = size - if *used { coarse - count } else { 0 };
-            count += size + if has_cutouts { cutout_size } else { 0 };
+            table.push([count as u32, coarse as u32, cutout as u32, texture.width, texture.height, 0, 0, 0]);
+            count += size + if used && has_cutouts { size - finest_size } else { 0 };
         }
         let texels = Texels::new(device, "texels", TextureFormat::Rgba16Uint, 8, count)?;
         let mut all: Vec<[u16; 4]> = Vec::new();
@@ -97,18 +93,11 @@ fn push_finest(texture: &Texture, all: &mut Vec<[u16; 4]>) {
     let texel = |&[r, g, b, a]: &[u8; 4]| {
         [linear[usize::from(r)], linear[usize::from(g)], linear[usize::from(b)], u16::from(a) * 257]
     };
-    let texels: Vec<[u16; 4]> = texture.texels.par_iter().map(texel).collect();
-    all.extend(texels);
+    all.par_extend(texture.texels.par_iter().map(texel));
 }
 
 fn push_coarser(texture: &Texture, cutout: bool, all: &mut Vec<[u16; 4]>) {
     for level in texture.coarser(cutout) {
         all.extend(level.texels.iter().map(|&[r, g, b]| [r, g, b, u16::MAX]));
     }
-}
-
-/// Converts linear light to half floats, clamped to their maximum finite value.
-pub(super) fn half_rgba([r, g, b]: [f32; 3]) -> [f16; 4] {
-    let half = |x: f32| f16::from_f32(x.min(65504.0));
-    [half(r), half(g), half(b), f16::ONE]
 }

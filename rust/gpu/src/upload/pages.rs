@@ -7,11 +7,10 @@ use nearfar_core::base::{Aabb, Error, Result};
 use nearfar_core::scene::Mesh;
 use wgpu::BufferUsages;
 
+use super::page_allocator::PageAllocator;
 use super::runs::{NONE, Run, gathered, runs_of};
-use super::shelf::Shelf;
-use crate::device::{Counted, Device, Scope};
+use crate::device::{Counter, Device, Scope};
 
-/// Bytes per word.
 const WORD: u64 = 4;
 
 /// A buffer of meshes.
@@ -41,82 +40,75 @@ pub(crate) struct Part {
 pub(crate) type Parts = Arc<Vec<Part>>;
 
 /// Writes meshes to pages, first to those with space. Returns a list of parts for each mesh, in order of faces.
-pub(crate) fn pack(device: &Device, meshes: &[Arc<Mesh>], shelf: &Shelf<Page>) -> Result<Vec<Vec<Part>>> {
+pub(crate) fn pack(device: &Device, meshes: &[Arc<Mesh>], allocator: &PageAllocator<Page>) -> Result<Vec<Vec<Part>>> {
     let limit = device.largest_binding() / WORD;
-    let own = meshes.iter().map(|mesh| gathered(mesh, limit)).collect::<Result<Vec<_>>>()?;
-    let mut runs: Vec<(usize, u32, Run<'_>)> = Vec::new();
-    for (number, mesh) in meshes.iter().enumerate() {
-        match &own[number] {
-            None => {
-                runs.extend(runs_of(mesh, limit).into_iter().flatten().map(|run| (number, run.faces.start as u32, run)))
-            }
-            Some(pieces) => {
-                let mut first = 0;
-                for piece in pieces {
-                    let count = piece.faces.len();
-                    runs.push((
-                        number,
-                        first,
-                        Run { mesh: piece, faces: 0..count, vertices: 0..piece.positions.len() },
-                    ));
-                    first += count as u32;
-                }
-            }
+    let gathered = meshes.iter().map(|mesh| gathered(mesh, limit)).collect::<Result<Vec<_>>>()?;
+    let mut runs: Vec<MeshRun<'_>> = Vec::new();
+    for (number, (mesh, pieces)) in meshes.iter().zip(&gathered).enumerate() {
+        let Some(pieces) = pieces else {
+            runs.extend(runs_of(mesh, limit).into_iter().flatten().map(|run| (number, run.faces.start as u32, run)));
+            continue;
+        };
+        let mut first_face = 0;
+        for piece in pieces {
+            runs.push((number, first_face, Run::whole(piece)));
+            first_face += piece.faces.len() as u32;
         }
     }
     let mut parts: Vec<Vec<Part>> = vec![Vec::new(); meshes.len()];
-    let mut rest = &runs[..];
-    while !rest.is_empty() {
+    let mut remaining = &runs[..];
+    while !remaining.is_empty() {
         let mut size = 0;
-        let fitting = rest.iter().take_while(|(_, _, run)| {
+        let fitting = remaining.iter().take_while(|(_, _, run)| {
             size += run.words();
             size <= limit
         });
-        let (mine, others) = rest.split_at(fitting.count().max(1));
-        place(device, mine, shelf, limit, &mut parts)?;
-        rest = others;
+        let (fitting, others) = remaining.split_at(fitting.count().max(1));
+        write_to_page(device, fitting, allocator, limit, &mut parts)?;
+        remaining = others;
     }
     Ok(parts)
 }
 
+/// Number of a mesh, and a run of its faces from a first one on.
+type MeshRun<'a> = (usize, u32, Run<'a>);
+
 /// Writes runs to a page with space, or else to a new page.
-fn place(
+fn write_to_page(
     device: &Device,
-    runs: &[(usize, u32, Run<'_>)],
-    shelf: &Shelf<Page>,
+    runs: &[MeshRun<'_>],
+    allocator: &PageAllocator<Page>,
     limit: u64,
     parts: &mut [Vec<Part>],
 ) -> Result<()> {
     let words: u64 = runs.iter().map(|(_, _, run)| run.words()).sum();
-    if let Some((page, start)) = shelf.take(words) {
-        write(runs, &page, start, parts, |at, bytes| {
+    if let Some((page, start)) = allocator.allocate(words) {
+        write(runs, &page, start, parts, |offset, bytes| {
             let scope = Scope::open(device);
-            device.with_queue(|queue| queue.write_buffer(&page.buffer, at, bytes));
+            device.with_queue(|queue| queue.write_buffer(&page.buffer, offset, bytes));
             scope.close()
         })?;
     } else {
-        let size = shelf.size_of_new(words, limit);
+        let size = allocator.size_of_new(words, limit);
         let usage = BufferUsages::STORAGE | BufferUsages::COPY_DST;
         let buffer = device.mapped_buffer("page", size * WORD, usage)?;
-        let page = Arc::new(Page { buffer, number: shelf.next_number() });
-        {
-            let whole = page.buffer.get_mapped_range_mut(..);
-            let mut view = whole.map_err(|error| device.failure(&error))?;
-            write(runs, &page, 0, parts, |at, bytes| {
-                view.slice(at as usize..at as usize + bytes.len()).copy_from_slice(bytes);
-                Ok(())
-            })?;
-        }
+        let page = Arc::new(Page { buffer, number: allocator.next_number() });
+        let mut view = page.buffer.get_mapped_range_mut(..).map_err(|error| device.failure(error))?;
+        write(runs, &page, 0, parts, |offset, bytes| {
+            view.slice(offset as usize..offset as usize + bytes.len()).copy_from_slice(bytes);
+            Ok(())
+        })?;
+        drop(view);
         page.buffer.unmap();
-        shelf.put(&page, words, size);
+        allocator.keep_open(&page, words, size);
     }
-    device.count(Counted::UploadedBytes, words * WORD);
+    device.count(Counter::UploadedBytes, words * WORD);
     Ok(())
 }
 
 /// Calls `put` with the bytes of each run, consecutively from the word `start` of a page, and lists their parts.
 fn write(
-    runs: &[(usize, u32, Run<'_>)],
+    runs: &[MeshRun<'_>],
     page: &Arc<Page>,
     mut start: u64,
     parts: &mut [Vec<Part>],

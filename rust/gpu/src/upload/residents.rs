@@ -1,19 +1,19 @@
 //! Meshes and scenes on the device, by identity; unreferenced ones are dropped.
 
 use std::collections::{HashMap, HashSet};
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError, Weak};
+use std::sync::{Arc, Mutex, Weak};
 
 use glam::DVec3;
 use nearfar_core::base::Result;
 use nearfar_core::scene::{Material, Mesh, Scene, Texture};
 use wgpu::BufferUsages;
 
-use super::environment::EnvTexels;
 use super::materials::MaterialTable;
+use super::page_allocator::PageAllocator;
 use super::pages::{Page, Parts, pack};
-use super::shelf::Shelf;
-use super::tables::{Key, SceneTables};
-use crate::device::Device;
+use super::tables::{Key, SceneTables, is_same};
+use super::texels::EnvTexels;
+use crate::device::{Device, lock};
 
 /// Maximum number of scenes with cached tables: each selection of moving objects is a separate scene.
 const MAX_SCENES: usize = 64;
@@ -25,8 +25,16 @@ type MaterialKey = (Weak<Vec<Material>>, Weak<Vec<Texture>>);
 #[derive(Default)]
 pub(crate) struct Residents {
     known: Mutex<Known>,
-    shelf: Shelf<Page>,
+    allocator: PageAllocator<Page>,
     placeholders: Mutex<Option<Arc<Placeholders>>>,
+}
+
+#[derive(Default)]
+struct Known {
+    meshes: HashMap<usize, (Weak<Mesh>, Parts)>,
+    scenes: Vec<(Key, Arc<SceneTables>)>,
+    /// Material tables by their lists' identities: derived scenes share them.
+    materials: Vec<(MaterialKey, Arc<MaterialTable>)>,
 }
 
 impl Known {
@@ -39,27 +47,15 @@ impl Known {
     }
 
     fn materials_of(&self, scene: &Scene) -> Option<Arc<MaterialTable>> {
-        let is_of = |key: &MaterialKey| {
-            std::ptr::eq(key.0.as_ptr(), Arc::as_ptr(&scene.materials))
-                && std::ptr::eq(key.1.as_ptr(), Arc::as_ptr(&scene.textures))
-        };
+        let is_of = |key: &MaterialKey| is_same(&key.0, &scene.materials) && is_same(&key.1, &scene.textures);
         self.materials.iter().find(|(key, _)| is_of(key)).map(|(_, table)| Arc::clone(table))
     }
 
     /// Returns a scene's tables and marks them as most recently used.
     fn tables_of(&mut self, scene: &Scene) -> Option<Arc<SceneTables>> {
-        let found = self.scenes.iter().position(|(key, _)| key.is_of(scene))?;
-        let entry = self.scenes.remove(found);
-        let tables = Arc::clone(&entry.1);
-        self.scenes.push(entry);
-        Some(tables)
-    }
-
-    fn keep(&mut self, scene: &Scene, tables: &Arc<SceneTables>) {
-        if self.scenes.len() == MAX_SCENES {
-            self.scenes.remove(0);
-        }
-        self.scenes.push((Key::new(scene), Arc::clone(tables)));
+        let index = self.scenes.iter().position(|(key, _)| key.is_of(scene))?;
+        self.scenes[index..].rotate_left(1);
+        self.scenes.last().map(|(_, tables)| Arc::clone(tables))
     }
 
     /// Returns the meshes that are not on the device, without duplicates.
@@ -78,14 +74,6 @@ pub(crate) struct Placeholders {
     pub map: EnvTexels,
 }
 
-#[derive(Default)]
-struct Known {
-    meshes: HashMap<usize, (Weak<Mesh>, Parts)>,
-    scenes: Vec<(Key, Arc<SceneTables>)>,
-    /// Material tables by their lists' identities: derived scenes share them.
-    materials: Vec<(MaterialKey, Arc<MaterialTable>)>,
-}
-
 impl Residents {
     /// Returns a scene's tables, shared by all of its poses. Uploads meshes and materials that the device lacks.
     ///
@@ -94,16 +82,16 @@ impl Residents {
     pub fn scene(&self, device: &Device, scene: &Scene) -> Result<Arc<SceneTables>> {
         device.check()?;
         let missing = {
-            let mut known = self.lock_known();
+            let mut known = lock(&self.known);
             known.purge();
             if let Some(tables) = known.tables_of(scene) {
                 return Ok(tables);
             }
             known.missing_of(scene)
         };
-        let packed = pack(device, &missing, &self.shelf)?;
+        let packed = pack(device, &missing, &self.allocator)?;
         let parts: HashMap<usize, Parts> = {
-            let mut known = self.lock_known();
+            let mut known = lock(&self.known);
             for (mesh, parts) in missing.iter().zip(packed) {
                 known.meshes.entry(address(mesh)).or_insert_with(|| (Arc::downgrade(mesh), Arc::new(parts)));
             }
@@ -115,20 +103,23 @@ impl Residents {
         let parts_of = |mesh: &Arc<Mesh>| parts.get(&address(mesh)).cloned().unwrap_or_default();
         let materials = self.materials(device, scene)?;
         let tables = Arc::new(SceneTables::new(device, scene, materials, parts_of)?);
-        let mut known = self.lock_known();
+        let mut known = lock(&self.known);
         if let Some(earlier) = known.tables_of(scene) {
             return Ok(earlier);
         }
-        known.keep(scene, &tables);
+        if known.scenes.len() == MAX_SCENES {
+            known.scenes.remove(0);
+        }
+        known.scenes.push((Key::new(scene), Arc::clone(&tables)));
         Ok(tables)
     }
 
     fn materials(&self, device: &Device, scene: &Scene) -> Result<Arc<MaterialTable>> {
-        if let Some(table) = self.lock_known().materials_of(scene) {
+        if let Some(table) = lock(&self.known).materials_of(scene) {
             return Ok(table);
         }
         let table = Arc::new(MaterialTable::new(device, scene)?);
-        let mut known = self.lock_known();
+        let mut known = lock(&self.known);
         if let Some(earlier) = known.materials_of(scene) {
             return Ok(earlier);
         }
@@ -137,25 +128,21 @@ impl Residents {
         Ok(table)
     }
 
-    fn lock_known(&self) -> MutexGuard<'_, Known> {
-        self.known.lock().unwrap_or_else(PoisonError::into_inner)
-    }
-
     /// Returns the device's placeholders.
     pub fn placeholders(&self, device: &Device) -> Result<Arc<Placeholders>> {
-        let mut known = self.placeholders.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(made) = &*known {
-            return Ok(Arc::clone(made));
+        let mut created = lock(&self.placeholders);
+        if let Some(placeholders) = &*created {
+            return Ok(Arc::clone(placeholders));
         }
         let empty = Scene::new(DVec3::ZERO, Vec::new(), Vec::new(), Arc::default(), Arc::default())?;
         let materials = Arc::new(MaterialTable::new(device, &empty)?);
-        let made = Arc::new(Placeholders {
+        let placeholders = Arc::new(Placeholders {
             tables: Arc::new(SceneTables::new(device, &empty, materials, |_| Parts::default())?),
             page: Page { buffer: device.buffer("page", 0, BufferUsages::STORAGE)?, number: u64::from(u32::MAX) },
             map: EnvTexels::new(device, None)?,
         });
-        *known = Some(Arc::clone(&made));
-        Ok(made)
+        *created = Some(Arc::clone(&placeholders));
+        Ok(placeholders)
     }
 }
 

@@ -19,14 +19,18 @@ pub(super) struct Run<'a> {
     pub vertices: Range<usize>,
 }
 
-impl Run<'_> {
+impl<'a> Run<'a> {
+    /// Returns all faces of a mesh.
+    pub fn whole(mesh: &'a Mesh) -> Self {
+        Self { mesh, faces: 0..mesh.faces.len(), vertices: 0..mesh.positions.len() }
+    }
+
     /// Returns the number of words of all its arrays.
     pub fn words(&self) -> u64 {
         let (vertices, faces) = (self.vertices.len() as u64, self.faces.len() as u64);
-        let [uvs, colors, normals] =
-            [self.mesh.uvs.is_some(), self.mesh.colors.is_some(), self.mesh.normals.is_some()].map(u64::from);
-        let per_vertex = 3 + 2 * uvs + colors + 3 * normals;
-        vertices * per_vertex + faces * (3 + u64::from(self.uniform_material().is_none()))
+        let flags = [self.mesh.uvs.is_some(), self.mesh.colors.is_some(), self.mesh.normals.is_some()];
+        let [uvs, colors, normals] = flags.map(u64::from);
+        vertices * (3 + 2 * uvs + colors + 3 * normals) + faces * (3 + u64::from(self.uniform_material().is_none()))
     }
 
     /// Returns the material of all faces, if they share one.
@@ -40,10 +44,10 @@ impl Run<'_> {
     /// Returns the first word of each array, relative to the run, and the number of words.
     pub fn layout(&self) -> ([u32; 6], u64) {
         let (vertices, faces) = (self.vertices.len() as u32, self.faces.len() as u32);
-        let mut at = 3 * vertices + 3 * faces;
+        let mut end = 3 * vertices + 3 * faces;
         let mut section = |present: bool, words: u32| {
-            let start = if present { at } else { NONE };
-            at += if present { words } else { 0 };
+            let start = if present { end } else { NONE };
+            end += if present { words } else { 0 };
             start
         };
         let uvs = section(self.mesh.uvs.is_some(), 2 * vertices);
@@ -80,30 +84,30 @@ impl Run<'_> {
     /// Returns the boxes of `CHUNK` faces each, in the mesh's frame.
     pub fn chunk_boxes(&self) -> Arc<[Aabb]> {
         let faces = &self.mesh.faces[self.faces.clone()];
-        let of_chunk = |faces: &[[u32; 3]]| {
+        let box_of = |faces: &[[u32; 3]]| {
             let mut bounds = Aabb::EMPTY;
             faces.as_flattened().iter().for_each(|&vertex| bounds.extend(self.mesh.positions[vertex as usize].into()));
             bounds
         };
-        faces.par_chunks(CHUNK).map(of_chunk).collect::<Vec<_>>().into()
+        faces.par_chunks(CHUNK).map(box_of).collect::<Vec<_>>().into()
     }
 }
 
 /// Splits a mesh into runs of faces that each fit into a page together with the range of vertices that they use;
 /// `None` if a range is too large.
 pub(super) fn runs_of(mesh: &Mesh, limit: u64) -> Option<Vec<Run<'_>>> {
-    let whole = Run { mesh, faces: 0..mesh.faces.len(), vertices: 0..mesh.positions.len() };
+    let whole = Run::whole(mesh);
     if mesh.faces.is_empty() {
         return Some(Vec::new());
     }
     if whole.words() <= limit {
         return Some(vec![whole]);
     }
-    let fewest = whole.words().div_ceil(limit) as usize;
-    [fewest, 2 * fewest, 4 * fewest].into_iter().find_map(|count| {
-        let each = mesh.faces.len().div_ceil(count);
-        let runs = (0..mesh.faces.len()).step_by(each).map(|start| {
-            let faces = start..(start + each).min(mesh.faces.len());
+    let min_count = whole.words().div_ceil(limit) as usize;
+    [min_count, 2 * min_count, 4 * min_count].into_iter().find_map(|count| {
+        let faces_per_run = mesh.faces.len().div_ceil(count);
+        let runs = (0..mesh.faces.len()).step_by(faces_per_run).map(|start| {
+            let faces = start..(start + faces_per_run).min(mesh.faces.len());
             let used = mesh.faces[faces.clone()].as_flattened();
             let ends = used.par_iter().fold(|| (u32::MAX, 0), |(a, b), &v| (a.min(v), b.max(v)));
             let (first, last) = ends.reduce(|| (u32::MAX, 0), |a, b| (a.0.min(b.0), a.1.max(b.1)));
@@ -120,14 +124,10 @@ pub(super) fn gathered(mesh: &Arc<Mesh>, limit: u64) -> Result<Option<Vec<Arc<Me
         return Ok(None);
     }
     // A face has at most three unshared vertices with all attributes: 3 × (3 + 2 + 1 + 3) + 4 words.
-    let each = (limit / 31).max(1) as usize;
-    let faces = 0..mesh.faces.len() as u32;
-    let starts: Vec<u32> = faces.clone().step_by(each).collect();
-    let piece = |&start: &u32| {
-        let chosen: Vec<u32> = (start..faces.end.min(start + each as u32)).collect();
-        mesh.selected(&chosen, &Progress::new()).map(Arc::new)
-    };
-    starts.iter().map(piece).collect::<Result<_>>().map(Some)
+    let faces_per_piece = (limit / 31).max(1) as usize;
+    let faces: Vec<u32> = (0..mesh.faces.len() as u32).collect();
+    let piece = |faces: &[u32]| mesh.selected(faces, &Progress::new()).map(Arc::new);
+    faces.chunks(faces_per_piece).map(piece).collect::<Result<_>>().map(Some)
 }
 
 #[cfg(test)]
@@ -187,7 +187,7 @@ mod tests {
         assert!(runs_of(&mesh, limit).is_none());
         let pieces = gathered(&mesh, limit).unwrap().unwrap();
         let read_piece = |piece: &Arc<Mesh>| {
-            let run = Run { mesh: piece, faces: 0..piece.faces.len(), vertices: 0..piece.positions.len() };
+            let run = Run::whole(piece);
             assert!(run.words() <= limit);
             read(&run)
         };

@@ -1,4 +1,5 @@
-//! Tables of a scene on the device: parts of its meshes, materials, and instances as records.
+//! Tables of a scene on the device: parts of its meshes, materials, and instances as records (a transform and the part
+//! of the mesh that it places).
 
 use std::collections::HashMap;
 use std::sync::{Arc, Weak};
@@ -9,15 +10,19 @@ use wgpu::BufferUsages;
 
 use super::materials::MaterialTable;
 use super::pages::{Part, Parts};
-use super::records::{PART_WORD, RECORD_WORDS, Records, record_words};
 use crate::device::Device;
 
 /// Words of a part in its table.
 pub(crate) const PART_WORDS: usize = 8;
 
+/// Words of a record: three rows of a matrix mesh→scene, and the part.
+pub(crate) const RECORD_WORDS: usize = 16;
+/// Index of the part in a record.
+const PART_WORD: usize = 12;
+
 /// Cache key of a scene's tables; it does not include poses of moving instances.
 pub(super) struct Key {
-    standing: Weak<InstanceSet>,
+    static_set: Weak<InstanceSet>,
     materials: Weak<Vec<Material>>,
     textures: Weak<Vec<Texture>>,
     moving: Vec<Weak<Mesh>>,
@@ -26,7 +31,7 @@ pub(super) struct Key {
 impl Key {
     pub fn new(scene: &Scene) -> Self {
         Self {
-            standing: Arc::downgrade(&scene.standing),
+            static_set: Arc::downgrade(&scene.standing),
             materials: Arc::downgrade(&scene.materials),
             textures: Arc::downgrade(&scene.textures),
             moving: scene.moving.instances().iter().map(|instance| Arc::downgrade(&instance.mesh)).collect(),
@@ -34,19 +39,24 @@ impl Key {
     }
 
     pub fn is_alive(&self) -> bool {
-        self.standing.strong_count() > 0
+        self.static_set.strong_count() > 0
             && self.materials.strong_count() > 0
             && self.moving.iter().all(|mesh| mesh.strong_count() > 0)
     }
 
     pub fn is_of(&self, scene: &Scene) -> bool {
         let moving = scene.moving.instances();
-        std::ptr::eq(self.standing.as_ptr(), Arc::as_ptr(&scene.standing))
-            && std::ptr::eq(self.materials.as_ptr(), Arc::as_ptr(&scene.materials))
-            && std::ptr::eq(self.textures.as_ptr(), Arc::as_ptr(&scene.textures))
+        is_same(&self.static_set, &scene.standing)
+            && is_same(&self.materials, &scene.materials)
+            && is_same(&self.textures, &scene.textures)
             && self.moving.len() == moving.len()
-            && self.moving.iter().zip(moving).all(|(mesh, i)| std::ptr::eq(mesh.as_ptr(), Arc::as_ptr(&i.mesh)))
+            && self.moving.iter().zip(moving).all(|(mesh, instance)| is_same(mesh, &instance.mesh))
     }
+}
+
+/// Returns whether a reference is to an allocation.
+pub(super) fn is_same<T>(reference: &Weak<T>, allocation: &Arc<T>) -> bool {
+    std::ptr::eq(reference.as_ptr(), Arc::as_ptr(allocation))
 }
 
 /// Parts of an instance and their records in its set.
@@ -61,18 +71,16 @@ pub(crate) struct InstanceParts {
 pub(crate) struct SetTables {
     pub instances: Vec<InstanceParts>,
     /// Instance number in the set and first face of the part, for each record.
-    pub record_faces: Arc<Vec<(u32, u32)>>,
+    pub record_faces: Vec<(u32, u32)>,
     /// Part number of each record.
     parts: Vec<u32>,
 }
 
-/// Tables of a scene.
 pub(crate) struct SceneTables {
-    pub standing: SetTables,
-    pub moving: SetTables,
+    pub static_set: SetTables,
+    pub moving_set: SetTables,
     /// Records of the static instances; those of moving ones are uploaded with each pose.
     pub records: Vec<Records>,
-    /// Table of all parts.
     pub parts: wgpu::Buffer,
     part_words: Vec<u32>,
     /// Whether some mesh has vertex colours.
@@ -91,43 +99,46 @@ impl SceneTables {
     ) -> Result<Self> {
         let mut words: Vec<u32> = Vec::new();
         let default_material = scene.materials.len() as i32;
-        let mut known: HashMap<*const Mesh, (u32, Parts)> = HashMap::new();
+        let mut numbered: HashMap<*const Mesh, (u32, Parts)> = HashMap::new();
         let mut number_of = |mesh: &Arc<Mesh>| {
-            let numbered = known.entry(Arc::as_ptr(mesh)).or_insert_with(|| {
+            let number = || {
                 let (first, parts) = ((words.len() / PART_WORDS) as u32, parts_of(mesh));
                 parts.iter().for_each(|part| words.extend(part_words(part, default_material)));
                 (first, parts)
-            });
-            numbered.clone()
+            };
+            numbered.entry(Arc::as_ptr(mesh)).or_insert_with(number).clone()
         };
-        let [standing, moving] = scene.sets().map(|set| SetTables::new(set.instances(), &mut number_of));
-        let records = Records::standing(device, &standing.record_words(scene.standing.instances()))?;
-        let parts = device.filled_buffer("parts", &words, BufferUsages::STORAGE)?;
-        let colored = scene.instances().any(|instance| instance.mesh.colors.is_some());
-        let smooth = scene.instances().any(|instance| instance.mesh.normals.is_some());
-        Ok(Self { standing, moving, records, parts, part_words: words, colored, smooth, materials })
+        let [static_set, moving_set] = scene.sets().map(|set| SetTables::new(set.instances(), &mut number_of));
+        let record_words = static_set.record_words(scene.standing.instances());
+        Ok(Self {
+            static_set,
+            moving_set,
+            records: Records::of_static(device, &record_words)?,
+            parts: device.filled_buffer("parts", &words, BufferUsages::STORAGE)?,
+            part_words: words,
+            colored: scene.instances().any(|instance| instance.mesh.colors.is_some()),
+            smooth: scene.instances().any(|instance| instance.mesh.normals.is_some()),
+            materials,
+        })
     }
 
     /// Returns a record's part as in its table.
     pub fn part_of(&self, record: &[u32; RECORD_WORDS]) -> [u32; PART_WORDS] {
-        let start = record[PART_WORD] as usize * PART_WORDS;
-        std::array::from_fn(|i| self.part_words[start + i])
+        self.part_words.as_chunks().0[record[PART_WORD] as usize]
     }
 }
 
 impl SetTables {
     fn new(instances: &[Instance], number_of: &mut impl FnMut(&Arc<Mesh>) -> (u32, Parts)) -> Self {
-        let (mut placed, mut record_faces, mut numbers) = (Vec::new(), Vec::new(), Vec::new());
-        for (number, instance) in instances.iter().enumerate() {
-            let (first, parts) = number_of(&instance.mesh);
-            let first_record = record_faces.len() as u32;
-            for (i, part) in parts.iter().enumerate() {
-                record_faces.push((number as u32, part.first_face));
-                numbers.push(first + i as u32);
-            }
-            placed.push(InstanceParts { first_record, parts });
+        let mut set = Self { instances: Vec::new(), record_faces: Vec::new(), parts: Vec::new() };
+        for (instance, number) in instances.iter().zip(0..) {
+            let (first_part, parts) = number_of(&instance.mesh);
+            let first_record = set.record_faces.len() as u32;
+            set.record_faces.extend(parts.iter().map(|part| (number, part.first_face)));
+            set.parts.extend((first_part..).take(parts.len()));
+            set.instances.push(InstanceParts { first_record, parts });
         }
-        Self { instances: placed, record_faces: Arc::new(record_faces), parts: numbers }
+        set
     }
 
     /// Returns the records of all instances in their current poses.
@@ -135,7 +146,6 @@ impl SetTables {
         (0..self.parts.len()).flat_map(|record| self.record(instances, record)).collect()
     }
 
-    /// Returns one record.
     pub fn record(&self, instances: &[Instance], record: usize) -> [u32; RECORD_WORDS] {
         record_words(&instances[self.record_faces[record].0 as usize], self.parts[record])
     }
@@ -145,4 +155,34 @@ fn part_words(part: &Part, default_material: i32) -> [u32; PART_WORDS] {
     let [positions, faces, uvs, colors, materials, normals] = part.words;
     let material = if part.material < 0 { default_material } else { part.material };
     [positions, faces, uvs, colors, materials, material as u32, part.page.number as u32, normals]
+}
+
+/// Records of static instances that fit into one binding.
+pub(crate) struct Records {
+    pub buffer: Arc<wgpu::Buffer>,
+    /// First record of the set.
+    pub first: u32,
+    pub count: u32,
+}
+
+impl Records {
+    /// Uploads records in as many buffers as they need.
+    pub fn of_static(device: &Device, words: &[u32]) -> Result<Vec<Self>> {
+        let max_count = device.largest_binding() as usize / (4 * RECORD_WORDS);
+        let batches = words.chunks(max_count * RECORD_WORDS).enumerate().map(|(n, words)| {
+            let buffer = Arc::new(device.filled_buffer("records", words, BufferUsages::STORAGE)?);
+            Ok(Self { buffer, first: (n * max_count) as u32, count: (words.len() / RECORD_WORDS) as u32 })
+        });
+        batches.collect()
+    }
+}
+
+/// Returns a record of an instance and a part's number.
+fn record_words(instance: &Instance, part: u32) -> [u32; RECORD_WORDS] {
+    let (m, t) = (instance.to_scene.matrix3, instance.to_scene.translation);
+    let row = |i: usize| [m.x_axis[i], m.y_axis[i], m.z_axis[i], t[i]].map(|x| (x as f32).to_bits());
+    let mut words = [0; RECORD_WORDS];
+    words[..PART_WORD].copy_from_slice([0, 1, 2].map(row).as_flattened());
+    words[PART_WORD] = part;
+    words
 }

@@ -1,15 +1,18 @@
-//! Linear memory for texels: a texture array that shaders index by number.
+//! Linear memory for texels: a texture array that shaders index by number; environment maps in it.
 //!
 //! Buffer bindings are limited to 128 MiB on some adapters; a texture array is limited only to many gigabytes, and
 //! images of any size are stored in it without packing.
 
-use nearfar_core::base::{Error, Result};
+use half::f16;
+use nearfar_core::base::Result;
+use nearfar_core::cubemap::EnvironmentMap;
+use rayon::prelude::*;
 use wgpu::{
     Extent3d, TexelCopyBufferLayout, TextureAspect, TextureDescriptor, TextureDimension, TextureFormat, TextureUsages,
     TextureView, TextureViewDescriptor, TextureViewDimension,
 };
 
-use crate::device::{Counted, Device};
+use crate::device::{Counter, Device};
 
 /// Numbered texels of one format.
 pub(crate) struct Texels {
@@ -24,16 +27,14 @@ impl Texels {
     /// Allocates a number of texels of `bytes` each, at least one.
     pub fn new(device: &Device, label: &str, format: TextureFormat, bytes: u32, count: u64) -> Result<Self> {
         // OpenGL has no views: a texture of one layer is no array there.
-        let least = if device.report().backend == "gl" { 2 } else { 1 };
-        let side = (count.max(1).div_ceil(least) as f64).sqrt().ceil() as u64;
+        let min_layers = if device.report().backend == "gl" { 2 } else { 1 };
+        let side = (count.max(1).div_ceil(min_layers) as f64).sqrt().ceil() as u64;
         let shift = side.next_power_of_two().ilog2().min(device.limits.max_texture_dimension_2d.ilog2());
         let rows = count.max(1).div_ceil(1 << shift);
-        let layers = rows.div_ceil(1 << shift).max(least);
+        let layers = rows.div_ceil(1 << shift).max(min_layers);
         if layers > u64::from(device.limits.max_texture_array_layers) || count > u64::from(u32::MAX) {
-            let label = device.report().label();
-            let message =
-                format!("{label}: {count} texels are more than it addresses; try smaller textures, or backend='cpu'");
-            return Err(Error::Device(message));
+            let message = "texels are more than it addresses; try smaller textures, or backend='cpu'";
+            return Err(device.error(format!("{count} {message}")));
         }
         // OpenGL takes a square texture of six layers for a cube.
         let depth_or_array_layers = if layers == 6 { 7 } else { layers as u32 };
@@ -63,20 +64,20 @@ impl Texels {
     pub fn write(&self, device: &Device, first: u64, data: &[u8]) {
         let row = 1u64 << self.shift;
         debug_assert_eq!(first % row, 0);
-        let mut at = first;
-        let mut rest = data;
-        while !rest.is_empty() {
-            let texels = rest.len() as u64 / u64::from(self.bytes);
-            let line = (at >> self.shift) & (row - 1);
+        let mut next = first;
+        let mut remaining = data;
+        while !remaining.is_empty() {
+            let texels = remaining.len() as u64 / u64::from(self.bytes);
+            let y = (next >> self.shift) & (row - 1);
             // The remaining whole rows of the layer, or else the beginning of one row.
-            let rows = (texels >> self.shift).min(row - line);
+            let rows = (texels >> self.shift).min(row - y);
             let (width, height) = if rows > 0 { (row, rows) } else { (texels, 1) };
-            let layer = (at >> (2 * self.shift)) as u32;
+            let layer = (next >> (2 * self.shift)) as u32;
             let size = (width * height * u64::from(self.bytes)) as usize;
             let target = wgpu::TexelCopyTextureInfo {
                 texture: &self.texture,
                 mip_level: 0,
-                origin: wgpu::Origin3d { x: 0, y: line as u32, z: layer },
+                origin: wgpu::Origin3d { x: 0, y: y as u32, z: layer },
                 aspect: TextureAspect::All,
             };
             let layout = TexelCopyBufferLayout {
@@ -85,10 +86,47 @@ impl Texels {
                 rows_per_image: None,
             };
             let extent = Extent3d { width: width as u32, height: height as u32, depth_or_array_layers: 1 };
-            device.with_queue(|queue| queue.write_texture(target, &rest[..size], layout, extent));
-            rest = &rest[size..];
-            at += width * height;
+            device.with_queue(|queue| queue.write_texture(target, &remaining[..size], layout, extent));
+            remaining = &remaining[size..];
+            next += width * height;
         }
-        device.count(Counted::UploadedBytes, data.len() as u64);
+        device.count(Counter::UploadedBytes, data.len() as u64);
     }
+}
+
+/// An environment map on the device; texels are numbered as in the map.
+pub(crate) struct EnvTexels {
+    pub size: u32,
+    pub color: Texels,
+    /// Ranges; one placeholder texel if the map has none.
+    pub range: Texels,
+    pub has_range: bool,
+}
+
+impl EnvTexels {
+    pub fn new(device: &Device, map: Option<&EnvironmentMap>) -> Result<Self> {
+        let (size, count) = map.map_or((0, 0), |map| (map.size, map.color.len() as u64));
+        let color = Texels::new(device, "map's colour", TextureFormat::Rgba16Float, 8, count)?;
+        let ranges = map.and_then(|map| map.range.as_ref());
+        let count = ranges.map_or(0, |ranges| ranges.len() as u64);
+        let range = Texels::new(device, "map's range", TextureFormat::R32Float, 4, count)?;
+        if let Some(map) = map {
+            // A few rows at a time: a full copy would double the memory of a large map.
+            let rows = 1usize << color.shift.max(20);
+            for (n, part) in map.color.chunks(rows).enumerate() {
+                let halves: Vec<[f16; 4]> = part.par_iter().map(|&rgb| half_rgba(rgb)).collect();
+                color.write(device, (n * rows) as u64, bytemuck::cast_slice(&halves));
+            }
+        }
+        if let Some(ranges) = ranges {
+            range.write(device, 0, bytemuck::cast_slice(&ranges[..]));
+        }
+        Ok(Self { size, color, range, has_range: ranges.is_some() })
+    }
+}
+
+/// Converts linear light to half floats, clamped to their maximum finite value.
+fn half_rgba([r, g, b]: [f32; 3]) -> [f16; 4] {
+    let half = |x: f32| f16::from_f32(x.min(65504.0));
+    [half(r), half(g), half(b), f16::ONE]
 }

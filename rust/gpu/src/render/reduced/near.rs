@@ -1,7 +1,7 @@
 //! Near triangles as two meshes: triangles that no morph moves, and triangles that it bends, split finely enough for
 //! it. Moving instances are placed by their transforms; those between the radii with too long edges are split.
 
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex};
 
 use glam::DAffine3;
 use nearfar_core::base::{Progress, Result};
@@ -10,10 +10,12 @@ use nearfar_core::partition::Partition;
 use nearfar_core::scene::{Instance, InstanceSet, Scene};
 use nearfar_core::tessellate::{Precision, Rule, Settings, Stages, Steps, bent_from, needs_split, split_scene};
 
+use crate::device::lock;
 use crate::draw::Sources;
 
 /// Maximum number of cached splits: a user who walks to and fro across a step finds both.
 const MAX_SPLITS: usize = 3;
+
 /// Near geometry of a reduced scene.
 pub(super) struct Near {
     /// Triangles with all corners inside the radius.
@@ -23,9 +25,9 @@ pub(super) struct Near {
     /// All triangles, gathered when a morph of smaller radii or less than full strength first needs them.
     all: Mutex<Option<Geometry>>,
     /// Cached splits, the last used at the end.
-    split: Mutex<Vec<(Cause, Bent)>>,
+    splits: Mutex<Vec<(SplitKey, Bent)>>,
     /// Split moving instances in their last poses.
-    moved: Mutex<Option<Moved>>,
+    split_movers: Mutex<Option<SplitMovers>>,
     /// An empty static set, for layers of moving objects.
     no_instances: Arc<InstanceSet>,
     radii: [f64; 2],
@@ -57,7 +59,7 @@ pub(super) struct Moving {
     pub split: Option<Geometry>,
 }
 
-struct Moved {
+struct SplitMovers {
     rule: Arc<Rule>,
     poses: Vec<(u32, DAffine3)>,
     geometry: Geometry,
@@ -66,7 +68,7 @@ struct Moved {
 /// Cache key of a split: steps of reach and tolerance, which stay while users move their heads; kind and radii of the
 /// morph, and its strength if that matters.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Cause {
+struct SplitKey {
     steps: Steps,
     stages: Stages,
     radii: [f64; 2],
@@ -81,8 +83,8 @@ impl Near {
             fixed: Geometry::new(scene, fixed, progress)?,
             bending: Geometry::new(scene, bending, progress)?,
             all: Mutex::default(),
-            split: Mutex::default(),
-            moved: Mutex::default(),
+            splits: Mutex::default(),
+            split_movers: Mutex::default(),
             no_instances: Arc::default(),
             radii: [partition.r1, partition.r2],
         })
@@ -101,49 +103,43 @@ impl Near {
     pub fn split(&self, morph: &Morph, tolerance: f64, progress: &Progress) -> Result<Bent> {
         let reach = (morph.user - morph.center).length();
         let (steps, settings) = Settings::from_morph(morph, self.radii[1], reach, tolerance).stepped();
-        let cause = Cause { steps, stages: settings.stages, radii: [settings.r1, settings.r2] };
-        if let Some(bent) = self.known_split(&cause) {
+        let key = SplitKey { steps, stages: settings.stages, radii: [settings.r1, settings.r2] };
+        if let Some(bent) = self.cached_split(&key) {
             return Ok(bent);
         }
         let rule = Rule::new(&settings, Precision::Single)?;
         let everywhere = Rule::new(&Settings { drawn: f64::INFINITY, ..settings }, Precision::Single)?;
-        let whole = self.unsplit(bent_from(morph), progress)?;
-        let (scene, _) = split_scene(&whole.geometry.scene, &rule, |_| true, progress)?;
-        let geometry = Geometry { scene, sources: whole.geometry.sources };
-        let bent = Bent { geometry, fixed: whole.fixed, rule: Some(Arc::new(everywhere)) };
-        let mut known = self.split.lock().unwrap_or_else(PoisonError::into_inner);
-        if known.len() == MAX_SPLITS {
-            known.remove(0);
+        let Bent { geometry, fixed, .. } = self.unsplit(bent_from(morph), progress)?;
+        let bent = Bent { geometry: geometry.split(&rule, progress)?, fixed, rule: Some(Arc::new(everywhere)) };
+        let mut splits = lock(&self.splits);
+        if splits.len() == MAX_SPLITS {
+            splits.remove(0);
         }
-        known.push((cause, bent.clone()));
+        splits.push((key, bent.clone()));
         Ok(bent)
     }
 
     fn all_triangles(&self, progress: &Progress) -> Result<Geometry> {
-        let gathered = || self.all.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(known) = gathered().clone() {
-            return Ok(known);
+        if let Some(all) = lock(&self.all).clone() {
+            return Ok(all);
         }
         let [fixed, bending] = [&self.fixed.sources, &self.bending.sources];
         let all = Geometry::new(&fixed.scene, [&fixed.faces[..], &bending.faces[..]].concat(), progress)?;
-        Ok(gathered().get_or_insert(all).clone())
+        Ok(lock(&self.all).get_or_insert(all).clone())
     }
 
     /// No lock is held during parallel work: a thread that waits inside rayon may run another frame, which needs the
     /// same lock.
-    fn known_split(&self, cause: &Cause) -> Option<Bent> {
-        let mut known = self.split.lock().unwrap_or_else(PoisonError::into_inner);
-        let found = known.iter().position(|(other, _)| other == cause)?;
-        let entry = known.remove(found);
-        let bent = entry.1.clone();
-        known.push(entry);
-        Some(bent)
+    fn cached_split(&self, key: &SplitKey) -> Option<Bent> {
+        let mut splits = lock(&self.splits);
+        let index = splits.iter().position(|(other, _)| other == key)?;
+        splits[index..].rotate_left(1);
+        splits.last().map(|(_, bent)| bent.clone())
     }
 
     /// Returns the moving objects in a pose of the scene; `rule` decides which edges are too long.
     pub fn moving(&self, scene: &Scene, rule: Option<&Arc<Rule>>, progress: &Progress) -> Result<Moving> {
-        let first = scene.standing.instances().len() as u32;
-        let all = scene.moving.instances().iter().enumerate().map(|(n, instance)| (first + n as u32, instance));
+        let all = (scene.standing.instances().len() as u32..).zip(scene.moving.instances());
         let is_long = |instance: &Instance| rule.is_some_and(|rule| needs_split(instance, rule));
         let (long, short): (Vec<_>, Vec<_>) = all.partition(|(_, instance)| is_long(instance));
         let placed = Scene {
@@ -169,35 +165,33 @@ impl Near {
         progress: &Progress,
     ) -> Result<Geometry> {
         let poses: Vec<(u32, DAffine3)> = long.iter().map(|(number, instance)| (*number, instance.to_scene)).collect();
-        let is_same = |moved: &&Moved| Arc::ptr_eq(&moved.rule, rule) && moved.poses == poses;
-        let last = || self.moved.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(geometry) = last().as_ref().filter(is_same).map(|moved| moved.geometry.clone()) {
-            return Ok(geometry);
+        let is_same = |split: &&SplitMovers| Arc::ptr_eq(&split.rule, rule) && split.poses == poses;
+        if let Some(split) = lock(&self.split_movers).as_ref().filter(is_same) {
+            return Ok(split.geometry.clone());
         }
-        let faces = long.iter().flat_map(|(number, instance)| {
-            let number = *number;
-            (0..instance.mesh.faces.len() as u32).map(move |face| (number, face))
-        });
-        let whole = Geometry::new(scene, faces.collect(), progress)?;
-        let geometry =
-            Geometry { scene: split_scene(&whole.scene, rule, |_| true, progress)?.0, sources: whole.sources };
-        *last() = Some(Moved { rule: Arc::clone(rule), poses, geometry: geometry.clone() });
+        let faces = long
+            .iter()
+            .flat_map(|&(number, instance)| (0..instance.mesh.faces.len() as u32).map(move |face| (number, face)));
+        let geometry = Geometry::new(scene, faces.collect(), progress)?.split(rule, progress)?;
+        *lock(&self.split_movers) = Some(SplitMovers { rule: Arc::clone(rule), poses, geometry: geometry.clone() });
         Ok(geometry)
-    }
-
-    /// Returns the number of drawn static triangles.
-    pub fn triangle_count(bent: &Bent) -> u64 {
-        let count = |geometry: &Geometry| geometry.scene.triangle_count() as u64;
-        count(&bent.geometry) + bent.fixed.as_ref().map_or(0, count)
     }
 }
 
 impl Geometry {
+    pub fn triangle_count(&self) -> u64 {
+        self.scene.triangle_count() as u64
+    }
+
+    fn split(self, rule: &Rule, progress: &Progress) -> Result<Self> {
+        Ok(Self { scene: split_scene(&self.scene, rule, |_| true, progress)?.0, ..self })
+    }
+
     fn new(scene: &Scene, faces: Vec<(u32, u32)>, progress: &Progress) -> Result<Self> {
         let mesh = scene.gathered(&faces, progress)?;
         let instance = Instance::new(Arc::new(mesh), DAffine3::IDENTITY, None)?;
         let (materials, textures) = (Arc::clone(&scene.materials), Arc::clone(&scene.textures));
-        let own = Scene::new(scene.origin, vec![instance], Vec::new(), materials, textures)?;
-        Ok(Self { scene: own, sources: Arc::new(Sources { scene: scene.clone(), faces, moving: Vec::new() }) })
+        let gathered = Scene::new(scene.origin, vec![instance], Vec::new(), materials, textures)?;
+        Ok(Self { scene: gathered, sources: Arc::new(Sources { scene: scene.clone(), faces, moving: Vec::new() }) })
     }
 }

@@ -1,6 +1,6 @@
 //! Rendering of reduced scenes.
 
-use std::sync::{Arc, Mutex, PoisonError, Weak};
+use std::sync::{Arc, Mutex, Weak};
 
 use glam::DVec3;
 use nearfar_core::base::{Error, Progress, Result};
@@ -14,7 +14,7 @@ use nearfar_core::tessellate::bent_from;
 
 use super::near::{Geometry, Near};
 use super::picture::View;
-use crate::device::Device;
+use crate::device::{Device, lock};
 use crate::draw::{Job, Mask, Picture};
 use crate::render::near_far::NearFar;
 use crate::upload::EnvTexels;
@@ -66,7 +66,7 @@ impl Reduced {
         let kind = reduced.morph_kind(camera, drawing);
         // Without a morph only the camera's position matters.
         let eye = if kind.is_some() { drawing.user(camera) } else { camera.position };
-        let (user, apart) = (eye - scene.origin, camera.position - eye);
+        let (user, camera_offset) = (eye - scene.origin, camera.position - eye);
         let tolerance = drawing.tolerance_px * reduced.pixel_angle(camera);
         let morph = kind.map(|kind| reduced.morph(user, self.center, kind, drawing.growth)).transpose()?;
         let radii = morph.map_or(self.radii, |morph| [morph.r1, morph.r2]);
@@ -79,34 +79,33 @@ impl Reduced {
             Some(map) if drawing.mapped => Some(self.texels(device, map)?),
             _ => None,
         };
-        let count = |geometry: &Geometry| geometry.scene.triangle_count() as u64;
-        let moved = count(&moving.placed) + moving.split.as_ref().map_or(0, count);
+        let count = |geometry: &Geometry, other: &Option<Geometry>| {
+            geometry.triangle_count() + other.as_ref().map_or(0, Geometry::triangle_count)
+        };
+        let moving_triangles = count(&moving.placed, &moving.split);
         let counts = FrameCounts {
-            triangles: Near::triangle_count(&bent) + moved,
-            moving: moved,
+            triangles: count(&bent.geometry, &bent.fixed) + moving_triangles,
+            moving: moving_triangles,
             opposed: morph.map_or(0, |morph| opposed(scene, &morph, &bent.geometry.scene)),
-            bounded: kind.is_none() || apart == DVec3::ZERO && bent.rule.as_ref().is_some_and(|rule| rule.holds()),
+            bounded: kind.is_none()
+                || camera_offset == DVec3::ZERO && bent.rule.as_ref().is_some_and(|rule| rule.holds()),
             fold_margin: reduced.fold_margin(drawing.user(camera), drawing.growth)?,
         };
-        let split = match self.join {
+        let cut_radius = match self.join {
             Join::Conventional { radius } => radius,
             Join::Morph(_) => self.radii[1],
         };
-        let strength = morph.map_or(1.0, |morph| morph.strength);
+        let (offset, strength) = (user - self.center, morph.map_or(1.0, |morph| morph.strength));
         let view = View {
             scene,
             center: self.center,
-            near_far: NearFar { offset: user - self.center, apart, radii, strength, split, two_texels: 0.0 },
+            near_far: NearFar { offset, camera_offset, radii, strength, cut_radius, two_texels: 0.0 },
             kind,
-            fixed: bent.fixed.as_ref(),
-            bending: &bent.geometry,
+            bent: &bent,
             moving: &moving,
             map: self.map.as_ref(),
             texels,
-            mapped: drawing.mapped,
-            limits: drawing.limits,
-            bare: drawing.pixels.bare,
-            conventional_dynamic: drawing.conventional_dynamic,
+            drawing,
         };
         let picture = Picture { mask: Mask::from_pixels(&drawing.pixels, camera)?, ..view.picture(device)? };
         let job = Job::begin(device, picture, camera, drawing.channels, drawing.samples, progress)?;
@@ -114,14 +113,14 @@ impl Reduced {
     }
 
     fn texels(&self, device: &Arc<Device>, map: &EnvironmentMap) -> Result<Arc<EnvTexels>> {
-        let known = || self.texels.lock().unwrap_or_else(PoisonError::into_inner);
-        let is_here = |owner: &Weak<Device>| std::ptr::eq(owner.as_ptr(), Arc::as_ptr(device));
-        if let Some(texels) = known().as_ref().filter(|(owner, _)| is_here(owner)).map(|(_, texels)| Arc::clone(texels))
-        {
-            return Ok(texels);
+        match &*lock(&self.texels) {
+            Some((owner, texels)) if std::ptr::eq(owner.as_ptr(), Arc::as_ptr(device)) => {
+                return Ok(Arc::clone(texels));
+            }
+            _ => {}
         }
         let texels = Arc::new(EnvTexels::new(device, Some(map))?);
-        *known() = Some((Arc::downgrade(device), Arc::clone(&texels)));
+        *lock(&self.texels) = Some((Arc::downgrade(device), Arc::clone(&texels)));
         Ok(texels)
     }
 }

@@ -3,16 +3,16 @@
 use std::collections::BTreeMap;
 
 /// Free runs: lengths by start; adjacent runs are merged.
-pub(super) struct Room(BTreeMap<u32, u32>);
+pub(super) struct FreeList(BTreeMap<u32, u32>);
 
-impl Room {
+impl FreeList {
     /// Creates a page of free words.
     pub fn new(words: u32) -> Self {
         Self(BTreeMap::from([(0, words)]))
     }
 
     /// Allocates words; returns the first one.
-    pub fn take(&mut self, words: u32) -> Option<u32> {
+    pub fn allocate(&mut self, words: u32) -> Option<u32> {
         let (&first, &length) = self.0.iter().find(|(_, length)| **length >= words)?;
         self.0.remove(&first);
         if length > words {
@@ -22,7 +22,7 @@ impl Room {
     }
 
     /// Frees allocated words.
-    pub fn give_back(&mut self, mut first: u32, mut words: u32) {
+    pub fn free(&mut self, mut first: u32, mut words: u32) {
         if let Some((&start, &length)) = self.0.range(..first).next_back()
             && start + length == first
         {
@@ -44,19 +44,19 @@ mod tests {
 
     #[test]
     fn words_are_allocated_once_and_merged_when_freed() {
-        let mut room = Room::new(1000);
+        let mut list = FreeList::new(1000);
         let mut owner = vec![None; 1000];
-        let mut taken: Vec<(u32, u32)> = Vec::new();
+        let mut allocated: Vec<(u32, u32)> = Vec::new();
         for n in 0..2000u64 {
             let draw = |salt, most| random::bits(3, salt, n) as u32 % most;
-            if draw(1, 2) == 0 && !taken.is_empty() {
-                let (first, words) = taken.swap_remove(draw(2, taken.len() as u32) as usize);
+            if draw(1, 2) == 0 && !allocated.is_empty() {
+                let (first, words) = allocated.swap_remove(draw(2, allocated.len() as u32) as usize);
                 owner[first as usize..(first + words) as usize].fill(None);
-                room.give_back(first, words);
+                list.free(first, words);
                 continue;
             }
             let words = 1 + draw(3, 100);
-            let Some(first) = room.take(words) else {
+            let Some(first) = list.allocate(words) else {
                 // No gap is as long.
                 let gaps = owner.split(Option::is_some).map(<[Option<u64>]>::len).max();
                 assert!(gaps.is_some_and(|longest| longest < words as usize));
@@ -65,9 +65,9 @@ mod tests {
             for slot in &mut owner[first as usize..(first + words) as usize] {
                 assert_eq!(slot.replace(n), None);
             }
-            taken.push((first, words));
+            allocated.push((first, words));
         }
-        taken.into_iter().for_each(|(first, words)| room.give_back(first, words));
-        assert_eq!(room.take(1000), Some(0));
+        allocated.into_iter().for_each(|(first, words)| list.free(first, words));
+        assert_eq!(list.allocate(1000), Some(0));
     }
 }
