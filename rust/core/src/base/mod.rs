@@ -17,5 +17,6 @@ pub use aabb::{Aabb, REACH};
 pub use buffer::Buffer;
 pub use error::{Error, Result, number};
 pub use face_map::FaceMap;
+pub(crate) use face_map::by_object;
 pub use progress::Progress;
 pub use real::Real;

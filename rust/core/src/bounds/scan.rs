@@ -3,7 +3,7 @@
 use glam::DVec3;
 use rayon::prelude::*;
 
-use super::sphere::Sphere;
+use super::bounding::Sphere;
 use crate::base::simd::{prefetch, vectorized};
 use crate::base::{Error, Progress, Real, Result};
 
@@ -111,6 +111,11 @@ impl<'a, T: Real> Cloud<'a, T> {
         farthest_of(self.points, self.origin, center, self.progress)
     }
 
+    /// Returns the smallest sphere about a centre.
+    pub fn sphere_about(&self, center: DVec3) -> Result<Sphere> {
+        Ok(Sphere { center, radius: self.farthest(center)?.0 })
+    }
+
     pub fn mean(&self) -> Result<DVec3> {
         let tiles: Vec<DVec3> = each_tile(self.points, self.progress, |_, points| sum(points, self.origin))?;
         Ok(tiles.into_iter().sum::<DVec3>() / self.points.len() as f64)
@@ -131,8 +136,8 @@ impl<'a, T: Real> Cloud<'a, T> {
     /// measured again from the rounded centre.
     pub fn to_world(&self, sphere: &Sphere) -> Result<Sphere> {
         let center = sphere.center + self.origin;
-        let moved = (center - self.origin) - sphere.center;
-        let radius = if moved == DVec3::ZERO { sphere.radius } else { self.farthest(center - self.origin)?.0 };
+        let is_exact = center - self.origin == sphere.center;
+        let radius = if is_exact { sphere.radius } else { self.farthest(center - self.origin)?.0 };
         Ok(Sphere { center, radius })
     }
 }
@@ -221,21 +226,11 @@ fn extremes_kernel<T: Real>(points: &[[T; 3]]) -> Extremes {
             high[n][0] = high[n][0].max(of[n]);
         }
     }
-    let mut zero = 0.0;
-    for lane in zeros {
-        zero += lane;
+    let zero = zeros.iter().sum::<f64>();
+    Extremes {
+        low: low.map(|lanes| lanes.into_iter().fold(f64::INFINITY, f64::min) + zero),
+        high: high.map(|lanes| lanes.into_iter().fold(f64::NEG_INFINITY, f64::max) + zero),
     }
-    let mut found = Extremes { low: [0.0; DIRECTIONS], high: [0.0; DIRECTIONS] };
-    for n in 0..DIRECTIONS {
-        let (mut least, mut greatest) = (low[n][0], high[n][0]);
-        for i in 1..LANES {
-            least = least.min(low[n][i]);
-            greatest = greatest.max(high[n][i]);
-        }
-        found.low[n] = least + zero;
-        found.high[n] = greatest + zero;
-    }
-    found
 }
 
 #[inline(always)]
@@ -256,13 +251,7 @@ fn sum_kernel<T: Real>(points: &[[T; 3]], origin: DVec3) -> DVec3 {
             sums[axis][0] += point[axis].wide() - from[axis];
         }
     }
-    let mut total = [0.0; 3];
-    for axis in 0..3 {
-        for lane in sums[axis] {
-            total[axis] += lane;
-        }
-    }
-    DVec3::from_array(total)
+    DVec3::from_array(sums.map(|lanes| lanes.iter().sum()))
 }
 
 /// Squared distances of a block's points from a centre.

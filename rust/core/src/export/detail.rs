@@ -9,8 +9,9 @@ use glam::DVec3;
 use rayon::prelude::*;
 
 use super::placement::scale;
-use crate::base::{Error, FaceMap, Progress, Result};
-use crate::scene::{Instance, Material, Mesh, Scene};
+use super::plan::only_object;
+use crate::base::{Error, Progress, Result, by_object};
+use crate::scene::{Material, Mesh, Scene};
 
 /// Number of faces per task.
 const TILE: usize = 1 << 14;
@@ -45,28 +46,28 @@ pub fn texels_per_radian(scene: &Scene, distances: &[f64], progress: &Progress) 
 struct View<'a> {
     mesh: &'a Mesh,
     /// Minimum distance over placements with a single object, divided by their scale.
-    whole: f64,
+    distance: f64,
     /// Maximum scale over placements whose faces have their own objects; 0 if there are none.
     scale: f64,
 }
 
 /// Returns the textured meshes of a scene that are seen from a finite distance.
 fn views<'a>(scene: &'a Scene, distances: &[f64]) -> Vec<View<'a>> {
-    let mut places: HashMap<*const Mesh, usize> = HashMap::new();
+    let mut indices: HashMap<*const Mesh, usize> = HashMap::new();
     let mut views: Vec<View<'a>> = Vec::new();
     for instance in scene.instances().filter(|instance| is_textured(scene, &instance.mesh)) {
-        let place = *places.entry(ptr::from_ref(&*instance.mesh)).or_insert_with(|| {
-            views.push(View { mesh: &instance.mesh, whole: f64::INFINITY, scale: 0.0 });
+        let index = *indices.entry(ptr::from_ref(&*instance.mesh)).or_insert_with(|| {
+            views.push(View { mesh: &instance.mesh, distance: f64::INFINITY, scale: 0.0 });
             views.len() - 1
         });
-        let view = &mut views[place];
+        let view = &mut views[index];
         let scale = scale(&instance.to_scene.matrix3);
-        match object_of(instance) {
-            Some(object) => view.whole = view.whole.min(distance_of(distances, object) / scale),
+        match only_object(instance) {
+            Some(object) => view.distance = view.distance.min(by_object(distances, object) / scale),
             None => view.scale = view.scale.max(scale),
         }
     }
-    views.retain(|view| view.scale > 0.0 || view.whole < f64::INFINITY);
+    views.retain(|view| view.scale > 0.0 || view.distance < f64::INFINITY);
     views
 }
 
@@ -80,19 +81,6 @@ fn textures_of(scene: &Scene, material: i32) -> impl Iterator<Item = usize> {
     material.into_iter().flat_map(Material::textures).map(|texture| texture as usize)
 }
 
-/// Returns the object of all faces of an instance, if there is one.
-fn object_of(instance: &Instance) -> Option<i32> {
-    match instance.mesh.objects {
-        FaceMap::Uniform(object) => Some(instance.object.unwrap_or(object)),
-        _ => instance.object,
-    }
-}
-
-fn distance_of(distances: &[f64], object: i32) -> f64 {
-    let last = distances.len() - 1;
-    distances[usize::try_from(object).map_or(last, |object| object.min(last))]
-}
-
 /// Bits of the minimum number of texels found so far for each texture. They sort like the numbers, because none is
 /// negative.
 struct Least(Vec<AtomicU64>);
@@ -102,9 +90,9 @@ impl Least {
         let Some(uvs) = view.mesh.uvs.as_deref() else { return };
         let mut run = (None, f64::INFINITY);
         for face in faces {
-            let mut distance = view.whole;
+            let mut distance = view.distance;
             if view.scale > 0.0 {
-                distance = distance.min(distance_of(distances, view.mesh.objects.get(face)) / view.scale);
+                distance = distance.min(by_object(distances, view.mesh.objects.get(face)) / view.scale);
             }
             if distance == f64::INFINITY {
                 continue;
@@ -160,8 +148,9 @@ mod tests {
     use glam::{DAffine3, DQuat};
 
     use super::*;
+    use crate::base::FaceMap;
     use crate::base::random::uniform;
-    use crate::scene::Texture;
+    use crate::scene::{Instance, Texture};
 
     const FACES: u64 = 40;
 

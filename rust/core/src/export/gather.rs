@@ -51,12 +51,13 @@ pub(super) fn gather(
     surfaces: &Surfaces,
     progress: &Progress,
 ) -> Result<Primitive> {
-    let mut gathered = Gatherer::new(key, grid);
+    let (positions, normals, uvs, colors, faces) = (vec![], vec![], vec![], vec![], vec![]);
+    let mut gatherer = Gatherer { key, grid, positions, normals, uvs, colors, faces, dropped: 0 };
     for piece in pieces {
         progress.check()?;
-        gathered.add(piece);
+        gatherer.add(piece);
     }
-    Ok(gathered.finish(surfaces))
+    Ok(gatherer.finish(surfaces))
 }
 
 struct Gatherer {
@@ -72,20 +73,14 @@ struct Gatherer {
 }
 
 impl Gatherer {
-    fn new(key: Key, grid: Grid) -> Self {
-        let (positions, normals, uvs, colors, faces) = (vec![], vec![], vec![], vec![], vec![]);
-        Self { key, grid, positions, normals, uvs, colors, faces, dropped: 0 }
-    }
-
     fn add(&mut self, piece: &Piece<'_>) {
         let turned = matches!(piece.frame, Frame::Own { turned: true });
-        let listed = |&face: &u32| piece.mesh.faces[face as usize];
-        let chosen: Vec<[u32; 3]> = piece.faces.iter().map(listed).collect();
-        let numbering = Numbering::new(&chosen);
+        let faces: Vec<[u32; 3]> = piece.faces.iter().map(|&face| piece.mesh.faces[face as usize]).collect();
+        let numbering = Numbering::new(&faces);
         let first = self.positions.len() as u32;
         self.add_vertices(piece, &numbering);
-        self.faces.reserve(chosen.len());
-        for face in chosen {
+        self.faces.reserve(faces.len());
+        for face in faces {
             let face = face.map(|vertex| first + numbering.number(vertex));
             self.add_face(if turned { other_side(face) } else { face });
         }
@@ -94,26 +89,23 @@ impl Gatherer {
     fn add_vertices(&mut self, piece: &Piece<'_>, numbering: &Numbering) {
         let mesh = piece.mesh;
         let grid = self.grid;
-        let own = |vertex: u32| Vec3::from_array(mesh.positions[vertex as usize]).as_dvec3();
-        let round = |point: DVec3| point.to_array().map(|x| grid.round(x));
-        match piece.frame {
-            Frame::Scene(instance) if !instance.in_place => {
-                let placed = |vertex| round(instance.to_scene.transform_point3(own(vertex)));
-                self.positions.extend(numbering.vertices().map(placed));
-            }
-            _ => self.positions.extend(numbering.vertices().map(|vertex| round(own(vertex)))),
-        }
+        let placement = match piece.frame {
+            Frame::Scene(instance) if !instance.in_place => Some(instance),
+            _ => None,
+        };
+        self.positions.extend(numbering.vertices().map(|vertex| {
+            let own = Vec3::from_array(mesh.positions[vertex as usize]).as_dvec3();
+            let point = placement.map_or(own, |instance| instance.to_scene.transform_point3(own));
+            point.to_array().map(|x| grid.round(x))
+        }));
         if let Some(normals) = mesh.normals.as_deref().filter(|_| self.key.lit) {
-            let own = |vertex: u32| Vec3::from_array(normals[vertex as usize]).as_dvec3();
-            let unit = |normal: DVec3| normal.normalize_or_zero().as_vec3().extend(0.0).to_array();
-            match piece.frame {
-                Frame::Scene(instance) if !instance.in_place => {
-                    // Normals are transformed by the inverse transpose of the placement's matrix.
-                    let matrix = instance.to_object.matrix3.transpose();
-                    self.normals.extend(numbering.vertices().map(|vertex| unit(matrix * own(vertex))));
-                }
-                _ => self.normals.extend(numbering.vertices().map(|vertex| unit(own(vertex)))),
-            }
+            // Normals are transformed by the inverse transpose of the placement's matrix.
+            let matrix = placement.map(|instance| instance.to_object.matrix3.transpose());
+            self.normals.extend(numbering.vertices().map(|vertex| {
+                let own = Vec3::from_array(normals[vertex as usize]).as_dvec3();
+                let normal = matrix.map_or(own, |matrix| matrix * own);
+                normal.normalize_or_zero().as_vec3().extend(0.0).to_array()
+            }));
         }
         if let Some(uvs) = mesh.uvs.as_deref().filter(|_| self.key.textured) {
             self.uvs.extend(numbering.vertices().map(|vertex| uvs[vertex as usize]));

@@ -1,6 +1,6 @@
 //! Value ranges of images, computed during the comparison.
 
-use super::lanes::LANES;
+use super::pixel_rows::LANES;
 use super::plane::Pixel;
 use crate::base::Real;
 

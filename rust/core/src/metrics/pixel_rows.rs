@@ -1,10 +1,12 @@
-//! Kernels over rows of pixels: sums and differences, squared differences.
+//! Kernels over rows of pixels: sums and differences, squared differences. Metrics use fused multiply-add if the machine
+//! has it: half the instructions and one rounding less. Results are otherwise the same on all machines.
 
 use super::extremes::Extremes;
-use super::lanes::LANES;
 use super::plane::Pixel;
 use crate::base::simd::vectorized;
 
+/// Number of pixels per vector operation.
+pub(super) const LANES: usize = 32;
 /// Lanes of the kernel that also finds extremes: its last block overlaps the previous one, and narrow blocks overlap
 /// less.
 pub(super) const EXTREME_LANES: usize = LANES / 2;
@@ -13,6 +15,12 @@ pub(super) const EXTREME_LANES: usize = LANES / 2;
 pub trait PixelRows: Pixel {
     /// Returns the sum of the squared differences of a short run of pixels.
     fn squares(x: &[Self], y: &[Self]) -> f64;
+}
+
+/// Returns the first lanes of a row.
+#[inline(always)]
+pub(super) fn lanes<R>(values: &[R]) -> &[R; LANES] {
+    &values.as_chunks::<LANES>().0[0]
 }
 
 macro_rules! pixel_rows {
@@ -85,11 +93,7 @@ fn real_squares<P: Copy + Into<f64>>(x: &[P], y: &[P]) -> f64 {
         let difference = x.into() - y.into();
         sums[i] += difference * difference;
     }
-    let mut total = 0.0;
-    for sum in sums {
-        total += sum;
-    }
-    total
+    sums.iter().sum()
 }
 
 #[inline(always)]

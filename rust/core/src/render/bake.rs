@@ -5,7 +5,7 @@ use glam::{DQuat, DVec3};
 
 use super::frame::{Channels, Frame};
 use super::limits::Limits;
-use super::tiles::{Picture, Pixels, RenderView, check_reach, draw};
+use super::tiles::{Pixels, RenderView, check_reach, draw};
 use super::truth::Truth;
 use crate::base::{Error, Progress, Result};
 use crate::camera::{Camera, Projection};
@@ -75,7 +75,13 @@ pub fn bake(scene: &Scene, settings: &Bake, progress: &Progress) -> Result<Frame
     settings.check(scene)?;
     let standing = standing_only(scene, progress)?;
     let beyond = BeyondRadius { scene: &standing, radius: settings.radius, two_texels: settings.two_texels() };
-    faces(scene, settings, &Truth { scene: &standing, filter: &AlphaFilter::new(&standing, beyond) }, progress)
+    let picture = Truth { scene: &standing, filter: &AlphaFilter::new(&standing, beyond) };
+    settings.channels().check_room(6 * settings.texels() as u64)?;
+    let mut faces = Frame::default();
+    for face in 0..6 {
+        faces.append(&draw(&settings.view(scene, &settings.camera(face)?), &picture, progress)?);
+    }
+    Ok(faces)
 }
 
 /// Returns the scene without its moving instances, built.
@@ -83,17 +89,6 @@ pub(super) fn standing_only(scene: &Scene, progress: &Progress) -> Result<Scene>
     let standing = Scene { moving: Default::default(), ..scene.clone() };
     standing.build(progress)?;
     Ok(standing)
-}
-
-/// Renders six faces of a picture, one after the other.
-fn faces(scene: &Scene, settings: &Bake, picture: &impl Picture, progress: &Progress) -> Result<Frame> {
-    let channels = settings.channels();
-    channels.check_room(6 * settings.texels() as u64)?;
-    let mut whole = Frame::default();
-    for face in 0..6 {
-        whole.append(&draw(&settings.view(scene, &settings.camera(face)?), picture, progress)?);
-    }
-    Ok(whole)
 }
 
 /// Returns the number of rays that a bake traces.
@@ -154,14 +149,8 @@ mod tests {
         let faces =
             (0..quads.len() as u32).flat_map(|q| [[4 * q, 4 * q + 1, 4 * q + 2], [4 * q, 4 * q + 2, 4 * q + 3]]);
         let objects = (0..quads.len() as i32).flat_map(|q| [q, q]).collect::<Vec<_>>();
-        let mesh = Mesh::new(
-            positions.into(),
-            faces.collect(),
-            None,
-            None,
-            FaceMap::PerFace(objects.into()),
-            FaceMap::Uniform(-1),
-        );
+        let (objects, materials) = (FaceMap::PerFace(objects.into()), FaceMap::Uniform(-1));
+        let mesh = Mesh::new(positions.into(), faces.collect(), None, None, objects, materials);
         let instance = Instance::new(Arc::new(mesh.unwrap()), DAffine3::IDENTITY, None).unwrap();
         Scene::new(DVec3::ZERO, vec![instance], vec![], Arc::default(), Arc::default()).unwrap()
     }

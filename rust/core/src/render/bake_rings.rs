@@ -148,7 +148,7 @@ impl Baker<'_> {
             if layer == 0 {
                 // Rays without a hit show the sky, which has a colour too.
                 let shown = if found.changed == 0 { &MISSES } else { &found.hits };
-                let footprint = |n: usize| self.caster.of_sample(tile, n, offset);
+                let footprint = |n: usize| self.caster.footprint(tile, n, offset, self.caster.scale);
                 self.truth.add_colors(rays, &shown[..rays.len()], footprint, &mut colors[..rays.len()]);
             } else if found.changed != 0 {
                 let (mut new, mut count) = ([0; PIXELS], 0);
@@ -157,7 +157,7 @@ impl Baker<'_> {
                     count += 1;
                 }
                 let mut new_colors = [[0.0; 3]; PIXELS];
-                let footprint = |at: usize| self.caster.of_sample(tile, new[at], offset);
+                let footprint = |at: usize| self.caster.footprint(tile, new[at], offset, self.caster.scale);
                 self.truth.add_colors(&new_rays[..count], &new_hits[..count], footprint, &mut new_colors);
                 new[..count].iter().zip(new_colors).for_each(|(&n, color)| colors[n] = color);
             }

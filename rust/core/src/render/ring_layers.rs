@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::ops::RangeInclusive;
 use std::sync::Arc;
 
-use crate::base::{Progress, Result};
+use crate::base::{Progress, Result, by_object};
 use crate::scene::{Instance, Scene};
 use crate::trace::{AlphaFilter, FaceHits, HitFilter, Layer, LayerTree};
 
@@ -57,7 +57,7 @@ impl<'a> RingLayers<'a> {
 
 /// Returns the layers that an instance has faces of, ascending; 0 stands for faces that are in none.
 fn layers_of(instance: &Instance, rings: &[u16], count: u16) -> Arc<[u16]> {
-    let layer = |object: i32| ring_of(rings, object).min(count.saturating_add(1));
+    let layer = |object: i32| by_object(rings, object).min(count.saturating_add(1));
     let mut layers: Vec<u16> = match instance.object {
         Some(object) => vec![layer(object)],
         None => instance.mesh.objects.runs(instance.mesh.faces.len()).map(|(_, object)| layer(object)).collect(),
@@ -65,11 +65,6 @@ fn layers_of(instance: &Instance, rings: &[u16], count: u16) -> Arc<[u16]> {
     layers.sort_unstable();
     layers.dedup();
     layers.into()
-}
-
-fn ring_of(rings: &[u16], object: i32) -> u16 {
-    let last = rings.len() - 1;
-    rings[usize::try_from(object).map_or(last, |object| object.min(last))]
 }
 
 /// Filter for faces of some rings; instances are those of a layer's tree.
@@ -83,7 +78,7 @@ struct OfRings<'a> {
 impl HitFilter for OfRings<'_> {
     fn face_hits(&self, instance: u32, face: u32) -> FaceHits {
         let is_mixed = self.mixed[instance as usize];
-        let holds = || self.numbers.contains(&ring_of(self.rings, self.scene.instance(instance).object_of(face)));
+        let holds = || self.numbers.contains(&by_object(self.rings, self.scene.instance(instance).object_of(face)));
         if !is_mixed || holds() { FaceHits::All } else { FaceHits::None }
     }
 }

@@ -149,20 +149,21 @@ impl Surface {
     /// Returns the channels of a pixel that shows this point at a displayed distance, for a ray of `width` metres.
     /// Unwanted channels may keep their values for a miss.
     pub fn sample(&self, scene: &Scene, range: f32, width: impl FnOnce() -> f32, wanted: Channels) -> Sample {
+        let instance = scene.instance(self.instance);
         let mut sample = Sample {
             range,
-            object_id: self.object_id(scene),
-            face_id: self.face_id(scene),
+            object_id: instance.object_of(self.face),
+            face_id: scene.triangle_offset(self.instance) + i64::from(self.face),
             position: self.point.to_array(),
             normal: self.normal.to_array(),
             ..Sample::default()
         };
         if wanted.albedo {
-            let mesh = &scene.instance(self.instance).mesh;
+            let mesh = &instance.mesh;
             sample.albedo = scene.albedo(&scene.material_of(mesh, self.face), &self.spot(mesh, width()));
         }
         if wanted.shading_normal {
-            sample.shading_normal = self.shading_normal(scene.instance(self.instance)).to_array();
+            sample.shading_normal = self.shading_normal(instance).to_array();
         }
         sample
     }
@@ -176,16 +177,6 @@ impl Surface {
             Some([a, b, c]) => (a + (b - a) * self.at.0 + (c - a) * self.at.1).normalize_or(self.normal),
             None => self.normal,
         }
-    }
-
-    /// Returns the object number of the face.
-    pub fn object_id(&self, scene: &Scene) -> i32 {
-        scene.instance(self.instance).object_of(self.face)
-    }
-
-    /// Returns the triangle number of the face.
-    pub fn face_id(&self, scene: &Scene) -> i64 {
-        scene.triangle_offset(self.instance) + i64::from(self.face)
     }
 }
 

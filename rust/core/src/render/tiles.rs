@@ -177,11 +177,11 @@ impl ImageTile {
         (number % self.columns, number / self.columns)
     }
 
-    /// Returns the column and row in the image of the n-th drawn pixel.
+    /// Returns the position in the image of a point of the n-th drawn pixel; `offset` is relative to the pixel's corner.
     #[inline]
-    fn pixel(&self, n: usize) -> (usize, usize) {
+    fn position(&self, n: usize, offset: [f64; 2]) -> (f64, f64) {
         let (column, row) = self.place(n);
-        (self.first_column + column, self.first_row + row)
+        ((self.first_column + column) as f64 + offset[0], (self.first_row + row) as f64 + offset[1])
     }
 
     /// Returns the image index of the n-th drawn pixel.
@@ -216,7 +216,7 @@ pub(super) struct Caster<'a> {
     /// Positions of a pixel's samples.
     pub(super) offsets: Vec<[f64; 2]>,
     /// Side of the square that a sample represents, pixels.
-    scale: f64,
+    pub(super) scale: f64,
     /// Visible volume relative to the scene's origin.
     limits: Limits,
 }
@@ -275,7 +275,7 @@ impl<'a> Caster<'a> {
     /// Writes the rays of a tile.
     pub(super) fn aim(&self, tile: &ImageTile, offset: [f64; 2], rays: &mut [Ray]) {
         for (n, ray) in rays.iter_mut().enumerate() {
-            let (x, y) = position(tile, n, offset);
+            let (x, y) = tile.position(n, offset);
             *ray = ray_at(&self.rays, self.eye, x, y, &self.limits);
         }
     }
@@ -285,14 +285,9 @@ impl<'a> Caster<'a> {
         1.0 / self.offsets.len() as f32
     }
 
-    /// Returns the footprint of one of a pixel's samples.
-    pub(super) fn of_sample(&self, tile: &ImageTile, n: usize, offset: [f64; 2]) -> Footprint {
-        self.footprint(tile, n, offset, self.scale)
-    }
-
     /// Returns the footprint of a ray that represents a square of `scale` pixels.
     pub(super) fn footprint(&self, tile: &ImageTile, n: usize, offset: [f64; 2], scale: f64) -> Footprint {
-        let (x, y) = position(tile, n, offset);
+        let (x, y) = tile.position(n, offset);
         self.rays.footprint(x, y, scale)
     }
 }
@@ -356,7 +351,7 @@ impl<P: Picture> Painter<'_, P> {
         sums: &mut [[f32; 3]; PIXELS],
     ) {
         let before = *sums;
-        self.picture.add_colors(rays, hits, |n| self.caster.of_sample(tile, n, offset), sums);
+        self.picture.add_colors(rays, hits, |n| self.caster.footprint(tile, n, offset, self.caster.scale), sums);
         if self.pixels.bare {
             (0..hits.len()).filter(|&n| hits[n].is_miss()).for_each(|n| sums[n] = before[n]);
         }
@@ -370,12 +365,6 @@ pub(crate) fn ray_at(rays: &Rays, eye: DVec3, x: f64, y: f64, limits: &Limits) -
     let origin = eye + start;
     let Segment { t_min, t_max } = limits.clip_ray(origin, direction);
     Ray { origin: origin.as_vec3(), direction: direction.as_vec3(), t_min, t_max }
-}
-
-#[inline]
-fn position(tile: &ImageTile, n: usize, offset: [f64; 2]) -> (f64, f64) {
-    let (column, row) = tile.pixel(n);
-    (column as f64 + offset[0], row as f64 + offset[1])
 }
 
 #[cfg(test)]

@@ -5,20 +5,57 @@
 //! (`planes.rs`). The caller compresses the bytes. All arithmetic is exact or rounded by IEEE 754, so every client
 //! predicts the same.
 
-mod faces;
 mod planes;
-mod runs;
 mod scale;
 #[cfg(test)]
 mod tests;
 mod walk;
 
-pub use faces::{Faces, MAX_STEP};
 pub use scale::NOTHING;
 
-use crate::base::{Error, Progress, Result};
+use crate::base::{Error, Progress, Result, number};
 use planes::{Reader, Writer, damaged};
 use walk::Walk;
+
+/// Maximum logarithm of the ratio of two consecutive codes' ranges.
+pub const MAX_STEP: f64 = 700.0 / 65535.0;
+
+/// Layout of a map's faces, and its listed tiles.
+#[derive(Clone, Copy, Debug)]
+pub struct Faces<'a> {
+    /// Texels along a face.
+    pub size: usize,
+    /// Texels along a tile; it divides `size`.
+    pub tile: usize,
+    /// Ascending numbers of the tiles in which texels may change, by face, row and column.
+    pub listed: &'a [u32],
+    /// Natural logarithm of the ratio of two consecutive codes' ranges.
+    pub step: f64,
+}
+
+impl Faces<'_> {
+    /// Returns the number of faces for a number of texels.
+    fn count(&self, texels: usize) -> Result<usize> {
+        let Self { size, tile, listed, step } = *self;
+        let area = size.checked_mul(size).filter(|&area| area > 0 && texels.is_multiple_of(area));
+        let Some(area) = area.filter(|_| tile > 0 && size.is_multiple_of(tile)) else {
+            return Err(Error::value("tile", "a divisor of the face size, and whole faces", tile));
+        };
+        let tiles = texels / (tile * tile);
+        if !listed.is_sorted_by(|a, b| a < b) || listed.last().is_some_and(|&last| last as usize >= tiles) {
+            return Err(Error::value("tiles", format!("ascending numbers below {tiles}"), "others"));
+        }
+        if !(step > 0.0 && step <= MAX_STEP) {
+            return Err(Error::value("step", format!("a number from 0 to {MAX_STEP}"), number(step)));
+        }
+        Ok(texels / area)
+    }
+
+    /// Returns whether a tile is listed.
+    fn lists(&self, tile: usize) -> bool {
+        self.listed.binary_search_by(|&listed| (listed as usize).cmp(&tile)).is_ok()
+    }
+}
 
 /// Encodes the planes of a map's codes. With the codes `before`, only those of `changed` texels; otherwise all. Texels
 /// outside the listed tiles must not be changed.
@@ -39,13 +76,12 @@ pub fn encode(
 fn check_changes(codes: &[u16], before: Option<&[u16]>, changed: &[bool], faces: Faces<'_>) -> Result<()> {
     faces.count(codes.len())?;
     let across = faces.size / faces.tile;
-    let is_listed = |place: usize| {
-        let (row, column) = (place / faces.size, place % faces.size);
-        let tile = row / faces.tile * across + column / faces.tile;
-        faces.listed.binary_search_by(|&own| (own as usize).cmp(&tile)).is_ok()
+    let is_listed = |texel: usize| {
+        let (row, column) = (texel / faces.size, texel % faces.size);
+        faces.lists(row / faces.tile * across + column / faces.tile)
     };
-    if let Some(place) = changed.iter().enumerate().position(|(place, &is_changed)| is_changed && !is_listed(place)) {
-        return Err(Error::value("tiles", "the tiles of all changed texels", format!("a change of texel {place}")));
+    if let Some(texel) = changed.iter().enumerate().position(|(texel, &is_changed)| is_changed && !is_listed(texel)) {
+        return Err(Error::value("tiles", "the tiles of all changed texels", format!("a change of texel {texel}")));
     }
     let is_missed = |((code, before), is_changed): ((&u16, &u16), &bool)| code != before && !is_changed;
     if before.is_some_and(|before| codes.iter().zip(before).zip(changed).any(is_missed)) {

@@ -1,11 +1,12 @@
 //! Prediction of texels from texels visited before.
 
-use super::faces::Faces;
-use super::planes::{Link, Trust, damaged};
-use super::runs::Run;
+use super::Faces;
+use super::planes::{Flag, Link, Trust, damaged};
 use super::scale::{NOTHING, Scale};
 use crate::base::{Progress, Result};
 
+/// Number of texels that a fit remembers.
+const MEMORY: u32 = 128;
 /// Texels from which a run predicts, and from which a single run, or two that agree, is trusted.
 const MIN: u32 = 3;
 const LONG: u32 = 8;
@@ -15,7 +16,39 @@ const FIRST_FIT: u16 = 64;
 /// Maximum code difference between the left and the upper neighbour of a calm texel.
 const CALM: u16 = 8;
 
-/// State kept from texel to texel.
+/// Least-squares line through the values of consecutive texels of a row or a column that lie on one plane.
+#[derive(Clone, Copy, Debug, Default)]
+struct Run {
+    value: f64,
+    slope: f64,
+    /// Number of texels on the line; 0 for none.
+    count: u32,
+}
+
+impl Run {
+    /// Extrapolates the line to the next texel.
+    fn next(&self) -> f64 {
+        self.value + self.slope
+    }
+
+    /// Adds the next texel; starts a new line if it does not fit.
+    ///
+    /// Least squares over n texels move the line by (4n − 2)/(n(n + 1)) of the error, and its slope by 6/(n(n + 1)).
+    fn add(&mut self, value: f64, fits: bool) {
+        if !fits || self.count == 0 {
+            *self = Self { value, slope: 0.0, count: 1 };
+            return;
+        }
+        let error = value - self.next();
+        self.count = (self.count + 1).min(MEMORY);
+        let n = f64::from(self.count);
+        let scale = 1.0 / (n * (n + 1.0));
+        self.value = self.next() + (4.0 * n - 2.0) * scale * error;
+        self.slope += 6.0 * scale * error;
+    }
+}
+
+/// State between texels.
 pub(super) struct Walk<'a> {
     faces: Faces<'a>,
     scale: Scale,
@@ -71,8 +104,7 @@ impl<'a> Walk<'a> {
     /// Returns, for each tile of a row of tiles, whether it is listed.
     fn listed_tiles(&self, row: usize) -> Vec<bool> {
         let across = self.faces.size / self.faces.tile;
-        let is_listed = |tile: usize| self.faces.listed.binary_search_by(|&own| (own as usize).cmp(&tile)).is_ok();
-        (row * across..(row + 1) * across).map(is_listed).collect()
+        (row * across..(row + 1) * across).map(|tile| self.faces.lists(tile)).collect()
     }
 
     fn row(&mut self, y: usize, visited: &[bool], listed: &[bool], face: &mut Face<'_, impl Link>) -> Result<()> {
@@ -88,7 +120,8 @@ impl<'a> Walk<'a> {
             let around = Around::new(x, y, size);
             if listed[x / tile] {
                 let place = around.place;
-                face.changed[place] = face.link.changed(around.predicted_change(face), face.changed[place])?;
+                face.changed[place] =
+                    face.link.flag(Flag::Changed, around.predicted_change(face), face.changed[place])?;
             }
             let u = centre(x);
             self.texel(&around, (1.0 + u * u + v * v).sqrt(), &mut run, face)?;
@@ -102,7 +135,7 @@ impl<'a> Walk<'a> {
         let is_new = face.before.is_none() || face.changed[place];
         let mut is_nothing = face.codes[place] == NOTHING;
         if is_new {
-            is_nothing = face.link.nothing(around.predicted_nothing(face.codes), is_nothing)?;
+            is_nothing = face.link.flag(Flag::Nothing, around.predicted_nothing(face.codes), is_nothing)?;
         }
         if is_nothing {
             face.codes[place] = NOTHING;
@@ -226,4 +259,26 @@ fn fold(difference: u16) -> u16 {
 
 fn unfold(folded: u16) -> u16 {
     (folded >> 1) ^ (folded & 1).wrapping_neg()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_run_is_the_line_of_least_squares() {
+        let values = [3.0, 4.5, 4.0, 7.0, 9.5, 8.0];
+        let mut run = Run::default();
+        for (place, &value) in values.iter().enumerate() {
+            run.add(value, true);
+            let n = place as f64 + 1.0;
+            let (mean_x, mean_y) = ((n - 1.0) / 2.0, values[..=place].iter().sum::<f64>() / n);
+            let pairs = || values[..=place].iter().enumerate().map(|(x, y)| (x as f64 - mean_x, y - mean_y));
+            let spread = pairs().map(|(x, _)| x * x).sum::<f64>();
+            let slope = if spread > 0.0 { pairs().map(|(x, y)| x * y).sum::<f64>() / spread } else { 0.0 };
+            assert!((run.next() - (mean_y + slope * (n - mean_x))).abs() < 1e-12, "{place}");
+        }
+        run.add(1.0, false);
+        assert_eq!((run.next(), run.count), (1.0, 1));
+    }
 }

@@ -13,6 +13,8 @@ use crate::camera::Camera;
 pub(super) const LANES: usize = 16;
 /// Bands per ε: narrower bands hold fewer points that are too far away, wider bands are fewer.
 pub(super) const BANDS: usize = 4;
+/// Points between two reports of progress.
+pub(super) const REPORTED_POINTS: usize = 1 << 10;
 /// Maximum coordinate in pixels of the truth: float32 has no fractions beyond it, and such points have no neighbours.
 const MAX_PLACE: f64 = 1e7;
 
@@ -40,9 +42,15 @@ struct TruthPlace {
     truth: DVec2,
 }
 
+/// Points of a band that may be neighbours: their x in the truth differs by at most `reach`.
+pub(super) struct Target {
+    pub range: Range<usize>,
+    pub reach: f32,
+}
+
 /// Returns the maximum distance in x between neighbours in bands that are `apart`; `None` if the bands are too far
 /// apart.
-pub(super) fn reach(apart: u64, epsilon: f64) -> Option<f32> {
+fn reach(apart: u64, epsilon: f64) -> Option<f32> {
     if apart > BANDS as u64 {
         return None;
     }
@@ -119,6 +127,20 @@ impl TruthPoints {
             pixel: places.par_iter().map(|place| place.pixel).collect(),
             bands,
         })
+    }
+
+    /// Returns those of some bands that may contain neighbours of a band's points.
+    pub fn targets<'a>(
+        &self,
+        band: usize,
+        others: impl Iterator<Item = &'a (i64, Range<usize>)>,
+        epsilon: f64,
+    ) -> Vec<Target> {
+        let number = self.bands[band].0;
+        let target = |(other, range): &(i64, Range<usize>)| {
+            Some(Target { range: range.clone(), reach: reach(other.abs_diff(number), epsilon)? })
+        };
+        others.filter_map(target).collect()
     }
 
     pub fn len(&self) -> usize {

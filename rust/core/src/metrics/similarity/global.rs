@@ -8,7 +8,7 @@ use super::super::pixel_rows::PixelRows;
 use super::super::plane::{Plane, Region};
 use super::direct::measured;
 use super::measure::power_sums;
-use super::window_sums::{Counted, Mask, SimilaritySums};
+use super::window::{Counted, Mask, SimilaritySums};
 use crate::base::Real;
 
 /// Number of pixels per task and per row segment: fixed, so that sums do not depend on the number of threads.

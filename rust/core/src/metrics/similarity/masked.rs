@@ -1,16 +1,13 @@
 //! Similarity restricted to a mask: other pixels have weight 0, and the remaining weights of a window are scaled to
 //! sum to 1. Knutsson, Westin: Normalized and differential convolution, 1993.
 
-use rayon::prelude::*;
-
 use super::super::extremes::ValueRange;
-use super::super::lanes::{LANES, lanes};
 use super::super::pair::Pair;
-use super::super::pixel_rows::PixelRows;
+use super::super::pixel_rows::{LANES, PixelRows, lanes};
 use super::super::plane::{Plane, Region};
 use super::direct::Patch;
 use super::measure::{Measure, Measurement};
-use super::window_sums::SimilaritySums;
+use super::window::{MapRows, SimilaritySums, sum_bands};
 use crate::base::simd::vectorized;
 use crate::base::{Progress, Real};
 
@@ -37,25 +34,16 @@ type Fields = [Vec<f64>; FIELDS];
 
 impl<P: PixelRows> Masked<'_, P> {
     /// Returns sums over the masked pixels. Other pixels of the map are NaN.
-    pub(super) fn sums(&self, map: Option<&mut [P::Real]>) -> SimilaritySums {
+    pub(super) fn sums(&self, mut map: Option<&mut [P::Real]>) -> SimilaritySums {
+        if let Some(map) = &mut map {
+            map.fill(P::Real::narrow(f64::NAN));
+        }
         let (height, width) = (self.mask.height, self.mask.width);
         let named = self.mask.bounds(Region { rows: [0, height], columns: [0, width] });
-        let rows = |band: usize| [band * ROWS, height.min((band + 1) * ROWS)];
-        let each: Vec<SimilaritySums> = match map {
-            Some(map) => {
-                map.fill(P::Real::narrow(f64::NAN));
-                let bands = map.par_chunks_mut(ROWS * width).enumerate();
-                bands.map(|(band, map)| self.band(named.within_rows(rows(band)), Some((map, band * ROWS)))).collect()
-            }
-            None => {
-                let bands = (0..height.div_ceil(ROWS)).into_par_iter();
-                bands.map(|band| self.band(named.within_rows(rows(band)), None)).collect()
-            }
-        };
-        each.into_iter().fold(SimilaritySums::default(), SimilaritySums::and)
+        sum_bands([height, width], ROWS, map, |rows, map| self.band(named.within_rows(rows), map))
     }
 
-    fn band(&self, part: Region, mut map: Option<(&mut [P::Real], usize)>) -> SimilaritySums {
+    fn band(&self, part: Region, mut map: Option<MapRows<'_, P::Real>>) -> SimilaritySums {
         let mut sums = SimilaritySums::default();
         let [first, end] = part.columns;
         if part.is_empty() || self.progress.check().is_err() {
@@ -117,8 +105,8 @@ impl<P: PixelRows> Masked<'_, P> {
                 sums.similarity += similarity;
                 sums.contrast += if self.contrast { contrast } else { 0.0 };
                 sums.pixels += 1.0;
-                if let Some((map, top)) = &mut map {
-                    map[(row - *top) * self.mask.width + column] = P::Real::narrow(similarity);
+                if let Some(map) = &mut map {
+                    map.write(row, column, &[similarity]);
                 }
             }
         }

@@ -1,6 +1,6 @@
 //! Similarity measure from means and variances of the sum and difference of both images.
 
-use super::super::lanes::LANES;
+use super::super::pixel_rows::LANES;
 use super::super::plane::RoundingLimits;
 use super::moments::{COLUMNS, Moments};
 use crate::base::Real;
@@ -165,11 +165,5 @@ fn power_sums_kernel<R: Real>(s: &[R], d: &[R]) -> [f64; 4] {
         sums[2][0] += s * s;
         sums[3][0] += d * d;
     }
-    let mut totals = [0.0; 4];
-    for (total, lanes) in totals.iter_mut().zip(&sums) {
-        for lane in lanes {
-            *total += lane;
-        }
-    }
-    totals
+    sums.map(|lanes| lanes.iter().sum())
 }

@@ -7,9 +7,8 @@ use super::super::extremes::ValueRange;
 use super::super::pair::Pair;
 use super::super::pixel_rows::PixelRows;
 use super::super::plane::{Pixel, Plane, mirror};
-use super::ssim::similarity;
-use super::window::{Similarity, Window};
-use super::window_sums::{Counted, SimilaritySums};
+use super::similarity;
+use super::window::{Counted, Similarity, SimilaritySums, Window};
 use crate::base::{Error, Progress, Real, Result};
 
 /// A pair of images reduced in size.

@@ -4,10 +4,10 @@
 use super::moments::{COLUMNS, Moments, across, across_kernel, down, down_kernel};
 use super::*;
 use crate::base::Progress;
-use crate::metrics::Stacks;
-use crate::metrics::lanes::LANES;
 use crate::metrics::pair::Pair;
+use crate::metrics::pixel_rows::LANES;
 use crate::metrics::plane::{self, Plane};
+use crate::metrics::{Stacks, ValueRange};
 use proptest::prelude::*;
 
 const CONSTANTS: Similarity = Similarity { c1: 1e-4, c2: 9e-4 };
@@ -104,5 +104,28 @@ proptest! {
                 prop_assert!((fast.variance[i] - slow.variance[i]).abs() < 1e-12);
             }
         }
+    }
+}
+
+#[test]
+fn equal_images_are_exactly_alike_and_order_does_not_matter() {
+    let a: Vec<f64> = (0..35).map(|i| f64::from(i * i % 17) / 16.0).collect();
+    let b: Vec<f64> = (0..35).map(|i| f64::from(i * 7 % 13) / 12.0).collect();
+    for window in [Window::gaussian(11, 1.5), Window::uniform(4), Window::Global] {
+        let of = |a: &[f64], b: &[f64]| {
+            let mut map = vec![0.0; 35];
+            let [a, b] = [a, b].map(|values| Plane::new(values, [5, 7], [7, 1]).unwrap());
+            let pair = Pair::new(a, b).unwrap();
+            let counted = Counted { all: true, mask: None, contrast: true, range: true, progress: &Progress::new() };
+            let sums = similarity(&pair, &window, CONSTANTS, counted, Some(&mut map)).unwrap();
+            assert_eq!(sums, similarity(&pair, &window, CONSTANTS, counted, None).unwrap());
+            (sums, map)
+        };
+        assert!(of(&a, &a).1.iter().all(|&value| value == 1.0));
+        let SimilaritySums { similarity, contrast, pixels, range } = of(&a, &a).0;
+        assert_eq!([similarity, contrast, pixels], [35.0; 3]);
+        assert_eq!(range, ValueRange { least: 0.0, greatest: 1.0 });
+        assert_eq!(of(&a, &b), of(&b, &a));
+        assert!(of(&a, &b).1.iter().all(|&value| value < 1.0));
     }
 }

@@ -1,16 +1,13 @@
 //! Windowed similarity over tiles that stay in the caches, with one pass over each tile's rows.
 
-use rayon::prelude::*;
-
 use super::super::extremes::Extremes;
-use super::super::lanes::LANES;
 use super::super::pair::Pair;
-use super::super::pixel_rows::PixelRows;
+use super::super::pixel_rows::{LANES, PixelRows};
 use super::super::plane::{Region, RoundingLimits, mirror};
 use super::direct::Patch;
 use super::measure::{Measure, WindowRow, measure_row};
 use super::moments::{COLUMNS, Moments, across, down};
-use super::window_sums::{Counted, Mask, SimilaritySums};
+use super::window::{Counted, MapRows, Mask, SimilaritySums, sum_bands};
 use crate::base::Real;
 use crate::base::simd::prefetch;
 
@@ -39,7 +36,7 @@ impl<'a, P: PixelRows> Windows<'a, P> {
     pub(super) fn sums(&self, map: Option<&mut [P::Real]>) -> SimilaritySums {
         let (height, width) = (self.pair.reference.height, self.pair.reference.width);
         let inside = self.inner_region();
-        let band = |rows: [usize; 2], mut map: Option<&mut [P::Real]>| {
+        sum_bands([height, width], ROWS, map, |rows, mut map| {
             let wanted = if map.is_some() { Region { rows, columns: [0, width] } } else { inside.within_rows(rows) };
             let mut bench = Bench::new(self.weights.len(), self.counted.contrast);
             let mut sums = SimilaritySums::default();
@@ -52,21 +49,11 @@ impl<'a, P: PixelRows> Windows<'a, P> {
                     part = mask.plane().bounds(part);
                 }
                 if !part.is_empty() {
-                    let map = map.as_deref_mut().map(|values| MapRows { values, width, top: rows[0] });
-                    sums = sums.and(self.tile(&part, inside, &mut bench, map));
+                    sums = sums.and(self.tile(&part, inside, &mut bench, map.as_mut()));
                 }
             }
             sums
-        };
-        let bands = height.div_ceil(ROWS);
-        let rows = |band: usize| [band * ROWS, height.min((band + 1) * ROWS)];
-        let each: Vec<SimilaritySums> = match map {
-            Some(map) => {
-                map.par_chunks_mut(ROWS * width).enumerate().map(|(n, map)| band(rows(n), Some(map))).collect()
-            }
-            None => (0..bands).into_par_iter().map(|n| band(rows(n), None)).collect(),
-        };
-        each.into_iter().fold(SimilaritySums::default(), SimilaritySums::and)
+        })
     }
 
     /// Returns the region of the windows that count, before any mask.
@@ -86,7 +73,7 @@ impl<'a, P: PixelRows> Windows<'a, P> {
         part: &Region,
         inside: Region,
         bench: &mut Bench<P::Real>,
-        mut map: Option<MapRows<'_, P::Real>>,
+        mut map: Option<&mut MapRows<'_, P::Real>>,
     ) -> SimilaritySums {
         let levels = self.pair.levels(part, self.counted.mask.as_ref().map(Mask::plane));
         bench.row.all = map.is_some();
@@ -95,7 +82,7 @@ impl<'a, P: PixelRows> Windows<'a, P> {
         let narrow = |row: usize, places: &[usize], lines: [&mut [P::Real]; 2]| {
             self.load(row, places, own, levels.map(P::Real::narrow), lines, extremes.as_mut())
         };
-        if let Some(sums) = self.pass(part, inside, (levels, &self.narrow), bench, map.as_mut(), narrow) {
+        if let Some(sums) = self.pass(part, inside, (levels, &self.narrow), bench, map.as_deref_mut(), narrow) {
             return SimilaritySums { range: extremes.unwrap_or_default().range(), ..sums };
         }
         let mut extremes = Extremes::default();
@@ -110,7 +97,7 @@ impl<'a, P: PixelRows> Windows<'a, P> {
         if size_of::<P::Real>() < size_of::<f64>() {
             let mut bench = Bench::new(self.weights.len(), self.counted.contrast);
             bench.row.all = map.is_some();
-            if let Some(sums) = self.pass(part, inside, (levels, self.weights), &mut bench, map.as_mut(), wide) {
+            if let Some(sums) = self.pass(part, inside, (levels, self.weights), &mut bench, map.as_deref_mut(), wide) {
                 return SimilaritySums { range, ..sums };
             }
         }
@@ -183,7 +170,7 @@ impl<'a, P: PixelRows> Windows<'a, P> {
         Some(SimilaritySums { similarity, contrast, pixels, ..SimilaritySums::default() })
     }
 
-    fn one_by_one(&self, part: &Region, inside: Region, mut map: Option<MapRows<'_, P::Real>>) -> SimilaritySums {
+    fn one_by_one(&self, part: &Region, inside: Region, mut map: Option<&mut MapRows<'_, P::Real>>) -> SimilaritySums {
         let patch = Patch::new(&self.pair, self.weights, self.constants, part, None);
         let ([first, end], is_mapped) = (part.columns, map.is_some());
         let mut sums = SimilaritySums::default();
@@ -241,22 +228,6 @@ impl<'a, P: PixelRows> Windows<'a, P> {
         let next = (row + PREFETCHED_ROWS).min(self.pair.reference.height - 1);
         for image in [&self.pair.reference, &self.pair.test] {
             image.run(next, start..last + 1).into_iter().for_each(prefetch);
-        }
-    }
-}
-
-/// Rows of a map, starting at row `top`.
-struct MapRows<'a, R> {
-    values: &'a mut [R],
-    width: usize,
-    top: usize,
-}
-
-impl<R: Real> MapRows<'_, R> {
-    fn write<S: Real>(&mut self, row: usize, column: usize, values: &[S]) {
-        let at = (row - self.top) * self.width + column;
-        for (slot, value) in self.values[at..].iter_mut().zip(values) {
-            *slot = R::narrow(value.wide());
         }
     }
 }

@@ -57,25 +57,34 @@ impl Seen {
 impl Backdrop<'_> {
     pub fn color(&self, direction: Vec3, footprint: impl FnOnce() -> Footprint) -> [f32; 3] {
         match self.far {
-            Far::Nothing => background(direction),
             Far::Map(map) if self.shows(map, direction) => map.color(direction),
-            Far::Map(_) => background(direction),
+            Far::Nothing | Far::Map(_) => background(direction),
             Far::Traced(scene, radius) => {
                 let (ray, hit) = self.cast(scene, radius, direction);
-                if hit.is_miss() {
-                    return background(direction);
-                }
-                Surface::of_hit(scene, &ray, &hit).color(scene, footprint().width_at(hit.t))
+                hit_color(scene, &ray, &hit, footprint)
             }
         }
     }
 
+    /// Returns the channels of a ray that hits near geometry or, if it misses, shows the far part.
+    pub fn hit_sample(
+        &self,
+        scene: &Scene,
+        ray: &Ray,
+        hit: &Hit,
+        footprint: impl FnOnce() -> Footprint,
+        wanted: Channels,
+    ) -> Sample {
+        if hit.is_miss() {
+            return self.sample(ray.direction, footprint, wanted);
+        }
+        Surface::of_hit(scene, ray, hit).sample(scene, hit.t, || footprint().width_at(hit.t), wanted)
+    }
+
     /// Returns the channels of a far pixel. The map shows what O sees in this direction; its range gives the point.
-    pub fn sample(&self, direction: Vec3, footprint: impl FnOnce() -> Footprint, wanted: Channels) -> Sample {
+    fn sample(&self, direction: Vec3, footprint: impl FnOnce() -> Footprint, wanted: Channels) -> Sample {
         match self.far {
-            Far::Nothing => Sample::default(),
-            Far::Map(map) if !self.shows(map, direction) => Sample::default(),
-            Far::Map(map) => {
+            Far::Map(map) if self.shows(map, direction) => {
                 let (range, object_id) = map.surface(direction);
                 let mut sample = Sample { range: self.displayed(direction, range), object_id, ..Sample::default() };
                 if range.is_finite() {
@@ -83,6 +92,7 @@ impl Backdrop<'_> {
                 }
                 sample
             }
+            Far::Nothing | Far::Map(_) => Sample::default(),
             Far::Traced(scene, radius) => {
                 let (ray, hit) = self.cast(scene, radius, direction);
                 if hit.is_miss() {
@@ -132,18 +142,18 @@ impl Backdrop<'_> {
     }
 
     /// Traces the rays without a hit of a tile into the far part, if that is traced; as one packet, because they are
-    /// coherent.
-    pub fn trace_far(&self, rays: &[Ray], hits: &[Hit]) -> Option<Behind> {
+    /// coherent. Returns the rays from the centre, and their hits beyond the near part.
+    pub fn trace_far(&self, rays: &[Ray], hits: &[Hit]) -> Option<([Ray; PIXELS], [Hit; PIXELS])> {
         let Far::Traced(scene, radius) = self.far else { return None };
-        let mut behind = Behind { rays: [self.ray(radius, Vec3::Y); PIXELS], hits: [Hit::MISS; PIXELS] };
-        for (far, (ray, hit)) in behind.rays.iter_mut().zip(rays.iter().zip(hits)) {
-            *far = self.ray(radius, ray.direction);
-            if !hit.is_miss() || !far.t_min.is_finite() {
-                (far.t_min, far.t_max) = (1.0, 0.0);
+        let (mut far_rays, mut far_hits) = ([self.ray(radius, Vec3::Y); PIXELS], [Hit::MISS; PIXELS]);
+        for (far_ray, (ray, hit)) in far_rays.iter_mut().zip(rays.iter().zip(hits)) {
+            *far_ray = self.ray(radius, ray.direction);
+            if !hit.is_miss() || !far_ray.t_min.is_finite() {
+                (far_ray.t_min, far_ray.t_max) = (1.0, 0.0);
             }
         }
-        closest(scene, &behind.rays[..rays.len()], &mut behind.hits[..rays.len()]);
-        Some(behind)
+        closest(scene, &far_rays[..rays.len()], &mut far_hits[..rays.len()]);
+        Some((far_rays, far_hits))
     }
 
     fn cast(&self, scene: &Scene, radius: f64, direction: Vec3) -> (Ray, Hit) {
@@ -157,21 +167,12 @@ impl Backdrop<'_> {
     }
 }
 
-/// Rays from the centre through a tile's pixels, and their hits beyond the near part.
-pub(super) struct Behind {
-    rays: [Ray; PIXELS],
-    hits: [Hit; PIXELS],
-}
-
-impl Behind {
-    /// Returns the linear RGB that the n-th ray sees.
-    pub fn color(&self, n: usize, scene: &Scene, footprint: Footprint) -> [f32; 3] {
-        let (ray, hit) = (&self.rays[n], &self.hits[n]);
-        if hit.is_miss() {
-            return background(ray.direction);
-        }
-        Surface::of_hit(scene, ray, hit).color(scene, footprint.width_at(hit.t))
+/// Returns the linear RGB of a hit; of the sky for a miss.
+pub(super) fn hit_color(scene: &Scene, ray: &Ray, hit: &Hit, footprint: impl FnOnce() -> Footprint) -> [f32; 3] {
+    if hit.is_miss() {
+        return background(ray.direction);
     }
+    Surface::of_hit(scene, ray, hit).color(scene, footprint().width_at(hit.t))
 }
 
 /// Finds the closest opaque points along rays.

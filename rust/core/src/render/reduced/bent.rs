@@ -2,7 +2,7 @@
 //! r₂, wherever its triangle extends. Behind these, a moving fragment beyond r₂ is drawn if no far surface hides it.
 
 use super::super::frame::{Channels, Sample};
-use super::super::surface::{Surface, add_colors};
+use super::super::surface::add_colors;
 use super::super::tiles::{PIXELS, Picture, Spots};
 use super::backdrop::Backdrop;
 use super::shown::Shown;
@@ -69,13 +69,13 @@ impl Picture for Bent<'_> {
         }
         // Surfaces within r₂ hide all surfaces beyond it: they come first along the bent ray, though not always by
         // displayed distance.
-        let (mut others, mut found) = ([rays[0]; PIXELS], [Hit::MISS; PIXELS]);
-        for (other, (ray, hit)) in others.iter_mut().zip(rays.iter().zip(hits.iter())) {
-            *other = if hit.is_miss() { *ray } else { Ray { t_max: -1.0, ..*ray } };
+        let (mut far_rays, mut far_hits) = ([rays[0]; PIXELS], [Hit::MISS; PIXELS]);
+        for (far_ray, (ray, hit)) in far_rays.iter_mut().zip(rays.iter().zip(hits.iter())) {
+            *far_ray = if hit.is_miss() { *ray } else { Ray { t_max: -1.0, ..*ray } };
         }
-        closest_hits(&self.shown.scene, &others[..rays.len()], &split(true), &mut found[..rays.len()]);
-        for (hit, found) in hits.iter_mut().zip(found).filter(|(hit, _)| hit.is_miss()) {
-            *hit = found;
+        closest_hits(&self.shown.scene, &far_rays[..rays.len()], &split(true), &mut far_hits[..rays.len()]);
+        for (hit, far_hit) in hits.iter_mut().zip(far_hits).filter(|(hit, _)| hit.is_miss()) {
+            *hit = far_hit;
         }
     }
 
@@ -85,10 +85,7 @@ impl Picture for Bent<'_> {
     }
 
     fn sample(&self, ray: &Ray, hit: &Hit, footprint: impl FnOnce() -> Footprint, wanted: Channels) -> Sample {
-        if hit.is_miss() {
-            return self.backdrop.sample(ray.direction, footprint, wanted);
-        }
-        let surface = Surface::of_hit(self.scene, ray, &self.on_scene(hit));
-        surface.sample(self.scene, hit.t, || footprint().width_at(hit.t), wanted)
+        let hit = if hit.is_miss() { *hit } else { self.on_scene(hit) };
+        self.backdrop.hit_sample(self.scene, ray, &hit, footprint, wanted)
     }
 }

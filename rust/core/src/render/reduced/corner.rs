@@ -72,15 +72,15 @@ impl Corner {
     pub fn bend(&self, k: usize, legs: usize) -> Vec4 {
         // Both are powers of two.
         let finer = legs.trailing_zeros() - self.legs.trailing_zeros();
-        let whole = k >> finer;
-        let before = self.beside[whole];
-        let rest = k - (whole << finer);
-        if rest == 0 {
-            return (self.across * before).extend(self.from + self.step * whole as f32);
+        let own = k >> finer;
+        let before = self.beside[own];
+        let remainder = k - (own << finer);
+        if remainder == 0 {
+            return (self.across * before).extend(self.from + self.step * own as f32);
         }
-        let part = rest as f32 / (1u32 << finer) as f32;
-        let y = before + (self.beside[whole + 1] - before) * part;
-        (self.across * y).extend(self.from + self.step * (whole as f32 + part))
+        let fraction = remainder as f32 / (1u32 << finer) as f32;
+        let y = before + (self.beside[own + 1] - before) * fraction;
+        (self.across * y).extend(self.from + self.step * (own as f32 + fraction))
     }
 }
 
@@ -93,8 +93,8 @@ fn between_radii(curve: &RayCurve<'_>) -> Option<Stretch> {
     .filter(|_| curve.end().is_some())
 }
 
-/// Returns the position of the k-th of `legs` equal steps; k may be fractional.
-fn place(stretch: &Stretch, k: f64, legs: usize) -> f64 {
+/// Returns the distance along the ray of the k-th of `legs` equal steps; k may be fractional.
+fn along(stretch: &Stretch, k: f64, legs: usize) -> f64 {
     stretch.from + (stretch.to - stretch.from) * k / legs as f64
 }
 
@@ -103,7 +103,7 @@ fn place(stretch: &Stretch, k: f64, legs: usize) -> f64 {
 fn misses(curve: &RayCurve<'_>, stretch: &Stretch, beside: &[f64], tolerance: f64) -> bool {
     let legs = beside.len() - 1;
     let miss = |k: usize, t: f64| {
-        curve.miss(place(stretch, k as f64 + t, legs), beside[k] + (beside[k + 1] - beside[k]) * t) > tolerance
+        curve.miss(along(stretch, k as f64 + t, legs), beside[k] + (beside[k + 1] - beside[k]) * t) > tolerance
     };
     [0.5, 0.2, 0.8].into_iter().any(|t| (0..legs).any(|k| miss(k, t)))
 }
@@ -117,6 +117,6 @@ fn halve(curve: &RayCurve<'_>, stretch: &Stretch, beside: &mut [f64; MAX_LEGS + 
         let inner = k > 0 && k + 1 < legs;
         let bulge = if inner { (a + b - beside[k - 1] - beside[k + 2]) / 16.0 } else { 0.0 };
         beside[2 * k + 2] = b;
-        beside[2 * k + 1] = curve.search(place(stretch, k as f64 + 0.5, legs), 0.5 * (a + b) + bulge, OFFSET_PRECISION);
+        beside[2 * k + 1] = curve.search(along(stretch, k as f64 + 0.5, legs), 0.5 * (a + b) + bulge, OFFSET_PRECISION);
     }
 }

@@ -37,8 +37,7 @@ pub(super) struct Lattice {
 impl Lattice {
     /// Creates a lattice. The tolerance is in pixels, with the angular size of a pixel at each ray.
     pub fn new(camera: &Camera, morph: &Morph, tolerance_px: f64) -> Self {
-        let (columns, lines) =
-            ((camera.width as usize).div_ceil(TILE) + 1, (camera.height as usize).div_ceil(TILE) + 1);
+        let [columns, lines] = [camera.width, camera.height].map(|pixels| (pixels as usize).div_ceil(TILE) + 1);
         let corners = std::iter::repeat_with(OnceLock::new).take(columns * lines).collect();
         Self { morph: *morph, rays: camera.rays(), tolerance_px, columns, lines, corners }
     }
@@ -52,7 +51,7 @@ impl Lattice {
         mut trace: impl FnMut(&Cell<'_>),
     ) -> bool {
         let Some(turn) = self.turn(column, row) else { return false };
-        let allowed = BETWEEN * self.tolerance(column, row);
+        let allowed = BETWEEN * self.tolerance(column as f64, row as f64);
         let user = self.morph.user.as_vec3();
         let at = |x, y| self.corner(column + x, row + y);
         if let (Some(a), Some(b), Some(c), Some(d)) = (at(0, 0), at(1, 0), at(0, 1), at(1, 1)) {
@@ -86,17 +85,13 @@ impl Lattice {
     }
 
     /// Returns the tolerance in radians at a position in units of tiles.
-    fn tolerance_at(&self, column: f64, row: f64) -> f64 {
+    fn tolerance(&self, column: f64, row: f64) -> f64 {
         self.tolerance_px * self.rays.pixel_angle(column * TILE as f64, row * TILE as f64)
-    }
-
-    fn tolerance(&self, column: usize, row: usize) -> f64 {
-        self.tolerance_at(column as f64, row as f64)
     }
 
     fn bent(&self, column: f64, row: f64) -> Option<Corner> {
         let direction = self.rays.ray(column * TILE as f64, row * TILE as f64).1;
-        Corner::new(&RayCurve::new(&self.morph, direction), CHORD * self.tolerance_at(column, row))
+        Corner::new(&RayCurve::new(&self.morph, direction), CHORD * self.tolerance(column, row))
     }
 
     fn corner(&self, column: usize, row: usize) -> Option<&Corner> {

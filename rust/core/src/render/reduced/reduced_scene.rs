@@ -9,7 +9,7 @@ use super::super::limits::{Limits, Segment};
 use super::super::tiles::{Pixels, RenderView, check_reach, draw};
 use super::backdrop::{Backdrop, Far, Seen};
 use super::folding::Folding;
-use super::moving::ConventionalDynamic;
+use super::moving::{ConventionalDynamic, Moving};
 use super::shown::NearGeometry;
 use super::{bent, exact, straight};
 use crate::base::{Error, Progress, Result};
@@ -164,11 +164,13 @@ impl Reduced {
         let seen = Seen { limits: limits.relative_to(scene.origin), eye: camera.position - scene.origin };
         let backdrop = Backdrop { far: self.far(drawing.mapped, boundary, progress)?, center, morph: None, seen };
         let fold_margin = self.fold_margin(drawing.user(camera), drawing.growth)?;
-        let traced = |moving| FrameCounts { triangles: 0, moving, opposed: 0, bounded: true, fold_margin };
+        let traced = |moving: &Option<Moving>| {
+            let moving = moving.as_ref().map_or(0, Moving::triangles);
+            FrameCounts { triangles: 0, moving, opposed: 0, bounded: true, fold_margin }
+        };
         let Some(kind) = self.morph_kind(camera, drawing) else {
             let picture = straight::Straight::new(scene, backdrop, boundary, drawing.conventional_dynamic, progress)?;
-            let counts = traced(picture.moving_triangles());
-            return Ok((draw(&view, &picture, progress)?, counts));
+            return Ok((draw(&view, &picture, progress)?, traced(&picture.moving)));
         };
         let user = drawing.user(camera);
         let morph = self.morph(user - scene.origin, center, kind, drawing.growth)?;
@@ -177,8 +179,7 @@ impl Reduced {
         if drawing.method == MorphMethod::Exact {
             let picture =
                 exact::Exact::new(scene, camera, (morph, boundary), backdrop, drawing.tolerance_px, progress)?;
-            let counts = traced(picture.moving_triangles());
-            return Ok((draw(&view, &picture, progress)?, counts));
+            return Ok((draw(&view, &picture, progress)?, traced(&picture.moving)));
         }
         let shown = self.near.morphed(scene, &morph, tolerance.is_finite().then_some(tolerance), progress)?;
         let counts = FrameCounts {

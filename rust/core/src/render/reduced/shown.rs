@@ -97,8 +97,8 @@ impl NearGeometry {
         let poses = scene.moving.instances().iter().map(|instance| instance.to_scene).collect();
         let standing = self.split(standing, None, scene, morph, tolerance, progress)?;
         let moving = self.split(moving, Some(poses), scene, morph, tolerance, progress)?;
-        let (standing, moving) =
-            (self.morphed_part(&standing, morph, progress)?, self.morphed_part(&moving, morph, progress)?);
+        let [standing, moving] = [standing, moving].map(|split| self.morphed_part(&split, morph, progress));
+        let (standing, moving) = (standing?, moving?);
         let (opposed, bounded) = (standing.opposed + moving.opposed, standing.bounded && moving.bounded);
         let parts = [fixed, standing, moving];
         let instances = parts.iter().map(|part| part.instance.clone()).collect();
@@ -124,17 +124,13 @@ impl NearGeometry {
         });
         let steps = settings.map(|(steps, _)| steps);
         let cause = Cause { steps, radii: [bent_from(morph), morph.r2], poses };
-        let known = {
-            let mut splits = self.splits();
-            splits.iter().position(|(other, _)| *other == cause).map(|at| {
-                let found = splits.remove(at);
-                splits.push(found.clone());
-                found.1
-            })
-        };
-        if let Some(split) = known {
-            return Ok(split);
+        let mut splits = self.splits();
+        if let Some(index) = splits.iter().position(|(known, _)| *known == cause) {
+            // The last used is at the end.
+            splits[index..].rotate_left(1);
+            return Ok(Arc::clone(&splits[splits.len() - 1].1));
         }
+        drop(splits);
         let (moves, radius) = (cause.poses.is_some(), self.radii[1]);
         let is_within = |point: DVec3| on_ground(point - morph.center).length() <= radius;
         // Moving objects are drawn beyond the near part, too.
