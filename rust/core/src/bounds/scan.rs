@@ -211,19 +211,19 @@ fn extremes_kernel<T: Real>(points: &[[T; 3]]) -> Extremes {
     for block in blocks.iter().step_by(DIAGONAL_STRIDE) {
         let [x, y, z] = gather(block);
         for i in 0..LANES {
-            let of = project(&[x[i], y[i], z[i]]);
+            let projections = project(&[x[i], y[i], z[i]]);
             for n in AXES..DIRECTIONS {
-                low[n][i] = if of[n] < low[n][i] { of[n] } else { low[n][i] };
-                high[n][i] = if of[n] > high[n][i] { of[n] } else { high[n][i] };
+                low[n][i] = if projections[n] < low[n][i] { projections[n] } else { low[n][i] };
+                high[n][i] = if projections[n] > high[n][i] { projections[n] } else { high[n][i] };
             }
         }
     }
     for point in rest {
-        let of = project(point);
-        zeros[0] += 0.0 * of[3];
+        let projections = project(point);
+        zeros[0] += 0.0 * projections[3];
         for n in 0..DIRECTIONS {
-            low[n][0] = low[n][0].min(of[n]);
-            high[n][0] = high[n][0].max(of[n]);
+            low[n][0] = low[n][0].min(projections[n]);
+            high[n][0] = high[n][0].max(projections[n]);
         }
     }
     let zero = zeros.iter().sum::<f64>();
@@ -235,20 +235,20 @@ fn extremes_kernel<T: Real>(points: &[[T; 3]]) -> Extremes {
 
 #[inline(always)]
 fn sum_kernel<T: Real>(points: &[[T; 3]], origin: DVec3) -> DVec3 {
-    let from = origin.to_array();
+    let origin_xyz = origin.to_array();
     let (blocks, rest) = points.as_chunks::<LANES>();
     let mut sums = [[0.0; LANES]; 3];
     for block in blocks {
         let lanes = gather(block);
         for axis in 0..3 {
             for i in 0..LANES {
-                sums[axis][i] += lanes[axis][i] - from[axis];
+                sums[axis][i] += lanes[axis][i] - origin_xyz[axis];
             }
         }
     }
     for point in rest {
         for axis in 0..3 {
-            sums[axis][0] += point[axis].wide() - from[axis];
+            sums[axis][0] += point[axis].wide() - origin_xyz[axis];
         }
     }
     DVec3::from_array(sums.map(|lanes| lanes.iter().sum()))
@@ -273,58 +273,62 @@ fn farthest_kernel<T: Real>(points: &[[T; 3]], origin: DVec3, center: DVec3) -> 
     let (origin, center) = (origin.to_array(), center.to_array());
     let (blocks, rest) = points.as_chunks::<LANES>();
     // Maximum of each lane and its block; the first of equal values.
-    let (mut most, mut which) = ([f64::NEG_INFINITY; LANES], [0.0; LANES]);
+    let (mut max_squared, mut block_of_max) = ([f64::NEG_INFINITY; LANES], [0.0; LANES]);
     let mut number = 0.0;
     for (n, block) in blocks.iter().enumerate() {
         prefetch(blocks.get(n + PREFETCHED_BLOCKS).unwrap_or(block));
         let squared = squares(block, origin, center);
         for i in 0..LANES {
-            let farther = squared[i] > most[i];
-            most[i] = if farther { squared[i] } else { most[i] };
-            which[i] = if farther { number } else { which[i] };
+            let farther = squared[i] > max_squared[i];
+            max_squared[i] = if farther { squared[i] } else { max_squared[i] };
+            block_of_max[i] = if farther { number } else { block_of_max[i] };
         }
         number += 1.0;
     }
     let mut found = (f64::NEG_INFINITY, usize::MAX);
-    let mut take = |squared: f64, index: usize| {
+    let mut include = |squared: f64, index: usize| {
         if squared > found.0 || (squared == found.0 && index < found.1) {
             found = (squared, index);
         }
     };
     if !blocks.is_empty() {
         for i in 0..LANES {
-            take(most[i], which[i] as usize * LANES + i);
+            include(max_squared[i], block_of_max[i] as usize * LANES + i);
         }
     }
     for (n, point) in rest.iter().enumerate() {
-        take(squares(&[*point; LANES], origin, center)[0], blocks.len() * LANES + n);
+        include(squares(&[*point; LANES], origin, center)[0], blocks.len() * LANES + n);
     }
     found
 }
 
 #[inline(always)]
 fn beyond_kernel<T: Real>(points: &[[T; 3]], origin: DVec3, center: DVec3, limit: f64, found: &mut Vec<[f64; 3]>) {
-    let (from, middle) = (origin.to_array(), center.to_array());
+    let (origin_xyz, center_xyz) = (origin.to_array(), center.to_array());
     let (blocks, rest) = points.as_chunks::<LANES>();
-    let mut keep = |point: &[T; 3], squared: f64| {
+    let mut push_if_beyond = |point: &[T; 3], squared: f64| {
         if squared > limit {
-            found.push([point[0].wide() - from[0], point[1].wide() - from[1], point[2].wide() - from[2]]);
+            found.push([
+                point[0].wide() - origin_xyz[0],
+                point[1].wide() - origin_xyz[1],
+                point[2].wide() - origin_xyz[2],
+            ]);
         }
     };
     for (n, block) in blocks.iter().enumerate() {
         prefetch(blocks.get(n + PREFETCHED_BLOCKS).unwrap_or(block));
-        let squared = squares(block, from, middle);
+        let squared = squares(block, origin_xyz, center_xyz);
         let mut greatest = 0.0;
         for value in squared {
             greatest = if value > greatest { value } else { greatest };
         }
         if greatest > limit {
             for i in 0..LANES {
-                keep(&block[i], squared[i]);
+                push_if_beyond(&block[i], squared[i]);
             }
         }
     }
     for point in rest {
-        keep(point, squares(&[*point; LANES], from, middle)[0]);
+        push_if_beyond(point, squares(&[*point; LANES], origin_xyz, center_xyz)[0]);
     }
 }

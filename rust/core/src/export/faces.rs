@@ -63,9 +63,9 @@ impl Part<'_> {
         self.faces.map_or(self.mesh.faces.len(), <[u32]>::len)
     }
 
-    /// Returns the number of the face at a position of the list.
-    fn face(&self, place: usize) -> u32 {
-        self.faces.map_or(place as u32, |faces| faces[place])
+    /// Returns the number of the face at an index of the list.
+    fn face(&self, index: usize) -> u32 {
+        self.faces.map_or(index as u32, |faces| faces[index])
     }
 }
 
@@ -83,7 +83,7 @@ pub(super) fn primitives<'a>(
             by_primitive.entry(key).or_default().push(Piece { mesh: part.mesh, frame: part.frame, faces });
         }
     }
-    let divided = by_primitive.into_iter().flat_map(|(key, pieces)| divided(pieces).into_iter().map(move |p| (key, p)));
+    let divided = by_primitive.into_iter().flat_map(|(key, pieces)| divide(pieces).into_iter().map(move |p| (key, p)));
     Ok(divided.collect())
 }
 
@@ -91,9 +91,8 @@ pub(super) fn primitives<'a>(
 fn by_key(part: &Part<'_>, surfaces: &Surfaces, progress: &Progress) -> Result<BTreeMap<Key, Vec<u32>>> {
     let sorted = |start: usize| -> Result<Vec<(Key, u32)>> {
         progress.check()?;
-        let places = start..(start + TILE).min(part.count());
-        let mut keyed: Vec<(Key, u32)> =
-            places.map(|place| part.face(place)).map(|face| (key_of(part.mesh, face, surfaces), face)).collect();
+        let faces = (start..(start + TILE).min(part.count())).map(|index| part.face(index));
+        let mut keyed: Vec<(Key, u32)> = faces.map(|face| (key_of(part.mesh, face, surfaces), face)).collect();
         keyed.sort_by_key(|&(key, _)| key);
         Ok(keyed)
     };
@@ -118,19 +117,19 @@ fn key_of(mesh: &Mesh, face: u32, surfaces: &Surfaces) -> Key {
 }
 
 /// Divides pieces into primitives of at most `MAX_FACES` faces.
-fn divided(pieces: Vec<Piece<'_>>) -> Vec<Vec<Piece<'_>>> {
-    let (mut primitives, mut open, mut room) = (Vec::new(), Vec::new(), MAX_FACES);
+fn divide(pieces: Vec<Piece<'_>>) -> Vec<Vec<Piece<'_>>> {
+    let (mut primitives, mut primitive, mut capacity) = (Vec::new(), Vec::new(), MAX_FACES);
     for mut piece in pieces {
-        while piece.faces.len() > room {
-            let rest = piece.faces.split_off(room);
-            open.push(Piece { faces: std::mem::replace(&mut piece.faces, rest), ..piece });
-            primitives.push(std::mem::take(&mut open));
-            room = MAX_FACES;
+        while piece.faces.len() > capacity {
+            let remaining_faces = piece.faces.split_off(capacity);
+            primitive.push(Piece { faces: std::mem::replace(&mut piece.faces, remaining_faces), ..piece });
+            primitives.push(std::mem::take(&mut primitive));
+            capacity = MAX_FACES;
         }
-        room -= piece.faces.len();
-        open.push(piece);
+        capacity -= piece.faces.len();
+        primitive.push(piece);
     }
-    primitives.push(open);
+    primitives.push(primitive);
     primitives
 }
 
@@ -147,7 +146,7 @@ mod tests {
             |count: u32| Piece { mesh: &mesh, frame: Frame::Own { turned: false }, faces: (0..count).collect() };
         let most = MAX_FACES as u32;
         let counts = |pieces: Vec<Piece<'_>>| -> Vec<Vec<usize>> {
-            divided(pieces).iter().map(|pieces| pieces.iter().map(|piece| piece.faces.len()).collect()).collect()
+            divide(pieces).iter().map(|pieces| pieces.iter().map(|piece| piece.faces.len()).collect()).collect()
         };
         assert_eq!(counts(vec![piece(3), piece(4)]), [[3, 4]]);
         assert_eq!(counts(vec![piece(3), piece(2 * most)]), [vec![3, MAX_FACES - 3], vec![MAX_FACES], vec![3]]);

@@ -124,37 +124,41 @@ impl Gatherer {
     fn add_face(&mut self, face: [u32; 3]) {
         let [a, b, c] = face.map(|vertex| I64Vec3::from_array(self.positions[vertex as usize].map(i64::from)));
         // Exact, because edges have at most 25 bits.
-        let across = (b - a).cross(c - a);
-        if across == I64Vec3::ZERO {
+        let normal = (b - a).cross(c - a);
+        if normal == I64Vec3::ZERO {
             self.dropped += 1;
             return;
         }
-        let face = if self.key.lit { self.lit(face, across.as_dvec3().normalize()) } else { face };
+        let face = if self.key.lit { self.orient(face, normal.as_dvec3().normalize()) } else { face };
         self.faces.push(face);
     }
 
     /// Orients a face to the side of its normals, and gives corners without a normal the face's own. Files order
     /// corners inconsistently; nearfar lights a face from the side of its normals, but glTF viewers from the side on
     /// which its corners are counter-clockwise.
-    fn lit(&mut self, face: [u32; 3], mut plane: DVec3) -> [u32; 3] {
+    fn orient(&mut self, face: [u32; 3], mut face_normal: DVec3) -> [u32; 3] {
         let normal = |&[x, y, z, _]: &[f32; 4]| Vec3::new(x, y, z);
         let normals = face.map(|vertex| normal(&self.normals[vertex as usize]));
         let sum: Vec3 = normals.iter().sum();
-        let mut shown = face;
-        if sum.as_dvec3().dot(plane) < 0.0 {
-            (shown, plane) = (other_side(face), -plane);
+        let mut oriented = face;
+        if sum.as_dvec3().dot(face_normal) < 0.0 {
+            (oriented, face_normal) = (other_side(face), -face_normal);
         }
         if !normals.contains(&Vec3::ZERO) {
-            return shown;
+            return oriented;
         }
-        let plane = plane.as_vec3().extend(0.0).to_array();
-        shown.map(|vertex| {
-            if normal(&self.normals[vertex as usize]) == Vec3::ZERO { self.copied(vertex, plane) } else { vertex }
+        let face_normal = face_normal.as_vec3().extend(0.0).to_array();
+        oriented.map(|vertex| {
+            if normal(&self.normals[vertex as usize]) == Vec3::ZERO {
+                self.copy_vertex(vertex, face_normal)
+            } else {
+                vertex
+            }
         })
     }
 
     /// Copies a vertex with another normal.
-    fn copied(&mut self, vertex: u32, normal: [f32; 4]) -> u32 {
+    fn copy_vertex(&mut self, vertex: u32, normal: [f32; 4]) -> u32 {
         let row = vertex as usize;
         self.positions.push(self.positions[row]);
         self.normals.push(normal);

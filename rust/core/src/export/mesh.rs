@@ -103,7 +103,7 @@ fn weld(mut primitive: Primitive) -> Option<Welded> {
         return None;
     }
     let mut corners: Vec<u32> = std::mem::take(&mut primitive.faces).into_flattened();
-    let (count, numbers) = alike(&primitive, &corners);
+    let (count, numbers) = distinct_vertices(&primitive, &corners);
     let mut vertices = vec![UNUSED; count];
     for (vertex, &number) in numbers.iter().enumerate().filter(|&(_, &number)| number != UNUSED) {
         vertices[number as usize] = vertex as u32;
@@ -117,7 +117,7 @@ fn weld(mut primitive: Primitive) -> Option<Welded> {
 }
 
 /// Returns the number of distinct vertices that corners use, and the number of each vertex among them.
-fn alike(primitive: &Primitive, corners: &[u32]) -> (usize, Vec<u32>) {
+fn distinct_vertices(primitive: &Primitive, corners: &[u32]) -> (usize, Vec<u32>) {
     let mut streams = vec![VertexStream::new(primitive.positions.as_ptr())];
     streams.extend(primitive.normals.as_ref().map(|normals| VertexStream::new(normals.as_ptr())));
     streams.extend(primitive.uvs.as_ref().map(|(uvs, _)| VertexStream::new(uvs.as_ptr())));

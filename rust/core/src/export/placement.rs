@@ -36,8 +36,8 @@ impl Trs {
 /// points.
 pub(super) fn is_trs(to_scene: &DAffine3, bounds: &Aabb, tolerance: f64) -> bool {
     let (scale, rotation, translation) = to_scene.to_scale_rotation_translation();
-    let again = DAffine3::from_scale_rotation_translation(scale, rotation.normalize(), translation);
-    displacement(to_scene, &again, bounds) <= tolerance
+    let recomposed = DAffine3::from_scale_rotation_translation(scale, rotation.normalize(), translation);
+    displacement(to_scene, &recomposed, bounds) <= tolerance
 }
 
 /// Returns whether a placement is a mirror.

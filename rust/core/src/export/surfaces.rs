@@ -36,7 +36,7 @@ pub(super) struct Surfaces {
     textures: Arc<Vec<Texture>>,
     images: Vec<Option<String>>,
     /// First material that is drawn alike, for each material; they may differ in properties that are not drawn.
-    alike: Vec<i32>,
+    first_alike: Vec<i32>,
 }
 
 /// Lists of the document for materials, and the extensions that they use.
@@ -50,8 +50,8 @@ impl Surfaces {
             let expected = format!("a URI or none for each of {} textures", scene.textures.len());
             return Err(Error::value("images", expected, images.len()));
         }
-        let mut first: HashMap<_, i32> = HashMap::new();
-        let mut alike = Vec::with_capacity(scene.materials.len());
+        let mut first_by_looks: HashMap<_, i32> = HashMap::new();
+        let mut first_alike = Vec::with_capacity(scene.materials.len());
         let materials: Vec<Material> = scene.materials.iter().map(|material| drawn_with(material, &images)).collect();
         for (number, material) in materials.iter().enumerate() {
             let cutoff = match material.alpha {
@@ -60,15 +60,15 @@ impl Surfaces {
             };
             let emission = (material.emission.map(f32::to_bits), material.emission_texture);
             let looks = (material.base_color.map(f32::to_bits), material.texture, cutoff, emission, material.unlit);
-            alike.push(*first.entry(looks).or_insert(number as i32));
+            first_alike.push(*first_by_looks.entry(looks).or_insert(number as i32));
         }
-        Ok(Self { materials, textures: Arc::clone(&scene.textures), images, alike })
+        Ok(Self { materials, textures: Arc::clone(&scene.textures), images, first_alike })
     }
 
     /// Returns the first material that is drawn like this one; −1 for none.
     #[inline]
     pub fn drawn_material(&self, material: i32) -> i32 {
-        usize::try_from(material).ok().and_then(|number| self.alike.get(number)).map_or(-1, |&first| first)
+        usize::try_from(material).ok().and_then(|number| self.first_alike.get(number)).map_or(-1, |&first| first)
     }
 
     #[inline]
@@ -133,10 +133,10 @@ impl Surfaces {
 /// Returns a material as drawn with the available images. Emission without its image is omitted: the factor alone
 /// would let dark parts glow.
 fn drawn_with(material: &Material, images: &[Option<String>]) -> Material {
-    let is_there = |texture: &u32| images[*texture as usize].is_some();
+    let has_image = |texture: &u32| images[*texture as usize].is_some();
     let mut drawn = *material;
-    drawn.texture = drawn.texture.filter(is_there);
-    if !drawn.emission_texture.as_ref().is_none_or(is_there) {
+    drawn.texture = drawn.texture.filter(has_image);
+    if !drawn.emission_texture.as_ref().is_none_or(has_image) {
         drawn.emission = [0.0; 3];
     }
     drawn.emission_texture = drawn.emission_texture.filter(|_| drawn.emits());

@@ -123,15 +123,15 @@ impl HitFilter for BeyondRadius<'_> {
 impl BeyondRadius<'_> {
     /// Returns the growth of ρ along the surface when the direction turns by two texels. Turning the direction d by δ
     /// moves the point by t (δ − d (n·δ)/(n·d)) and ρ by the component of this along r. Here n is the surface normal,
-    /// t the distance, and r the horizontal unit vector away from the axis.
+    /// t the distance, and r the outward horizontal unit vector.
     #[cold]
     fn reach(&self, hit: &Hit, direction: DVec3, horizontal: DVec3, t: f64) -> f64 {
         let [a, b, c] = self.scene.instance(hit.instance).corners(hit.face).map(|corner| corner.as_dvec3());
         let normal = (b - a).cross(c - a);
-        let away = horizontal.normalize_or_zero();
-        let slant = away.dot(direction) / normal.dot(direction);
+        let outward = horizontal.normalize_or_zero();
+        let slant = outward.dot(direction) / normal.dot(direction);
         // A surface seen edge-on has no footprint: 0 × ∞ is NaN, and the comparison treats it as outside.
-        (away - normal * slant).length() * t * self.two_texels
+        (outward - normal * slant).length() * t * self.two_texels
     }
 }
 
@@ -192,21 +192,21 @@ mod tests {
         let size = 256;
         let map = baked(&scene(&[ground]), 10.0, size);
         let range = map.range.unwrap();
-        let mut least = f64::INFINITY;
+        let mut least_rho = f64::INFINITY;
         for texel in 0..6 * size * size {
             let d = crate::cubemap::direction_from_texel(texel, size).normalize();
             let expected = -1.7 / d.y;
             let rho = expected * d.x.hypot(d.z);
-            let found = f64::from(range[texel as usize]);
+            let range_found = f64::from(range[texel as usize]);
             if d.y < 0.0 && rho > 10.0 {
                 // Sheared corners 1,400 m away are rounded by 6e-8 of that: 5e-5 of the 1.7 m by which the ray
                 // descends.
-                assert!((found - expected).abs() < 1e-4 * expected, "{d} {found} {expected}");
-            } else if found.is_finite() {
-                least = least.min(rho);
+                assert!((range_found - expected).abs() < 1e-4 * expected, "{d} {range_found} {expected}");
+            } else if range_found.is_finite() {
+                least_rho = least_rho.min(rho);
             }
         }
-        assert!((8.5..9.8).contains(&least), "{least}");
+        assert!((8.5..9.8).contains(&least_rho), "{least_rho}");
     }
 
     #[test]

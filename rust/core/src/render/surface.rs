@@ -142,7 +142,7 @@ impl Surface {
     /// Returns the spot on the mesh for a ray that is `width` metres wide at the surface.
     #[inline]
     fn spot<'a>(&self, mesh: &'a Mesh, width: f32) -> Spot<'a> {
-        let footprint = width / self.cosine.max(GRAZING).sqrt();
+        let footprint = width / self.cosine.max(MIN_COSINE).sqrt();
         Spot { mesh, face: self.face, at: self.at, footprint, doubled_area: self.doubled_area }
     }
 
@@ -181,4 +181,4 @@ impl Surface {
 }
 
 /// Minimum cosine by which a footprint is divided; at smaller cosines a texture shows its mean anyway.
-const GRAZING: f32 = 1e-4;
+const MIN_COSINE: f32 = 1e-4;

@@ -60,8 +60,8 @@ impl Spots<'_> {
     #[inline]
     pub(super) fn position_in_tile(&self, n: usize) -> [f32; 2] {
         let (column, row) = self.tile.place(n);
-        let share = |pixel: usize, offset: f64| ((pixel as f64 + offset) / TILE as f64) as f32;
-        [share(column, self.offset[0]), share(row, self.offset[1])]
+        let fraction = |pixel: usize, offset: f64| ((pixel as f64 + offset) / TILE as f64) as f32;
+        [fraction(column, self.offset[0]), fraction(row, self.offset[1])]
     }
 }
 
@@ -115,8 +115,8 @@ pub fn draw(view: &RenderView<'_>, picture: &impl Picture, progress: &Progress) 
 }
 
 /// Fails for a position relative to the scene's origin from which rays would exceed float32's range.
-pub(super) fn check_reach(argument: &'static str, place: DVec3) -> Result<()> {
-    let farthest = place.abs().max_element();
+pub(super) fn check_reach(argument: &'static str, position: DVec3) -> Result<()> {
+    let farthest = position.abs().max_element();
     if farthest <= REACH {
         return Ok(());
     }
@@ -198,7 +198,7 @@ impl ImageTile {
     }
 
     /// Returns the indices in the band of the pixels that are not drawn.
-    fn left_out(&self) -> impl Iterator<Item = usize> {
+    fn undrawn_slots(&self) -> impl Iterator<Item = usize> {
         let drawn = &self.drawn[..self.count];
         (0..self.rows * self.columns)
             .filter(|&number| drawn.binary_search(&(number as u8)).is_err())
@@ -259,15 +259,15 @@ impl<'a> Caster<'a> {
         let paint_band = |(index, mut band)| {
             let first_row = index * TILE;
             let rows = TILE.min(self.height - first_row);
-            let mut besides = T::default();
+            let mut value = T::default();
             for first_column in (0..self.width).step_by(TILE) {
                 let columns = TILE.min(self.width - first_column);
                 let tile = ImageTile::new(first_row, first_column, rows, columns, self.width, self.mask);
-                paint(&tile, &mut band, &mut besides);
+                paint(&tile, &mut band, &mut value);
                 progress.check()?;
             }
             progress.report((rows * self.width) as u64)?;
-            Ok(besides)
+            Ok(value)
         };
         bands.map(paint_band).collect()
     }
@@ -281,7 +281,7 @@ impl<'a> Caster<'a> {
     }
 
     /// Returns the weight of a sample in its pixel's colour.
-    pub(super) fn share(&self) -> f32 {
+    pub(super) fn sample_weight(&self) -> f32 {
         1.0 / self.offsets.len() as f32
     }
 
@@ -301,7 +301,7 @@ struct Painter<'a, P> {
 
 impl<P: Picture> Painter<'_, P> {
     fn paint(&self, tile: &ImageTile, band: &mut Band<'_>) {
-        tile.left_out().for_each(|slot| band.set_sample(slot, &Sample::default()));
+        tile.undrawn_slots().for_each(|slot| band.set_sample(slot, &Sample::default()));
         if tile.count == 0 {
             return;
         }
@@ -319,10 +319,10 @@ impl<P: Picture> Painter<'_, P> {
                 }
                 counts.iter_mut().zip(&*hits).filter(|(_, hit)| !hit.is_miss()).for_each(|(count, _)| *count += 1.0);
             }
-            let share = self.caster.share();
+            let sample_weight = self.caster.sample_weight();
             for (n, (sum, count)) in sums.iter().zip(&counts).enumerate().take(tile.count) {
-                band.color(tile.slot(n), sum.map(|sum| sum * share));
-                band.coverage(tile.slot(n), count * share);
+                band.color(tile.slot(n), sum.map(|sum| sum * sample_weight));
+                band.coverage(tile.slot(n), count * sample_weight);
             }
         }
         if self.channels.any_surface() {

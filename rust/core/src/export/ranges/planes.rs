@@ -144,10 +144,10 @@ impl<'a> Reader<'a> {
     }
 
     fn bits(&mut self, plane: usize, bits: usize) -> Result<u16> {
-        let place = self.read[plane];
-        let byte = self.planes[plane].get(place / 8).ok_or_else(|| damaged("fewer bytes"))?;
+        let index = self.read[plane];
+        let byte = self.planes[plane].get(index / 8).ok_or_else(|| damaged("fewer bytes"))?;
         self.read[plane] += bits;
-        Ok(u16::from(byte >> (8 - bits - place % 8)) & ((1 << bits) - 1))
+        Ok(u16::from(byte >> (8 - bits - index % 8)) & ((1 << bits) - 1))
     }
 
     fn byte(&mut self, plane: usize) -> Result<u16> {
@@ -158,8 +158,8 @@ impl<'a> Reader<'a> {
 
     fn word(&mut self) -> Result<u16> {
         let (high, low) = self.planes[WORDS].split_at(self.planes[WORDS].len() / 2);
-        let place = self.read[WORDS];
-        let (Some(&high), Some(&low)) = (high.get(place), low.get(place)) else { return Err(damaged("fewer bytes")) };
+        let index = self.read[WORDS];
+        let (Some(&high), Some(&low)) = (high.get(index), low.get(index)) else { return Err(damaged("fewer bytes")) };
         self.read[WORDS] += 1;
         Ok(u16::from_be_bytes([high, low]))
     }

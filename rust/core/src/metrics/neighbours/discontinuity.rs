@@ -122,7 +122,7 @@ fn pairs<const FUSED: bool>(
         *window = [target.range.start + near.partition_point(|&x| x < first); 2];
     }
     for n in source {
-        let of = [points.x[n], points.y[n], points.shift_x[n], points.shift_y[n]];
+        let point = [points.x[n], points.y[n], points.shift_x[n], points.shift_y[n]];
         let truth = points.truth_x[n];
         // float32 steps at positions of millions of pixels.
         let rounding = 1e-6 * truth.abs();
@@ -142,63 +142,63 @@ fn pairs<const FUSED: bool>(
                 to += 1;
             }
             windows[band] = [from, to];
-            let mut at = from;
-            while at + LANES <= to {
-                block::<FUSED, true>(points, at, LANES, of, limits, sums, &mut excess, &mut count);
-                at += LANES;
+            let mut start = from;
+            while start + LANES <= to {
+                block::<FUSED, true>(points, start, LANES, point, limits, sums, &mut excess, &mut count);
+                start += LANES;
             }
-            if at < to {
-                block::<FUSED, false>(points, at, to - at, of, limits, sums, &mut excess, &mut count);
+            if start < to {
+                block::<FUSED, false>(points, start, to - start, point, limits, sums, &mut excess, &mut count);
             }
         }
-        let here = n - sums.own.start;
+        let own = n - sums.own.start;
         for lane in 0..LANES {
-            sums.excess[here] += excess[lane];
-            sums.count[here] += count[lane];
+            sums.excess[own] += excess[lane];
+            sums.count[own] += count[lane];
         }
     }
 }
 
-/// Adds the pairs of one point with `few` neighbours (a full vector if `WHOLE`).
+/// Adds the pairs of one point with `length` neighbours (a full vector if `IS_FULL`).
 #[inline(always)]
-#[expect(clippy::too_many_arguments, reason = "what stays in registers")]
-fn block<const FUSED: bool, const WHOLE: bool>(
+#[expect(clippy::too_many_arguments, reason = "arguments that stay in registers")]
+fn block<const FUSED: bool, const IS_FULL: bool>(
     points: &TruthPoints,
-    at: usize,
-    few: usize,
-    of: [f32; 4],
-    [farthest, least]: [f32; 2],
+    start: usize,
+    length: usize,
+    point: [f32; 4],
+    [max_squared, min_squared]: [f32; 2],
     sums: &mut PairSums,
     excess: &mut [f32; LANES],
     count: &mut [f32; LANES],
 ) {
     let lanes = [
-        points.x[at..].first_chunk::<LANES>(),
-        points.y[at..].first_chunk::<LANES>(),
-        points.shift_x[at..].first_chunk::<LANES>(),
-        points.shift_y[at..].first_chunk::<LANES>(),
+        points.x[start..].first_chunk::<LANES>(),
+        points.y[start..].first_chunk::<LANES>(),
+        points.shift_x[start..].first_chunk::<LANES>(),
+        points.shift_y[start..].first_chunk::<LANES>(),
     ];
     let [Some(x), Some(y), Some(shift_x), Some(shift_y)] = lanes else { return };
-    let there = at - sums.own.start;
-    let (Some(their_excess), Some(their_count)) =
-        (sums.excess[there..].first_chunk_mut::<LANES>(), sums.count[there..].first_chunk_mut::<LANES>())
+    let offset = start - sums.own.start;
+    let (Some(other_excess), Some(other_count)) =
+        (sums.excess[offset..].first_chunk_mut::<LANES>(), sums.count[offset..].first_chunk_mut::<LANES>())
     else {
         return;
     };
     for lane in 0..LANES {
-        let (dx, dy) = (x[lane] - of[0], y[lane] - of[1]);
-        let (u, v) = (dx + (shift_x[lane] - of[2]), dy + (shift_y[lane] - of[3]));
-        let shown = f32::fuse::<FUSED>(dx, dx, dy * dy);
-        let truth = f32::fuse::<FUSED>(u, u, v * v);
-        let raised = if truth > least { truth } else { least };
-        // √(shown / raised), without a division.
-        let torn = f32::fuse::<FUSED>(shown, inverse_root::<FUSED>(shown * raised), -1.0);
-        let counts = (truth < farthest) & (WHOLE || lane < few);
-        let (torn, one) = (if counts { torn } else { 0.0 }, if counts { 1.0 } else { 0.0 });
-        excess[lane] += torn;
-        count[lane] += one;
-        their_excess[lane] += torn;
-        their_count[lane] += one;
+        let (dx, dy) = (x[lane] - point[0], y[lane] - point[1]);
+        let (u, v) = (dx + (shift_x[lane] - point[2]), dy + (shift_y[lane] - point[3]));
+        let picture_squared = f32::fuse::<FUSED>(dx, dx, dy * dy);
+        let truth_squared = f32::fuse::<FUSED>(u, u, v * v);
+        let raised = if truth_squared > min_squared { truth_squared } else { min_squared };
+        // √(picture_squared / raised), without a division.
+        let excess_term = f32::fuse::<FUSED>(picture_squared, inverse_root::<FUSED>(picture_squared * raised), -1.0);
+        let counts = (truth_squared < max_squared) & (IS_FULL || lane < length);
+        let (excess_term, count_term) = (if counts { excess_term } else { 0.0 }, if counts { 1.0 } else { 0.0 });
+        excess[lane] += excess_term;
+        count[lane] += count_term;
+        other_excess[lane] += excess_term;
+        other_count[lane] += count_term;
     }
 }
 

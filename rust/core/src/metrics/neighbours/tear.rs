@@ -17,7 +17,7 @@ const UNIT_STEP: f64 = 0.264_335_868_4;
 /// Neighbours summed per vector operation.
 const WIDE: usize = 8;
 /// Relative spread across a line below which neighbours count as collinear, up to float32's rounding.
-const THIN: f64 = 1e-9;
+const COLLINEAR_SPREAD: f64 = 1e-9;
 
 /// Per-pixel flags that select pixels and mark the border.
 #[derive(Clone, Copy, Default)]
@@ -55,25 +55,26 @@ pub fn tear(
         None => vec![0.0; points.len()],
     };
     let sides = [sides, vec![0.0; LANES]].concat();
-    let band = |band: usize| {
+    let band_moments = |band: usize| {
         let own = points.bands[band].1.clone();
         let (before, behind) = points.bands.split_at(band);
         let near = before.iter().rev().take(BANDS + 1).chain(behind.iter().take(BANDS + 2));
         let targets = points.targets(band, near, epsilon);
-        let mut found = Vec::with_capacity(own.len());
+        let mut moments = Vec::with_capacity(own.len());
         for from in own.clone().step_by(REPORTED_POINTS) {
             let source = from..own.end.min(from + REPORTED_POINTS);
             progress.report(source.len() as u64)?;
-            gather(&points, &sides, border.wanted, source, &targets, epsilon as f32, &mut found);
+            gather(&points, &sides, border.wanted, source, &targets, epsilon as f32, &mut moments);
         }
-        Ok(found)
+        Ok(moments)
     };
-    let found: Vec<Vec<Moments>> = (0..points.bands.len()).into_par_iter().map(band).collect::<Result<_>>()?;
+    let moments: Vec<Vec<Moments>> =
+        (0..points.bands.len()).into_par_iter().map(band_moments).collect::<Result<_>>()?;
     let mut tears = Tears {
         tear: vec![f32::NAN; position.len()],
         parted: vec![false; if border.side.is_some() { position.len() } else { 0 }],
     };
-    for (n, moments) in found.iter().flatten().enumerate() {
+    for (n, moments) in moments.iter().flatten().enumerate() {
         let pixel = points.pixel[n] as usize;
         if moments.count > 1.0 {
             tears.tear[pixel] = (moments.residual() / UNIT_STEP) as f32;
@@ -93,24 +94,24 @@ vectorized! {
         source: Range<usize>,
         targets: &[Target],
         epsilon: f32,
-        found: &mut Vec<Moments>,
-    ) = fused moments;
+        moments: &mut Vec<Moments>,
+    ) = fused moments_kernel;
 }
 
 /// Computes the moments of some of a band's points.
 #[inline(always)]
-fn moments<const FUSED: bool>(
+fn moments_kernel<const FUSED: bool>(
     points: &TruthPoints,
     sides: &[f32],
     wanted: Option<&[bool]>,
     source: Range<usize>,
     targets: &[Target],
     epsilon: f32,
-    found: &mut Vec<Moments>,
+    moments: &mut Vec<Moments>,
 ) {
     for n in source {
         if wanted.is_some_and(|wanted| !wanted[points.pixel[n] as usize]) {
-            found.push(Moments::default());
+            moments.push(Moments::default());
             continue;
         }
         let truth = points.truth_x[n];
@@ -121,13 +122,13 @@ fn moments<const FUSED: bool>(
             let reach = target.reach + 1e-6 * truth.abs();
             let from = target.range.start + near.partition_point(|&x| x < truth - reach);
             let to = target.range.start + near.partition_point(|&x| x <= truth + reach);
-            let mut at = from;
-            while at < to {
-                sums.add::<FUSED>(points, sides, [at, to - at, n], epsilon * epsilon);
-                at += WIDE;
+            let mut start = from;
+            while start < to {
+                sums.add::<FUSED>(points, sides, [start, to - start, n], epsilon * epsilon);
+                start += WIDE;
             }
         }
-        found.push(sums.total());
+        moments.push(sums.total());
     }
 }
 
@@ -138,12 +139,12 @@ struct Moments {
     count: f64,
     /// Number of points on the far side of the border.
     side: f64,
-    place: DVec2,
+    position: DVec2,
     shift: DVec2,
     /// u², uv, v² of positions.
-    places: [f64; 3],
+    position_squares: [f64; 3],
     /// |shift|².
-    shifts: f64,
+    shift_squares: f64,
     /// Shifts times u, and times v.
     mixed: [DVec2; 2],
 }
@@ -151,17 +152,17 @@ struct Moments {
 impl Moments {
     /// Returns the root-mean-square residual of the best affine map.
     fn residual(&self) -> f64 {
-        let (place, shift) = (self.place / self.count, self.shift / self.count);
-        let [uu, uv, vv] = self.places.map(|sum| sum / self.count);
+        let (mean, mean_shift) = (self.position / self.count, self.shift / self.count);
+        let [uu, uv, vv] = self.position_squares.map(|sum| sum / self.count);
         let covariance = DMat2::from_cols_array(&[
-            uu - place.x * place.x,
-            uv - place.x * place.y,
-            uv - place.x * place.y,
-            vv - place.y * place.y,
+            uu - mean.x * mean.x,
+            uv - mean.x * mean.y,
+            uv - mean.x * mean.y,
+            vv - mean.y * mean.y,
         ]);
-        let variance = self.shifts / self.count - shift.length_squared();
+        let variance = self.shift_squares / self.count - mean_shift.length_squared();
         let [along_u, along_v] =
-            [self.mixed[0] / self.count - place.x * shift, self.mixed[1] / self.count - place.y * shift];
+            [self.mixed[0] / self.count - mean.x * mean_shift, self.mixed[1] / self.count - mean.y * mean_shift];
         let explained: f64 = [DVec2::new(along_u.x, along_v.x), DVec2::new(along_u.y, along_v.y)]
             .map(|mixed| mixed.dot(solve(covariance, mixed)))
             .iter()
@@ -176,7 +177,7 @@ fn solve(covariance: DMat2, mixed: DVec2) -> DVec2 {
     if trace <= 0.0 {
         return DVec2::ZERO;
     }
-    if determinant > THIN * trace * trace {
+    if determinant > COLLINEAR_SPREAD * trace * trace {
         return covariance.inverse() * mixed;
     }
     // All points are collinear: S = trace · e eᵀ.
@@ -189,29 +190,36 @@ struct LaneMoments {
     sums: [[f64; WIDE]; TERMS],
 }
 
-/// Number of terms: count, side, u, v, x, y, u², uv, v², x² + y², ux, uy, vx, vy, with (u, v) a position and (x, y) a
-/// shift.
+/// Number of terms of `LaneMoments`: count, side, u, v, x, y, u², uv, v², x² + y², ux, uy, vx, vy, with (u, v) a position
+/// and (x, y) a shift.
 const TERMS: usize = 14;
 
 impl LaneMoments {
-    /// Adds those of the `few` points from `at` on whose squared distance from point `n` is below `farthest`.
+    /// Adds those of `length` points from `start` on whose squared distance from point `n` is below `max_squared`.
     #[inline(always)]
-    fn add<const FUSED: bool>(&mut self, points: &TruthPoints, sides: &[f32], [at, few, n]: [usize; 3], farthest: f32) {
-        let lanes =
-            [&points.x, &points.y, &points.shift_x, &points.shift_y].map(|values| values[at..].first_chunk::<WIDE>());
-        let ([Some(x), Some(y), Some(shift_x), Some(shift_y)], Some(side)) = (lanes, sides[at..].first_chunk::<WIDE>())
+    fn add<const FUSED: bool>(
+        &mut self,
+        points: &TruthPoints,
+        sides: &[f32],
+        [start, length, n]: [usize; 3],
+        max_squared: f32,
+    ) {
+        let lanes = [&points.x, &points.y, &points.shift_x, &points.shift_y]
+            .map(|values| values[start..].first_chunk::<WIDE>());
+        let ([Some(x), Some(y), Some(shift_x), Some(shift_y)], Some(side)) =
+            (lanes, sides[start..].first_chunk::<WIDE>())
         else {
             return;
         };
         let (own_x, own_y, own_shift) = (points.x[n], points.y[n], [points.shift_x[n], points.shift_y[n]]);
         for lane in 0..WIDE {
-            let (moved_x, moved_y) = (shift_x[lane] - own_shift[0], shift_y[lane] - own_shift[1]);
-            let (u, v) = ((x[lane] - own_x) + moved_x, (y[lane] - own_y) + moved_y);
-            let counts = (f32::fuse::<FUSED>(u, u, v * v) < farthest) & (lane < few);
-            let one = if counts { 1.0 } else { 0.0 };
-            let [u, v, x, y] = [u, v, moved_x, moved_y].map(|value| if counts { f64::from(value) } else { 0.0 });
-            let side = one * f64::from(side[lane]);
-            let terms = [one, side, u, v, x, y, u * u, u * v, v * v, x * x + y * y, u * x, u * y, v * x, v * y];
+            let (dx, dy) = (shift_x[lane] - own_shift[0], shift_y[lane] - own_shift[1]);
+            let (u, v) = ((x[lane] - own_x) + dx, (y[lane] - own_y) + dy);
+            let counts = (f32::fuse::<FUSED>(u, u, v * v) < max_squared) & (lane < length);
+            let weight = if counts { 1.0 } else { 0.0 };
+            let [u, v, x, y] = [u, v, dx, dy].map(|value| if counts { f64::from(value) } else { 0.0 });
+            let side = weight * f64::from(side[lane]);
+            let terms = [weight, side, u, v, x, y, u * u, u * v, v * v, x * x + y * y, u * x, u * y, v * x, v * y];
             for (sum, term) in self.sums.iter_mut().zip(terms) {
                 sum[lane] += term;
             }
@@ -219,14 +227,15 @@ impl LaneMoments {
     }
 
     fn total(&self) -> Moments {
-        let [count, side, u, v, x, y, uu, uv, vv, shifts, ux, uy, vx, vy] = self.sums.map(|lanes| lanes.iter().sum());
+        let [count, side, u, v, x, y, uu, uv, vv, shift_squares, ux, uy, vx, vy] =
+            self.sums.map(|lanes| lanes.iter().sum());
         Moments {
             count,
             side,
-            place: DVec2::new(u, v),
+            position: DVec2::new(u, v),
             shift: DVec2::new(x, y),
-            places: [uu, uv, vv],
-            shifts,
+            position_squares: [uu, uv, vv],
+            shift_squares,
             mixed: [DVec2::new(ux, uy), DVec2::new(vx, vy)],
         }
     }

@@ -65,8 +65,8 @@ pub(super) fn global<P: PixelRows>(
     SimilaritySums { similarity: similarity * count, contrast: contrast * count, pixels: count, range }
 }
 
-fn add(sums: [f64; 5], addend: [f64; 5]) -> [f64; 5] {
-    std::array::from_fn(|i| sums[i] + addend[i])
+fn add(sums: [f64; 5], terms: [f64; 5]) -> [f64; 5] {
+    std::array::from_fn(|i| sums[i] + terms[i])
 }
 
 /// Returns the number of a row's pixels in the window, and their sums of s, d, s² and d².

@@ -22,12 +22,12 @@ pub struct Moments<R> {
     pub variance: [R; COLUMNS],
     /// Padding: rows a power of two apart would share few sets of the first-level cache, because narrow tiles fill
     /// only the beginning of each array.
-    _apart: [u8; 64],
+    _padding: [u8; 64],
 }
 
 impl<R: Real> Default for Moments<R> {
     fn default() -> Self {
-        Self { mean: [R::default(); COLUMNS], variance: [R::default(); COLUMNS], _apart: [0; 64] }
+        Self { mean: [R::default(); COLUMNS], variance: [R::default(); COLUMNS], _padding: [0; 64] }
     }
 }
 
@@ -62,9 +62,13 @@ pub(super) fn across_kernel<R: Real, const FUSED: bool>(
         for (k, &weight) in weights[..weights.len() / 2].iter().enumerate() {
             let values: [&[R; LANES]; 2] = [lanes(&line[k..]), lanes(&line[weights.len() - 1 - k..])];
             for i in 0..LANES {
-                let away = [values[0][i] - center[i], values[1][i] - center[i]];
-                first[i] = R::fuse::<FUSED>(weight, away[0] + away[1], first[i]);
-                second[i] = R::fuse::<FUSED>(weight, R::fuse::<FUSED>(away[0], away[0], away[1] * away[1]), second[i]);
+                let offsets = [values[0][i] - center[i], values[1][i] - center[i]];
+                first[i] = R::fuse::<FUSED>(weight, offsets[0] + offsets[1], first[i]);
+                second[i] = R::fuse::<FUSED>(
+                    weight,
+                    R::fuse::<FUSED>(offsets[0], offsets[0], offsets[1] * offsets[1]),
+                    second[i],
+                );
             }
         }
         for i in 0..LANES {
@@ -96,14 +100,14 @@ pub(super) fn down_kernel<R: Real, const FUSED: bool>(
             }
         }
         for (k, &weight) in weights[..taps / 2].iter().enumerate() {
-            let (one, other) = (&rows[order[k]], &rows[order[taps - 1 - k]]);
-            let values = [block_values(&one.mean, block), block_values(&other.mean, block)];
-            let spreads = [block_values(&one.variance, block), block_values(&other.variance, block)];
+            let (upper, lower) = (&rows[order[k]], &rows[order[taps - 1 - k]]);
+            let values = [block_values(&upper.mean, block), block_values(&lower.mean, block)];
+            let spreads = [block_values(&upper.variance, block), block_values(&lower.variance, block)];
             for i in 0..LANES {
-                let away = [values[0][i] - center[i], values[1][i] - center[i]];
-                first[i] = R::fuse::<FUSED>(weight, away[0] + away[1], first[i]);
-                let spread = R::fuse::<FUSED>(away[0], away[0], spreads[0][i] + spreads[1][i]);
-                second[i] = R::fuse::<FUSED>(weight, R::fuse::<FUSED>(away[1], away[1], spread), second[i]);
+                let offsets = [values[0][i] - center[i], values[1][i] - center[i]];
+                first[i] = R::fuse::<FUSED>(weight, offsets[0] + offsets[1], first[i]);
+                let spread = R::fuse::<FUSED>(offsets[0], offsets[0], spreads[0][i] + spreads[1][i]);
+                second[i] = R::fuse::<FUSED>(weight, R::fuse::<FUSED>(offsets[1], offsets[1], spread), second[i]);
             }
         }
         for i in 0..LANES {

@@ -40,36 +40,36 @@ impl<R: Pixel> Shrunk<R> {
 fn shrunk<P: Pixel>(image: &Plane<'_, P>, factor: usize, progress: &Progress) -> Result<Vec<P::Real>> {
     let reach = (factor - 1) / 2;
     let [height, width] = [image.height, image.width].map(|length| length.div_ceil(factor));
-    let place = |n: usize, length: usize| mirror(n as i64 - reach as i64, length);
+    let mirrored = |n: usize, length: usize| mirror(n as i64 - reach as i64, length);
     // Boxes that do not cross a border; the first begins at `reach`.
-    let whole = usize::from(reach > 0)..((image.width + reach) / factor).max(usize::from(reach > 0));
-    let share = 1.0 / (factor * factor) as f64;
-    let mut out = vec![P::Real::default(); height * width];
-    out.par_chunks_mut(width).enumerate().try_for_each(|(row, out)| {
+    let unmirrored = usize::from(reach > 0)..((image.width + reach) / factor).max(usize::from(reach > 0));
+    let weight = 1.0 / (factor * factor) as f64;
+    let mut means = vec![P::Real::default(); height * width];
+    means.par_chunks_mut(width).enumerate().try_for_each(|(row, means)| {
         let mut sums = vec![0.0; width];
-        for row in (row * factor..(row + 1) * factor).map(|row| place(row, image.height)) {
+        for row in (row * factor..(row + 1) * factor).map(|row| mirrored(row, image.height)) {
             let run = image.run(row, 0..image.width);
             for (n, sum) in sums.iter_mut().enumerate() {
                 match run {
-                    Some(run) if whole.contains(&n) => {
+                    Some(run) if unmirrored.contains(&n) => {
                         for value in &run[n * factor - reach..][..factor] {
                             *sum += value.real().wide();
                         }
                     }
                     _ => {
                         for k in 0..factor {
-                            *sum += image.value(row, place(n * factor + k, image.width)).wide();
+                            *sum += image.value(row, mirrored(n * factor + k, image.width)).wide();
                         }
                     }
                 }
             }
         }
-        for (out, sum) in out.iter_mut().zip(sums) {
-            *out = P::Real::narrow(sum * share);
+        for (mean, sum) in means.iter_mut().zip(sums) {
+            *mean = P::Real::narrow(sum * weight);
         }
         progress.check()
     })?;
-    Ok(out)
+    Ok(means)
 }
 
 /// Means of similarity and contrast factor at each scale.

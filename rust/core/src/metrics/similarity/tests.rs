@@ -21,8 +21,8 @@ fn images() -> impl Strategy<Value = (Vec<f64>, Vec<f64>, [usize; 2], usize, Vec
     })
 }
 
-/// Evaluates Eq. 13 at a pixel; `seen` gives the weights of the pixels around it, `at` the border extension.
-fn slowly(
+/// Evaluates Eq. 13 at a pixel from the weights and values of the pixels around it; images are mirrored at their border.
+fn by_definition(
     [a, b]: [&[f64]; 2],
     [height, width]: [usize; 2],
     weights: &[f64],
@@ -30,19 +30,19 @@ fn slowly(
     mask: Option<&[u8]>,
 ) -> f64 {
     let before = weights.len() as i64 / 2;
-    let mut seen = Vec::new();
+    let mut weighted = Vec::new();
     for (i, down) in weights.iter().enumerate() {
         for (j, across) in weights.iter().enumerate() {
-            let place = [row as i64 + i as i64 - before, column as i64 + j as i64 - before];
-            let within = (0..height as i64).contains(&place[0]) && (0..width as i64).contains(&place[1]);
-            let at = plane::mirror(place[0], height) * width + plane::mirror(place[1], width);
-            if mask.is_none_or(|mask| within && mask[at] != 0) {
-                seen.push((down * across, a[at], b[at]));
+            let position = [row as i64 + i as i64 - before, column as i64 + j as i64 - before];
+            let within = (0..height as i64).contains(&position[0]) && (0..width as i64).contains(&position[1]);
+            let index = plane::mirror(position[0], height) * width + plane::mirror(position[1], width);
+            if mask.is_none_or(|mask| within && mask[index] != 0) {
+                weighted.push((down * across, a[index], b[index]));
             }
         }
     }
-    let total: f64 = seen.iter().map(|(weight, ..)| weight).sum();
-    let mean = |value: &dyn Fn(f64, f64) -> f64| seen.iter().map(|&(w, x, y)| w * value(x, y)).sum::<f64>() / total;
+    let total: f64 = weighted.iter().map(|(weight, ..)| weight).sum();
+    let mean = |value: &dyn Fn(f64, f64) -> f64| weighted.iter().map(|&(w, x, y)| w * value(x, y)).sum::<f64>() / total;
     let (mx, my) = (mean(&|x, _| x), mean(&|_, y| y));
     let (vx, vy) = (mean(&|x, _| (x - mx).powi(2)), mean(&|_, y| (y - my).powi(2)));
     let covariance = mean(&|x, y| (x - mx) * (y - my));
@@ -68,7 +68,7 @@ proptest! {
         similarity(&pair32, &window, CONSTANTS, counted, Some(&mut map32)).unwrap();
         let mut total = 0.0;
         for n in (0..height * width).filter(|&n| !hidden || mask[n] != 0) {
-            let expected = slowly([&a, &b], size, weights, (n / width, n % width), hidden.then_some(&mask));
+            let expected = by_definition([&a, &b], size, weights, (n / width, n % width), hidden.then_some(&mask));
             prop_assert!((map[n] - expected).abs() < 1e-11, "{} {expected}", map[n]);
             prop_assert!((f64::from(map32[n]) - expected).abs() < 1e-5 * f64::from(map32[n]).abs().max(1.0));
             total += expected;

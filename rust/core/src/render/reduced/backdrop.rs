@@ -36,18 +36,18 @@ pub(super) struct Backdrop<'a> {
     pub center: DVec3,
     /// Morph that gives the displayed distance of far points; without one it is their distance from O.
     pub morph: Option<Morph>,
-    /// Visible part of the map.
-    pub seen: Seen,
+    /// Volume in which the map is visible.
+    pub visible: VisibleVolume,
 }
 
 /// Volume in which surfaces are visible from an eye; both are relative to the scene's origin.
 #[derive(Clone, Copy)]
-pub(super) struct Seen {
+pub(super) struct VisibleVolume {
     pub limits: Limits,
     pub eye: DVec3,
 }
 
-impl Seen {
+impl VisibleVolume {
     /// Returns the visible segment of the eye's ray in a direction.
     fn clip_direction(&self, direction: Vec3) -> Segment {
         self.limits.clip_ray(self.eye, direction.as_dvec3())
@@ -107,7 +107,7 @@ impl Backdrop<'_> {
     /// Returns whether the map is visible: the ray's segment is unbounded, and the map's surface is not nearer than
     /// its start. Maps without ranges are infinitely far.
     fn shows(&self, map: &EnvironmentMap, direction: Vec3) -> bool {
-        let Segment { t_min, t_max } = self.seen.clip_direction(direction);
+        let Segment { t_min, t_max } = self.visible.clip_direction(direction);
         let is_behind = || map.range.is_none() || self.displayed(direction, map.surface(direction).0) >= t_min;
         t_max.is_infinite() && (t_min == 0.0 || is_behind())
     }
@@ -126,7 +126,7 @@ impl Backdrop<'_> {
             Far::Traced(scene, radius) => self.cast(scene, radius, direction).1.t,
             _ => f32::INFINITY,
         };
-        let t_min = self.seen.clip_direction(direction).t_min;
+        let t_min = self.visible.clip_direction(direction).t_min;
         if t_min > 0.0 && self.displayed(direction, limit) < t_min { f32::INFINITY } else { limit }
     }
 

@@ -5,14 +5,14 @@ use super::super::frame::{Channels, Sample};
 use super::super::surface::add_colors;
 use super::super::tiles::{PIXELS, Picture, Spots};
 use super::backdrop::Backdrop;
-use super::shown::Shown;
+use super::near_geometry::MorphedGeometry;
 use crate::camera::Footprint;
 use crate::scene::Scene;
 use crate::trace::{Hit, HitFilter, Ray, closest_hits};
 
 pub(super) struct Bent<'a> {
     pub scene: &'a Scene,
-    pub shown: Shown,
+    pub near: MorphedGeometry,
     pub backdrop: Backdrop<'a>,
     pub radius: f64,
 }
@@ -20,16 +20,16 @@ pub(super) struct Bent<'a> {
 /// Accepts fragments within r₂ or, if `beyond`, moving ones beyond it.
 struct Split<'a> {
     bent: &'a Bent<'a>,
-    standing: u32,
+    static_count: u32,
     cutouts: bool,
     beyond: bool,
 }
 
 impl HitFilter for Split<'_> {
     fn accepts(&self, ray: &Ray, candidate: &Hit) -> bool {
-        let Bent { scene, shown, backdrop, radius } = self.bent;
-        let piece = shown.piece(candidate.instance, candidate.face);
-        if self.beyond && (piece.is_within || piece.instance < self.standing) {
+        let Bent { scene, near, backdrop, radius } = self.bent;
+        let piece = near.piece(candidate.instance, candidate.face);
+        if self.beyond && (piece.is_within || piece.instance < self.static_count) {
             return false;
         }
         if piece.is_within && !self.cutouts {
@@ -53,7 +53,7 @@ impl Bent<'_> {
     /// Converts a hit on a piece to a hit on its source face.
     #[inline]
     fn on_scene(&self, hit: &Hit) -> Hit {
-        let piece = self.shown.piece(hit.instance, hit.face);
+        let piece = self.near.piece(hit.instance, hit.face);
         let (u, v) = piece.on_face(hit.u, hit.v);
         Hit { instance: piece.instance, face: piece.face, u, v, ..*hit }
     }
@@ -61,10 +61,10 @@ impl Bent<'_> {
 
 impl Picture for Bent<'_> {
     fn trace(&self, rays: &mut [Ray], hits: &mut [Hit], _spots: &Spots<'_>) {
-        let standing = self.scene.standing.instances().len() as u32;
-        let split = |beyond| Split { bent: self, standing, cutouts: self.scene.has_cutouts(), beyond };
-        closest_hits(&self.shown.scene, rays, &split(false), hits);
-        if self.shown.moving_triangles() == 0 || !hits.iter().any(Hit::is_miss) {
+        let static_count = self.scene.standing.instances().len() as u32;
+        let split = |beyond| Split { bent: self, static_count, cutouts: self.scene.has_cutouts(), beyond };
+        closest_hits(&self.near.scene, rays, &split(false), hits);
+        if self.near.moving_triangles() == 0 || !hits.iter().any(Hit::is_miss) {
             return;
         }
         // Surfaces within r₂ hide all surfaces beyond it: they come first along the bent ray, though not always by
@@ -73,7 +73,7 @@ impl Picture for Bent<'_> {
         for (far_ray, (ray, hit)) in far_rays.iter_mut().zip(rays.iter().zip(hits.iter())) {
             *far_ray = if hit.is_miss() { *ray } else { Ray { t_max: -1.0, ..*ray } };
         }
-        closest_hits(&self.shown.scene, &far_rays[..rays.len()], &split(true), &mut far_hits[..rays.len()]);
+        closest_hits(&self.near.scene, &far_rays[..rays.len()], &split(true), &mut far_hits[..rays.len()]);
         for (hit, far_hit) in hits.iter_mut().zip(far_hits).filter(|(hit, _)| hit.is_miss()) {
             *hit = far_hit;
         }

@@ -66,22 +66,22 @@ impl<'a> Exact<'a> {
             *end = ray.direction * leave;
         }
         closest(self.scene, rays, hits);
-        let mut open: [usize; PIXELS] = std::array::from_fn(|n| n);
-        let count = only_misses(&mut open, rays.len(), hits);
+        let mut missing: [usize; PIXELS] = std::array::from_fn(|n| n);
+        let count = only_misses(&mut missing, rays.len(), hits);
         if count == 0 {
             return true;
         }
         let is_near = |bounds: &Aabb| touches(self.scene, bounds);
         self.lattice.for_each_cell(spots.tile(), is_near, |cell| {
-            let mut spot = [[0.0; 2]; PIXELS];
+            let mut positions = [[0.0; 2]; PIXELS];
             let (mut in_part, mut part_count) = ([0; PIXELS], 0);
-            for &n in &open[..count] {
+            for &n in &missing[..count] {
                 if let Some(position) = cell.to_part(spots.position_in_tile(n)) {
-                    (spot[n], in_part[part_count]) = (position, n);
+                    (positions[n], in_part[part_count]) = (position, n);
                     part_count += 1;
                 }
             }
-            self.trace_legs(cell, &mut in_part[..part_count], &spot, &mut ends, rays, hits);
+            self.trace_legs(cell, &mut in_part[..part_count], &positions, &mut ends, rays, hits);
         })
     }
 
@@ -89,16 +89,16 @@ impl<'a> Exact<'a> {
     fn trace_legs(
         &self,
         cell: &Cell<'_>,
-        open: &mut [usize],
-        spot: &[[f32; 2]; PIXELS],
+        missing: &mut [usize],
+        positions: &[[f32; 2]; PIXELS],
         ends: &mut [Vec3; PIXELS],
         rays: &mut [Ray],
         hits: &mut [Hit],
     ) {
-        if open.is_empty() || !touches(self.scene, &cell.region(0, cell.legs)) {
+        if missing.is_empty() || !touches(self.scene, &cell.region(0, cell.legs)) {
             return;
         }
-        let mut count = open.len();
+        let mut count = missing.len();
         let user = self.morph.user.as_vec3();
         let mut legs = [Ray { origin: user, direction: Vec3::NEG_Z, t_min: 0.0, t_max: 1.0 + OVERLAP }; PIXELS];
         let mut leg_hits = [Hit::MISS; PIXELS];
@@ -118,19 +118,19 @@ impl<'a> Exact<'a> {
             }
             let before = (ends_at < k - 1).then(|| cell.bend(k - 1));
             let after = cell.bend(k);
-            for (leg, &n) in legs.iter_mut().zip(&open[..count]) {
+            for (leg, &n) in legs.iter_mut().zip(&missing[..count]) {
                 let direction = rays[n].direction;
-                let start = before.as_ref().map_or(ends[n], |bend| bend.evaluate(direction, spot[n]));
-                ends[n] = after.evaluate(direction, spot[n]);
+                let start = before.as_ref().map_or(ends[n], |bend| bend.evaluate(direction, positions[n]));
+                ends[n] = after.evaluate(direction, positions[n]);
                 leg.origin = user + start;
                 leg.direction = ends[n] - start;
             }
             ends_at = k;
             closest(self.scene, &legs[..count], &mut leg_hits[..count]);
             for i in 0..count {
-                self.accept(&legs[i], &leg_hits[i], &mut rays[open[i]], &mut hits[open[i]]);
+                self.accept(&legs[i], &leg_hits[i], &mut rays[missing[i]], &mut hits[missing[i]]);
             }
-            count = only_misses(open, count, hits);
+            count = only_misses(missing, count, hits);
         }
     }
 

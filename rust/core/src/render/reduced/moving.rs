@@ -58,12 +58,12 @@ impl Moving {
 
     /// Finds, for rays that are misses, moving objects beyond the near part that no far surface hides. They are shown
     /// in the direction in which the centre sees them (w = 0), so they are traced along the ray from the centre.
-    /// `seen` gives the visible segment of the n-th ray.
+    /// `segment` gives the visible segment of the n-th ray.
     pub fn trace_beyond(
         &self,
         backdrop: &Backdrop<'_>,
         radius: f64,
-        seen: impl Fn(usize) -> Segment,
+        segment: impl Fn(usize) -> Segment,
         rays: &[Ray],
         hits: &mut [Hit],
     ) {
@@ -71,7 +71,7 @@ impl Moving {
             let from_center = backdrop.ray(radius, ray.direction);
             // Without a morph the displayed distance is the distance from the centre. With bent rays the segment is
             // the whole ray.
-            let Segment { t_min, t_max } = seen(n);
+            let Segment { t_min, t_max } = segment(n);
             let is_finite = from_center.t_min.is_finite();
             is_finite.then(|| Ray { t_min: from_center.t_min.max(t_min), t_max, ..from_center })
         };
@@ -80,9 +80,9 @@ impl Moving {
     }
 
     /// Finds, for rays that are misses, moving objects in front of the far part.
-    pub fn trace_before(&self, seen: impl Fn(usize) -> Segment, rays: &[Ray], hits: &mut [Hit]) {
+    pub fn trace_before(&self, segment: impl Fn(usize) -> Segment, rays: &[Ray], hits: &mut [Hit]) {
         let aim = |n: usize, ray: &Ray| {
-            let Segment { t_min, t_max } = seen(n);
+            let Segment { t_min, t_max } = segment(n);
             Some(Ray { t_min, t_max, ..*ray })
         };
         self.trace_misses(aim, All, |_, t| t, rays, hits);

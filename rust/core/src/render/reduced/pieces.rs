@@ -16,8 +16,8 @@ use crate::tessellate::{self, Precision, Rule, Settings};
 
 /// Maximum number of pieces that a split may add, about a gigabyte.
 const MAX_PIECES: u64 = 1 << 22;
-/// Tolerance in radians above which triangles are left whole.
-const COARSEST: f64 = 0.5;
+/// Tolerance in radians from which on triangles are not split.
+const MAX_TOLERANCE: f64 = 0.5;
 /// Vertices morphed between two checks for cancellation.
 const TILE: usize = 1 << 14;
 
@@ -72,16 +72,17 @@ fn cut(
     is_within: &(impl Fn(DVec3) -> bool + Sync),
     progress: &Progress,
 ) -> Result<Option<Vec<Vec<Placed>>>> {
-    let made = AtomicU64::new(0);
+    let piece_count = AtomicU64::new(0);
     let count = |pieces: usize| {
-        let all = made.fetch_add(pieces as u64, Ordering::Relaxed) + pieces as u64;
+        let all = piece_count.fetch_add(pieces as u64, Ordering::Relaxed) + pieces as u64;
         if all > MAX_PIECES { Err(Error::Cancelled) } else { progress.check() }
     };
-    let split = |whole: tessellate::Piece| {
-        let Some(rule) = rule else { return Ok(vec![whole]) };
-        let unseen = |corners: &[DVec3; 3]| tessellate::Piece::is_thin(corners) || (!moves && rule.is_beyond(corners));
+    let split = |triangle: tessellate::Piece| {
+        let Some(rule) = rule else { return Ok(vec![triangle]) };
+        let is_invisible =
+            |corners: &[DVec3; 3]| tessellate::Piece::is_thin(corners) || (!moves && rule.is_beyond(corners));
         let counted = Cell::new(0);
-        let pieces = whole.split(rule, Precision::Double, unseen, |pieces| {
+        let pieces = triangle.split(rule, Precision::Double, is_invisible, |pieces| {
             counted.set(counted.get() + pieces);
             count(pieces)
         })?;
@@ -103,7 +104,7 @@ fn cut(
     });
     let triangles: Result<Vec<Vec<Placed>>> = triangles.collect();
     // The total does not depend on the number of threads, whichever of them found that it is too large.
-    if made.into_inner() > MAX_PIECES {
+    if piece_count.into_inner() > MAX_PIECES {
         progress.check()?;
         return Ok(None);
     }
@@ -145,7 +146,7 @@ impl Split {
             }
             bounded = false;
             let coarser = |settings: Settings| Settings { tolerance: 2.0 * settings.tolerance, ..settings };
-            settings = settings.map(coarser).filter(|settings| settings.tolerance < COARSEST);
+            settings = settings.map(coarser).filter(|settings| settings.tolerance < MAX_TOLERANCE);
         };
         progress.check()?;
         let (mut pieces, mut faces, mut vertices) = (vec![], vec![], vec![]);

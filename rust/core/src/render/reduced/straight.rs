@@ -38,9 +38,9 @@ impl<'a> Straight<'a> {
 
 impl Picture for Straight<'_> {
     fn trace(&self, rays: &mut [Ray], hits: &mut [Hit], _spots: &Spots<'_>) {
-        let mut seen = [Segment::EMPTY; PIXELS];
-        for (ray, seen) in rays.iter_mut().zip(&mut seen) {
-            *seen = Segment { t_min: ray.t_min, t_max: ray.t_max };
+        let mut segments = [Segment::EMPTY; PIXELS];
+        for (ray, segment) in rays.iter_mut().zip(&mut segments) {
+            *segment = Segment { t_min: ray.t_min, t_max: ray.t_max };
             let from_axis = on_ground(ray.origin.as_dvec3() - self.backdrop.center);
             let inside = within_cylinder(from_axis, on_ground(ray.direction.as_dvec3()), self.radius);
             let (enter, leave) = inside.unwrap_or((f64::INFINITY, f64::NEG_INFINITY));
@@ -48,8 +48,10 @@ impl Picture for Straight<'_> {
         }
         closest(self.scene, rays, hits);
         match &self.moving {
-            Some(moving) if self.beyond == ConventionalDynamic::User => moving.trace_before(|n| seen[n], rays, hits),
-            Some(moving) => moving.trace_beyond(&self.backdrop, self.radius, |n| seen[n], rays, hits),
+            Some(moving) if self.beyond == ConventionalDynamic::User => {
+                moving.trace_before(|n| segments[n], rays, hits)
+            }
+            Some(moving) => moving.trace_beyond(&self.backdrop, self.radius, |n| segments[n], rays, hits),
             None => {}
         }
     }
