@@ -54,7 +54,7 @@ pub enum SphereMethod {
 /// Returns the bounding sphere of points. No point lies outside by more than the rounding of the radius.
 pub fn bounding_sphere<T: Real>(points: &[[T; 3]], method: SphereMethod, progress: &Progress) -> Result<Sphere> {
     let cloud = Cloud::new(points, progress)?;
-    let extent = cloud.extent();
+    let extent = (cloud.bounds[1] - cloud.bounds[0]).max_element();
     if extent == 0.0 {
         return Ok(Sphere { center: cloud.origin, radius: 0.0 });
     }

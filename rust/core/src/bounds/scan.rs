@@ -95,11 +95,6 @@ impl<'a, T: Real> Cloud<'a, T> {
         Ok(Self { points, progress, origin, bounds: bounds.map(|corner| corner - origin), extremes })
     }
 
-    /// Longest side of the bounding box.
-    pub fn extent(&self) -> f64 {
-        (self.bounds[1] - self.bounds[0]).max_element()
-    }
-
     /// A point relative to the cloud's origin.
     #[inline(always)]
     pub fn local(&self, point: &[T; 3]) -> DVec3 {
@@ -308,11 +303,7 @@ fn beyond_kernel<T: Real>(points: &[[T; 3]], origin: DVec3, center: DVec3, limit
     let (blocks, rest) = points.as_chunks::<LANES>();
     let mut push_if_beyond = |point: &[T; 3], squared: f64| {
         if squared > limit {
-            found.push([
-                point[0].wide() - origin_xyz[0],
-                point[1].wide() - origin_xyz[1],
-                point[2].wide() - origin_xyz[2],
-            ]);
+            found.push([0, 1, 2].map(|axis| point[axis].wide() - origin_xyz[axis]));
         }
     };
     for (n, block) in blocks.iter().enumerate() {

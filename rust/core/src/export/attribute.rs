@@ -39,7 +39,6 @@ pub(super) enum Attribute {
 }
 
 /// Description of an array in a file.
-#[derive(Clone, Copy, Debug)]
 pub(super) struct Layout {
     /// Attribute name in a primitive or an instancing extension; empty for corners.
     pub name: &'static str,
@@ -85,7 +84,6 @@ pub(super) struct Stream {
 }
 
 impl Stream {
-    /// Encodes rows of numbers.
     pub fn rows<T: Pod>(attribute: Attribute, rows: &[T], compressed: bool) -> Result<Self> {
         let bytes = if compressed {
             encode_vertex_buffer_level(rows, CODEC_LEVEL, CODEC_VERSION).map_err(encoding_error)?
@@ -118,7 +116,7 @@ pub(super) fn streams(primitive: &Primitive, corners: &[u32], compressed: bool) 
         streams.push(if compressed {
             Stream::rows(Attribute::ShortNormal, normals, true)?
         } else {
-            Stream::rows(Attribute::Normal, &unit_normals(normals.clone()), false)?
+            Stream::rows(Attribute::Normal, &unit_normals(normals), false)?
         });
     }
     if let Some((uvs, grid)) = &primitive.uvs {
@@ -131,7 +129,6 @@ pub(super) fn streams(primitive: &Primitive, corners: &[u32], compressed: bool) 
     Ok(streams)
 }
 
-/// Encodes points of a grid.
 fn points<const N: usize>(attribute: Attribute, points: &[[i32; N]], grid: Grid, compressed: bool) -> Result<Stream>
 where
     [u32; N]: Pod,
@@ -152,7 +149,8 @@ fn extent(points: &[[i32; 3]]) -> [[i32; 3]; 2] {
 }
 
 /// Returns the unit normals that the OCTAHEDRAL filter decodes from its coordinates.
-fn unit_normals(mut coordinates: Vec<[i8; 4]>) -> Vec<[f32; 3]> {
+fn unit_normals(coordinates: &[[i8; 4]]) -> Vec<[f32; 3]> {
+    let mut coordinates = coordinates.to_vec();
     decode_filter_oct(&mut coordinates);
     let unit = |&[x, y, z, _]: &[i8; 4]| Vec3::from_array([x, y, z].map(f32::from)).normalize_or_zero().to_array();
     coordinates.iter().map(unit).collect()

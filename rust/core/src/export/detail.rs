@@ -136,9 +136,9 @@ fn texels_per_metre(corners: [DVec3; 3], texels: [[f64; 2]; 3]) -> Option<f64> {
     let dot = |a: [f64; 2], b: [f64; 2]| a[0] * b[0] + a[1] * b[1];
     let trace = (dot(s, s) * q.dot(q) - 2.0 * dot(s, t) * p.dot(q) + dot(t, t) * p.dot(p)) / area;
     let determinant = (s[0] * t[1] - s[1] * t[0]).powi(2) / area;
-    let half = trace / 2.0;
-    let greatest = half + (half * half - determinant).max(0.0).sqrt();
-    Some(if greatest.is_finite() { greatest.max(0.0).sqrt() } else { 0.0 })
+    let half_trace = trace / 2.0;
+    let max_eigenvalue = half_trace + (half_trace * half_trace - determinant).max(0.0).sqrt();
+    Some(if max_eigenvalue.is_finite() { max_eigenvalue.max(0.0).sqrt() } else { 0.0 })
 }
 
 #[cfg(test)]

@@ -21,7 +21,6 @@ const ELEMENT_ARRAY_BUFFER: u32 = 34963;
 const MAGIC: &[u8; 4] = b"glTF";
 const VERSION: u32 = 2;
 
-#[derive(Clone, Debug)]
 struct View {
     /// Index of the buffer among those with a URI; `None` for the file's own binary chunk.
     external: Option<usize>,
@@ -32,7 +31,7 @@ struct View {
 }
 
 /// Parts of a GLB.
-#[derive(Debug, Default)]
+#[derive(Default)]
 pub(super) struct Document {
     compressed: bool,
     chunk: Vec<u8>,
@@ -85,7 +84,6 @@ impl Document {
         self.meshes.len() - 1
     }
 
-    /// Adds a node with a mesh.
     pub fn add_node(&mut self, mesh: usize, name: Option<&str>, to_scene: &DAffine3) {
         let mut node = json!({ "mesh": mesh });
         if let Some(name) = name {

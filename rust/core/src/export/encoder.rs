@@ -11,7 +11,7 @@ use super::faces::{Frame, Part};
 use super::grid::Grid;
 use super::mesh::EncodedMesh;
 use super::placement::{Trs, greatest_stretch, is_mirrored};
-use super::plan::{Contents, Moving, OwnFaces, Plan, SharedPlan};
+use super::plan::{Contents, InstanceFaces, Moving, Plan, SharedPlan};
 use super::statistics::{Kind, Statistics};
 use super::surfaces::Surfaces;
 use crate::base::{Error, Progress, Result};
@@ -82,7 +82,7 @@ impl Export {
         let plan = Plan::new(scene, groups, count, settings.step, progress)?;
         progress.expect(plan.shared.iter().map(|plan| plan.mesh.faces.len() as u64).sum());
         let encode = |plan: &SharedPlan| {
-            let part = Part { mesh: &plan.mesh, frame: Frame::Own { turned: plan.turned }, faces: None };
+            let part = Part { mesh: &plan.mesh, frame: Frame::Own { flipped: plan.flipped }, faces: None };
             let mut encoded = EncodedMesh::new(&[part], plan.grid, &surfaces, settings.compressed, progress)?;
             encoded.statistics.position_error *= plan.stretch;
             Ok(SharedMesh { encoded, groups: plan.groups.clone() })
@@ -121,35 +121,35 @@ impl Export {
         let merged: Vec<Part<'_>> = contents
             .merged
             .iter()
-            .map(|own| Part { frame: Frame::Scene(self.scene.instance(own.instance)), ..self.own_part(own) })
+            .map(|faces| Part { frame: Frame::Scene(self.scene.instance(faces.instance)), ..self.mesh_part(faces) })
             .collect();
         let unshared = contents.moving.iter().filter(|moving| moving.shared.is_none());
         let face_counts =
-            merged.iter().map(Part::count).chain(unshared.map(|moving| self.own_part(&moving.own).count()));
+            merged.iter().map(Part::count).chain(unshared.map(|moving| self.mesh_part(&moving.faces).count()));
         progress.expect(face_counts.sum::<usize>() as u64);
         let encode = |parts: &[Part<'_>], grid| {
             EncodedMesh::new(parts, grid, &self.surfaces, self.settings.compressed, progress)
         };
-        let own_mesh = |Moving { own, shared, .. }: &Moving| {
+        let encode_moving = |Moving { faces, shared, .. }: &Moving| {
             if shared.is_some() {
                 return Ok(None);
             }
-            let part = self.own_part(own);
+            let part = self.mesh_part(faces);
             // Placements increase errors by this factor.
-            let stretch = greatest_stretch(&self.scene.instance(own.instance).to_scene.matrix3);
+            let stretch = greatest_stretch(&self.scene.instance(faces.instance).to_scene.matrix3);
             let grid = Grid::new(self.settings.step / stretch, f64::from(part.mesh.bounds().reach()));
             let mut encoded = encode(&[part], grid)?;
             encoded.statistics.position_error *= stretch;
             Ok(Some(encoded))
         };
         let merged = encode(&merged, self.plan.merged_grid)?;
-        Ok((merged, contents.moving.par_iter().map(own_mesh).collect::<Result<_>>()?))
+        Ok((merged, contents.moving.par_iter().map(encode_moving).collect::<Result<_>>()?))
     }
 
-    fn own_part<'a>(&'a self, own: &'a OwnFaces) -> Part<'a> {
-        let instance = self.scene.instance(own.instance);
-        let frame = Frame::Own { turned: is_mirrored(&instance.to_scene) };
-        Part { mesh: &instance.mesh, frame, faces: own.faces.as_deref() }
+    fn mesh_part<'a>(&'a self, faces: &'a InstanceFaces) -> Part<'a> {
+        let instance = self.scene.instance(faces.instance);
+        let frame = Frame::Own { flipped: is_mirrored(&instance.to_scene) };
+        Part { mesh: &instance.mesh, frame, faces: faces.faces.as_deref() }
     }
 }
 
@@ -189,7 +189,6 @@ impl FileWriter<'_> {
         numbers
     }
 
-    /// Adds the static placements of shared meshes.
     fn add_placed(&mut self, contents: &Contents, numbers: &BTreeMap<usize, usize>) -> Result<()> {
         let mut by_mesh: BTreeMap<usize, Vec<u32>> = BTreeMap::new();
         contents.placed.iter().for_each(|&(shared, instance)| by_mesh.entry(shared).or_default().push(instance));
@@ -202,7 +201,7 @@ impl FileWriter<'_> {
             for instance in instances {
                 let to_scene = &self.export.scene.instance(instance).to_scene;
                 // Viewers flip the winding of mirrored nodes, but not of mirrored placements of an instanced mesh.
-                let trs = Some(Trs::decompose(to_scene)).filter(|_| self.export.settings.compressed && !plan.turned);
+                let trs = Some(Trs::decompose(to_scene)).filter(|_| self.export.settings.compressed && !plan.flipped);
                 let error = trs.map(|trs| trs.error(to_scene, &bounds));
                 match trs.zip(error).filter(|&(_, error)| error <= self.export.settings.step / 2.0) {
                     Some((trs, error)) => {
@@ -237,7 +236,7 @@ impl FileWriter<'_> {
             };
             let name = usize::try_from(moving.object).ok().and_then(|object| self.export.names.get(object));
             if let Some(mesh) = mesh {
-                let to_scene = &self.export.scene.instance(moving.own.instance).to_scene;
+                let to_scene = &self.export.scene.instance(moving.faces.instance).to_scene;
                 self.document.add_node(mesh, name.map(String::as_str), to_scene);
             }
         }
@@ -258,7 +257,6 @@ impl FileWriter<'_> {
     }
 }
 
-/// Encodes placements as arrays.
 fn placement_streams(placements: &[Trs]) -> Result<[Stream; 3]> {
     let translations: Vec<[f32; 3]> = placements.iter().map(|trs| trs.translation).collect();
     let rotations: Vec<[f32; 4]> = placements.iter().map(|trs| trs.rotation).collect();

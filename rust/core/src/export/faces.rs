@@ -33,15 +33,11 @@ pub(super) struct Key {
 pub(super) enum Frame<'a> {
     /// Scene coordinates; the instance places the vertices.
     Scene(&'a Instance),
-    /// Mesh coordinates. `turned` faces are flipped, because a mirrored placement flips them back.
-    Own {
-        /// Whether the placement is a mirror.
-        turned: bool,
-    },
+    /// Mesh coordinates. Faces are flipped for a mirrored placement, which flips them back.
+    Own { flipped: bool },
 }
 
 /// Faces of a mesh.
-#[derive(Clone, Debug)]
 pub(super) struct Part<'a> {
     pub mesh: &'a Mesh,
     pub frame: Frame<'a>,
@@ -50,7 +46,6 @@ pub(super) struct Part<'a> {
 }
 
 /// Faces of a part that belong to one primitive.
-#[derive(Clone, Debug)]
 pub(super) struct Piece<'a> {
     pub mesh: &'a Mesh,
     pub frame: Frame<'a>,
@@ -58,7 +53,6 @@ pub(super) struct Piece<'a> {
 }
 
 impl Part<'_> {
-    /// Returns the number of faces.
     pub fn count(&self) -> usize {
         self.faces.map_or(self.mesh.faces.len(), <[u32]>::len)
     }
@@ -143,7 +137,7 @@ mod tests {
         let none = FaceMap::Uniform(-1);
         let mesh = Mesh::new(vec![].into(), vec![].into(), None, None, none.clone(), none).unwrap();
         let piece =
-            |count: u32| Piece { mesh: &mesh, frame: Frame::Own { turned: false }, faces: (0..count).collect() };
+            |count: u32| Piece { mesh: &mesh, frame: Frame::Own { flipped: false }, faces: (0..count).collect() };
         let most = MAX_FACES as u32;
         let counts = |pieces: Vec<Piece<'_>>| -> Vec<Vec<usize>> {
             divide(pieces).iter().map(|pieces| pieces.iter().map(|piece| piece.faces.len()).collect()).collect()

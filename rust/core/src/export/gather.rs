@@ -27,7 +27,6 @@ static LINEAR: LazyLock<[u16; 256]> =
     LazyLock::new(|| linear_from_srgb().map(|linear| (f64::from(linear) * 65535.0).round() as u16));
 
 /// A primitive with quantised vertices.
-#[derive(Clone, Debug)]
 pub(super) struct Primitive {
     pub grid: Grid,
     /// Positions as grid points.
@@ -74,7 +73,7 @@ struct Gatherer {
 
 impl Gatherer {
     fn add(&mut self, piece: &Piece<'_>) {
-        let turned = matches!(piece.frame, Frame::Own { turned: true });
+        let flipped = matches!(piece.frame, Frame::Own { flipped: true });
         let faces: Vec<[u32; 3]> = piece.faces.iter().map(|&face| piece.mesh.faces[face as usize]).collect();
         let numbering = Numbering::new(&faces);
         let first = self.positions.len() as u32;
@@ -82,7 +81,7 @@ impl Gatherer {
         self.faces.reserve(faces.len());
         for face in faces {
             let face = face.map(|vertex| first + numbering.number(vertex));
-            self.add_face(if turned { other_side(face) } else { face });
+            self.add_face(if flipped { flip(face) } else { face });
         }
     }
 
@@ -142,7 +141,7 @@ impl Gatherer {
         let sum: Vec3 = normals.iter().sum();
         let mut oriented = face;
         if sum.as_dvec3().dot(face_normal) < 0.0 {
-            (oriented, face_normal) = (other_side(face), -face_normal);
+            (oriented, face_normal) = (flip(face), -face_normal);
         }
         if !normals.contains(&Vec3::ZERO) {
             return oriented;
@@ -181,8 +180,7 @@ impl Gatherer {
     }
 }
 
-/// Flips a face.
-fn other_side([a, b, c]: [u32; 3]) -> [u32; 3] {
+fn flip([a, b, c]: [u32; 3]) -> [u32; 3] {
     [a, c, b]
 }
 

@@ -90,7 +90,6 @@ pub(super) fn append(bytes: &mut Vec<u8>, array: &[u8]) -> usize {
 }
 
 /// A primitive with distinct vertices in the order of their first use, and its corners.
-#[derive(Clone, Debug)]
 struct Welded {
     primitive: Primitive,
     /// Vertex number of each corner.
@@ -125,7 +124,6 @@ fn distinct_vertices(primitive: &Primitive, corners: &[u32]) -> (usize, Vec<u32>
     generate_vertex_remap_multi(primitive.positions.len(), &streams, Some(corners))
 }
 
-/// Reorders the vertices.
 fn reorder(primitive: &mut Primitive, order: &[u32]) {
     fn rows<T: Copy>(values: &mut Vec<T>, order: &[u32]) {
         *values = order.iter().map(|&vertex| values[vertex as usize]).collect();

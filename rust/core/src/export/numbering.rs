@@ -13,7 +13,6 @@ pub(super) struct Numbering {
 }
 
 impl Numbering {
-    /// Numbers the vertices of faces.
     pub fn new(faces: &[[u32; 3]]) -> Self {
         let corners = faces.as_flattened();
         let (Some(&min_vertex), Some(&max_vertex)) = (corners.iter().min(), corners.iter().max()) else {
@@ -32,7 +31,6 @@ impl Numbering {
         Self { start, before: before.collect(), used }
     }
 
-    /// Returns the number of a used vertex.
     #[inline]
     pub fn number(&self, vertex: u32) -> u32 {
         let word = ((vertex - self.start) / 64) as usize;

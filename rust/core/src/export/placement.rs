@@ -40,7 +40,6 @@ pub(super) fn is_trs(to_scene: &DAffine3, bounds: &Aabb, tolerance: f64) -> bool
     displacement(to_scene, &recomposed, bounds) <= tolerance
 }
 
-/// Returns whether a placement is a mirror.
 pub(super) fn is_mirrored(to_scene: &DAffine3) -> bool {
     to_scene.matrix3.determinant() < 0.0
 }

@@ -14,7 +14,7 @@ use crate::scene::{Instance, Mesh, Scene};
 pub(super) struct SharedPlan {
     pub mesh: Arc<Mesh>,
     /// Whether its faces are flipped, for mirrored placements.
-    pub turned: bool,
+    pub flipped: bool,
     pub grid: Grid,
     /// Maximum factor by which a placement increases an error per axis.
     pub stretch: f64,
@@ -24,7 +24,7 @@ pub(super) struct SharedPlan {
 
 /// Faces of an instance.
 #[derive(Clone, Debug)]
-pub(super) struct OwnFaces {
+pub(super) struct InstanceFaces {
     /// Number of the instance.
     pub instance: u32,
     /// Numbers of the faces; `None` for all.
@@ -36,7 +36,7 @@ pub(super) struct OwnFaces {
 pub(super) struct Moving {
     /// Number of the object, −1 for none.
     pub object: i32,
-    pub own: OwnFaces,
+    pub faces: InstanceFaces,
     /// Number of the shared mesh with these faces, if it is shared.
     pub shared: Option<usize>,
 }
@@ -45,7 +45,7 @@ pub(super) struct Moving {
 #[derive(Clone, Debug, Default)]
 pub(super) struct Contents {
     /// Static faces to be merged.
-    pub merged: Vec<OwnFaces>,
+    pub merged: Vec<InstanceFaces>,
     /// Static placements, as numbers of the shared mesh and the instance.
     pub placed: Vec<(usize, u32)>,
     pub moving: Vec<Moving>,
@@ -88,11 +88,17 @@ impl Plan {
     /// Divides a scene. `groups` has the group of each object, and last that of faces without an object; all are below
     /// `count`.
     pub fn new(scene: &Scene, groups: &[u16], count: usize, step: f64, progress: &Progress) -> Result<Self> {
-        let group_of = group_function(groups, count)?;
+        if groups.is_empty() {
+            return Err(Error::value("groups", "a group for faces without an object", "none"));
+        }
+        if let Some(wrong) = groups.iter().find(|&&group| usize::from(group) >= count) {
+            return Err(Error::value("groups", format!("group numbers below {count}"), wrong));
+        }
+        let group_of = |object: i32| by_object(groups, object);
         let all = placed_instances(scene);
         let shared = shared_meshes(&all, step, &group_of);
         let numbers: HashMap<Shape, usize> =
-            shared.iter().enumerate().map(|(i, plan)| ((ptr::from_ref(&*plan.mesh), plan.turned), i)).collect();
+            shared.iter().enumerate().map(|(i, plan)| ((ptr::from_ref(&*plan.mesh), plan.flipped), i)).collect();
         let mut contents = vec![Contents::default(); count];
         let mut reach: f32 = 0.0;
         for placed in &all {
@@ -101,36 +107,25 @@ impl Plan {
             if let Some((object, number)) = known {
                 let contents = &mut contents[usize::from(group_of(object))];
                 if placed.moves {
-                    let own = OwnFaces { instance: placed.number, faces: None };
-                    contents.moving.push(Moving { object, own, shared: Some(number) });
+                    let faces = InstanceFaces { instance: placed.number, faces: None };
+                    contents.moving.push(Moving { object, faces, shared: Some(number) });
                 } else {
                     contents.placed.push((number, placed.number));
                 }
             } else if placed.moves {
                 for (object, faces) in divide(placed, |object| object) {
-                    let own = OwnFaces { instance: placed.number, faces };
-                    contents[usize::from(group_of(object))].moving.push(Moving { object, own, shared: None });
+                    let faces = InstanceFaces { instance: placed.number, faces };
+                    contents[usize::from(group_of(object))].moving.push(Moving { object, faces, shared: None });
                 }
             } else {
                 reach = reach.max(placed.instance.bounds.reach());
-                for (group, faces) in divide(placed, &group_of) {
-                    contents[usize::from(group)].merged.push(OwnFaces { instance: placed.number, faces });
+                for (group, faces) in divide(placed, group_of) {
+                    contents[usize::from(group)].merged.push(InstanceFaces { instance: placed.number, faces });
                 }
             }
         }
         Ok(Self { shared, groups: contents, merged_grid: Grid::new(step, f64::from(reach)) })
     }
-}
-
-/// Returns the function from an object's number to its group.
-fn group_function(groups: &[u16], count: usize) -> Result<impl Fn(i32) -> u16 + '_> {
-    if groups.is_empty() {
-        return Err(Error::value("groups", "a group for faces without an object", "none"));
-    }
-    if let Some(wrong) = groups.iter().find(|&&group| usize::from(group) >= count) {
-        return Err(Error::value("groups", format!("group numbers below {count}"), wrong));
-    }
-    Ok(move |object| by_object(groups, object))
 }
 
 /// Returns the object of all faces of an instance, if there is one.
@@ -160,7 +155,7 @@ fn shared_meshes(all: &[Placed<'_>], step: f64, group_of: &impl Fn(i32) -> u16) 
     }
     let mut several: Vec<(Shape, Vec<&Placed<'_>>)> = users.into_iter().filter(|(_, users)| users.len() > 1).collect();
     several.sort_by_key(|(_, users)| users[0].number);
-    let plan = |((_, turned), users): (Shape, Vec<&Placed<'_>>)| {
+    let plan = |((_, flipped), users): (Shape, Vec<&Placed<'_>>)| {
         let mesh = Arc::clone(&users[0].instance.mesh);
         let stretch_of = |placed: &&Placed<'_>| {
             let matrix = &placed.instance.to_scene.matrix3;
@@ -171,7 +166,7 @@ fn shared_meshes(all: &[Placed<'_>], step: f64, group_of: &impl Fn(i32) -> u16) 
         let mut groups: Vec<u16> = users.iter().filter_map(|placed| placed.object.map(group_of)).collect();
         groups.sort_unstable();
         groups.dedup();
-        SharedPlan { mesh, turned, grid, stretch, groups }
+        SharedPlan { mesh, flipped, grid, stretch, groups }
     };
     several.into_iter().map(plan).collect()
 }

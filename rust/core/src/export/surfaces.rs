@@ -108,7 +108,10 @@ impl Surfaces {
                     let uri = self.images[texture as usize].as_deref().unwrap_or_default();
                     let is_webp = uri.to_ascii_lowercase().ends_with(".webp");
                     extensions.extend(is_webp.then_some(WEBP));
-                    textures.push(texture_entry(images.len(), is_webp));
+                    let source = json!({ "source": images.len() });
+                    let mut texture = if is_webp { json!({ "extensions": { WEBP: source } }) } else { source };
+                    texture["sampler"] = json!(0);
+                    textures.push(texture);
                     images.push(json!({ "uri": uri }));
                     images.len() - 1
                 }))
@@ -141,16 +144,6 @@ fn drawn_with(material: &Material, images: &[Option<String>]) -> Material {
     }
     drawn.emission_texture = drawn.emission_texture.filter(|_| drawn.emits());
     drawn
-}
-
-fn texture_entry(image: usize, is_webp: bool) -> Value {
-    let mut entry = json!({ "sampler": 0 });
-    if is_webp {
-        entry["extensions"] = json!({ WEBP: { "source": image } });
-    } else {
-        entry["source"] = json!(image);
-    }
-    entry
 }
 
 fn material_entry(material: &Material, texture: Option<usize>) -> Value {
@@ -246,10 +239,8 @@ mod tests {
         let scene = Scene::new(DVec3::ZERO, vec![], vec![], Arc::new(materials), Arc::new(vec![texture])).unwrap();
         let all = Surfaces::new(&scene, vec![Some("a.webp".into())]).unwrap();
         assert_eq!([0, 1, 2, 3, 4].map(|number| all.drawn_material(number)), [0, 1, 2, 3, 0]);
-        assert_eq!(
-            [1, 2, 4].map(|number| (all.is_textured(number), all.texels(number))),
-            [(false, 1.0), (true, 900.0), (false, 1.0)]
-        );
+        let textures = [1, 2, 4].map(|number| (all.is_textured(number), all.texels(number)));
+        assert_eq!(textures, [(false, 1.0), (true, 900.0), (false, 1.0)]);
         let (lists, extensions) = all.describe(&[(0, false), (1, false), (2, true), (3, false)]);
         assert_eq!(extensions, [STRENGTH, UNLIT, WEBP].into());
         let [plain, dim, bright, unlit] = &lists["materials"][..] else { panic!("four materials") };

@@ -17,7 +17,6 @@ pub trait PixelRows: Pixel {
     fn squares(x: &[Self], y: &[Self]) -> f64;
 }
 
-/// Returns the first lanes of a row.
 #[inline(always)]
 pub(super) fn lanes<R>(values: &[R]) -> &[R; LANES] {
     &values.as_chunks::<LANES>().0[0]

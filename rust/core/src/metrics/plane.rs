@@ -141,7 +141,7 @@ impl<'a, P: Pixel> Plane<'a, P> {
     /// Returns an approximate mean of a region, from a few of its pixels that are finite. With a mask it uses only
     /// masked pixels, or the first one if the few contain none, so that the level depends on no other pixel.
     pub(super) fn level(&self, part: &Region, mask: Option<&Plane<'_, u8>>) -> f64 {
-        let is_masked = |&(row, column): &(usize, usize)| mask.is_none_or(|mask| mask.names(row, column));
+        let is_masked = |&(row, column): &(usize, usize)| mask.is_none_or(|mask| mask.contains(row, column));
         let mut samples = part.samples().filter(is_masked).peekable();
         let first = if samples.peek().is_none() { mask.and_then(|mask| mask.first(part)) } else { None };
         let values =
@@ -150,7 +150,6 @@ impl<'a, P: Pixel> Plane<'a, P> {
         if count > 0.0 { sum / count } else { 0.0 }
     }
 
-    /// Fails if the size differs.
     pub(super) fn expect_size(&self, argument: &'static str, [height, width]: [usize; 2]) -> Result<()> {
         if [height, width] == [self.height, self.width] {
             return Ok(());
@@ -163,13 +162,13 @@ impl<'a, P: Pixel> Plane<'a, P> {
 impl Plane<'_, u8> {
     /// Returns whether a mask contains a pixel.
     #[inline(always)]
-    pub(super) fn names(&self, row: usize, column: usize) -> bool {
-        self.values[row * self.row_step + column * self.column_step] != 0
+    pub(super) fn contains(&self, row: usize, column: usize) -> bool {
+        self.pixel(row, column) != 0
     }
 
     /// Returns the number of pixels in a mask.
     pub(super) fn count(&self) -> usize {
-        let row = |row| (0..self.width).filter(|&column| self.names(row, column)).count();
+        let row = |row| (0..self.width).filter(|&column| self.contains(row, column)).count();
         (0..self.height).map(row).sum()
     }
 
@@ -183,8 +182,8 @@ impl Plane<'_, u8> {
             let first = run.iter().position(|&value| value != 0)?;
             return Some((from + first, from + run.iter().rposition(|&value| value != 0)?));
         }
-        let first = (from..end).find(|&column| self.names(row, column))?;
-        Some((first, (first..end).rfind(|&column| self.names(row, column))?))
+        let first = (from..end).find(|&column| self.contains(row, column))?;
+        Some((first, (first..end).rfind(|&column| self.contains(row, column))?))
     }
 
     /// Returns the row and column of the first masked pixel of a region.
@@ -223,7 +222,6 @@ impl Region {
         (self.rows[0]..self.rows[1]).contains(&row)
     }
 
-    /// Returns whether the region contains a pixel.
     pub fn holds(&self, row: usize, column: usize) -> bool {
         self.holds_row(row) && (self.columns[0]..self.columns[1]).contains(&column)
     }

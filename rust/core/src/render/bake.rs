@@ -52,7 +52,6 @@ impl Bake {
         Camera::new(self.center, DQuat::IDENTITY, Projection::CubeFace(face), self.size, self.size)
     }
 
-    /// Returns the view of a face.
     pub(super) fn view<'a>(&self, scene: &Scene, camera: &'a Camera) -> RenderView<'a> {
         let (channels, samples) = (self.channels(), self.samples);
         RenderView { camera, origin: scene.origin, channels, samples, limits: Limits::NONE, pixels: Pixels::default() }
@@ -73,9 +72,9 @@ impl Bake {
 /// traced in place, without copies.
 pub fn bake(scene: &Scene, settings: &Bake, progress: &Progress) -> Result<Frame> {
     settings.check(scene)?;
-    let standing = standing_only(scene, progress)?;
-    let beyond = BeyondRadius { scene: &standing, radius: settings.radius, two_texels: settings.two_texels() };
-    let picture = Truth { scene: &standing, filter: &AlphaFilter::new(&standing, beyond) };
+    let static_scene = without_moving(scene, progress)?;
+    let beyond = BeyondRadius { scene: &static_scene, radius: settings.radius, two_texels: settings.two_texels() };
+    let picture = Truth { scene: &static_scene, filter: &AlphaFilter::new(&static_scene, beyond) };
     settings.channels().check_room(6 * settings.texels() as u64)?;
     let mut faces = Frame::default();
     for face in 0..6 {
@@ -85,10 +84,10 @@ pub fn bake(scene: &Scene, settings: &Bake, progress: &Progress) -> Result<Frame
 }
 
 /// Returns the scene without its moving instances, built.
-pub(super) fn standing_only(scene: &Scene, progress: &Progress) -> Result<Scene> {
-    let standing = Scene { moving: Default::default(), ..scene.clone() };
-    standing.build(progress)?;
-    Ok(standing)
+pub(super) fn without_moving(scene: &Scene, progress: &Progress) -> Result<Scene> {
+    let static_scene = Scene { moving: Default::default(), ..scene.clone() };
+    static_scene.build(progress)?;
+    Ok(static_scene)
 }
 
 /// Returns the number of rays that a bake traces.

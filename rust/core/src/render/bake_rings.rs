@@ -4,7 +4,7 @@
 //! then through the objects of the last ring up to the hit found so far, and so on. The hit after a ring's objects
 //! belongs to the map before that ring. Each hit is shaded once for all maps that show it.
 
-use super::bake::{Bake, standing_only};
+use super::bake::{Bake, without_moving};
 use super::frame::{Band, Channels, Frame};
 use super::ring_layers::RingLayers;
 use super::tiles::{CENTER, Caster, ImageTile, NO_RAYS, PIXELS, Picture, TILE};
@@ -40,7 +40,7 @@ pub fn bake_rings(scene: &Scene, settings: &Bake, rings: &[u16], count: u16, pro
         return Err(Error::value("rings", "a ring for faces without an object", "none"));
     }
     settings.channels().check_room(6 * settings.texels() as u64)?;
-    let scene = &standing_only(scene, progress)?;
+    let scene = &without_moving(scene, progress)?;
     let layers = RingLayers::new(scene, rings, count, progress)?;
     let layers = &layers.layers();
     let mut maps = RingMaps { first: Frame::default(), changes: vec![] };

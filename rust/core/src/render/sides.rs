@@ -215,7 +215,6 @@ struct View {
 }
 
 impl View {
-    /// Returns the ray through an image position.
     fn ray(&self, x: f64, y: f64) -> Ray {
         ray_at(&self.rays, self.eye, x, y, &Limits::NONE)
     }

@@ -151,23 +151,14 @@ pub(super) struct ImageTile {
 }
 
 impl ImageTile {
-    fn new(
-        first_row: usize,
-        first_column: usize,
-        rows: usize,
-        columns: usize,
-        width: usize,
-        mask: Option<&[bool]>,
-    ) -> Self {
-        let mut tile = Self { first_row, first_column, rows, columns, width, drawn: [0; PIXELS], count: 0 };
-        for number in 0..rows * columns {
-            let index = (first_row + number / columns) * width + first_column + number % columns;
-            if mask.is_none_or(|mask| mask[index]) {
-                tile.drawn[tile.count] = number as u8;
-                tile.count += 1;
+    fn list_drawn(&mut self, mask: Option<&[bool]>) {
+        for number in 0..self.rows * self.columns {
+            let (row, column) = (self.first_row + number / self.columns, self.first_column + number % self.columns);
+            if mask.is_none_or(|mask| mask[row * self.width + column]) {
+                self.drawn[self.count] = number as u8;
+                self.count += 1;
             }
         }
-        tile
     }
 
     /// Returns the column and row within the tile of the n-th drawn pixel.
@@ -262,7 +253,9 @@ impl<'a> Caster<'a> {
             let mut value = T::default();
             for first_column in (0..self.width).step_by(TILE) {
                 let columns = TILE.min(self.width - first_column);
-                let tile = ImageTile::new(first_row, first_column, rows, columns, self.width, self.mask);
+                let (width, drawn) = (self.width, [0; PIXELS]);
+                let mut tile = ImageTile { first_row, first_column, rows, columns, width, drawn, count: 0 };
+                tile.list_drawn(self.mask);
                 paint(&tile, &mut band, &mut value);
                 progress.check()?;
             }

@@ -114,7 +114,6 @@ pub fn decode(
     Ok((codes, changed))
 }
 
-/// Visits all texels of all faces.
 fn walk(
     codes: &mut [u16],
     before: Option<&[u16]>,

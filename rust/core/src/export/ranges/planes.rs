@@ -76,7 +76,6 @@ impl Packed {
     }
 }
 
-/// Writer of planes.
 #[derive(Default)]
 pub(super) struct Writer {
     packed: [Packed; BYTES[0]],
@@ -85,7 +84,6 @@ pub(super) struct Writer {
 }
 
 impl Writer {
-    /// Returns all planes.
     pub fn planes(self) -> Vec<Vec<u8>> {
         let words =
             [8, 0].map(|shift| self.words.iter().map(|word| (word >> shift) as u8).collect::<Vec<_>>()).concat();
@@ -119,7 +117,6 @@ impl Link for Writer {
     }
 }
 
-/// Reader of planes.
 pub(super) struct Reader<'a> {
     planes: [&'a [u8]; PLANES],
     /// Number of bits, pairs, bytes or words read from each plane.

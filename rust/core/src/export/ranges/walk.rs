@@ -87,11 +87,11 @@ impl<'a> Walk<'a> {
         self.last = 0;
         let mut face = Face { codes, before, changed, link };
         for band in 0..across {
-            let listed = self.listed_tiles(number * across + band);
+            let tiles = (number * across + band) * across..(number * across + band + 1) * across;
+            let listed: Vec<bool> = tiles.map(|tile| self.faces.lists(tile)).collect();
             let visited: Vec<bool> = listed.iter().map(|&is_listed| is_listed || before.is_none()).collect();
-            let starts = band == 0;
             for (run, column) in self.columns.iter_mut().zip(0..) {
-                if starts || !visited[column / tile] {
+                if band == 0 || !visited[column / tile] {
                     *run = Run::default();
                 }
             }
@@ -101,12 +101,6 @@ impl<'a> Walk<'a> {
             }
         }
         Ok(())
-    }
-
-    /// Returns, for each tile of a row of tiles, whether it is listed.
-    fn listed_tiles(&self, row: usize) -> Vec<bool> {
-        let across = self.faces.size / self.faces.tile;
-        (row * across..(row + 1) * across).map(|tile| self.faces.lists(tile)).collect()
     }
 
     fn row(&mut self, y: usize, visited: &[bool], listed: &[bool], face: &mut Face<'_, impl Link>) -> Result<()> {

@@ -219,12 +219,10 @@ fn mirrored_placements_keep_their_fronts() {
         let file = glb(&export, 0);
         let found = Read::new(&file.bytes, &[]).triangles();
         // A coarse unit with few corners near its edges: this compares the winding, not the error.
+        let normal = |[a, b, c]: &[DVec3; 3]| (b - a).cross(c - a).normalize().to_array();
         let normals = |triangles: &[[DVec3; 3]]| {
-            let mut normals: Vec<[i64; 3]> = triangles
-                .iter()
-                .map(|[a, b, c]| (b - a).cross(c - a).normalize().to_array())
-                .map(|n| n.map(|x| (x * 20.0).round() as i64))
-                .collect();
+            let rounded = triangles.iter().map(|corners| normal(corners).map(|x| (x * 20.0).round() as i64));
+            let mut normals: Vec<[i64; 3]> = rounded.collect();
             normals.sort_unstable();
             normals
         };
@@ -289,10 +287,8 @@ fn normals_and_faces_show_one_side() {
     let none = FaceMap::Uniform(-1);
     let mesh = Mesh::new(positions.into(), faces.into(), None, None, none.clone(), none).unwrap();
     let mesh = Arc::new(mesh.with_normals(Some(normals.into())).unwrap());
-    let file = Read::new(
-        &glb(&export(&scene(vec![instance(&mesh, DAffine3::IDENTITY, 0)], vec![]), &[0, 0], 1, PLAIN), 0).bytes,
-        &[],
-    );
+    let scene = scene(vec![instance(&mesh, DAffine3::IDENTITY, 0)], vec![]);
+    let file = Read::new(&glb(&export(&scene, &[0, 0], 1, PLAIN), 0).bytes, &[]);
     let primitives = file.list("meshes")[0]["primitives"].as_array().unwrap();
     assert_eq!(primitives.len(), 2);
     let lit = primitives.iter().find(|primitive| primitive["attributes"].get("NORMAL").is_some()).unwrap();
@@ -307,11 +303,8 @@ fn bytes_do_not_depend_on_the_number_of_threads() {
     let materials = || FaceMap::PerFace((0..5000).map(|face| face % 3 - 1).collect());
     let mesh = Arc::new(random_mesh(41, 5000, FaceMap::Uniform(-1), materials()));
     let tree = plain_mesh(42, 100);
-    let standing = vec![
-        instance(&mesh, DAffine3::IDENTITY, 0),
-        instance(&tree, pose(1, 9.0), 0),
-        instance(&tree, pose(2, 9.0), 0),
-    ];
+    let trees = [1, 2].map(|seed| instance(&tree, pose(seed, 9.0), 0));
+    let standing = [instance(&mesh, DAffine3::IDENTITY, 0)].into_iter().chain(trees).collect();
     let scene = scene(standing, vec![instance(&plain_mesh(43, 10), pose(3, 9.0), 1)]);
     let files = [1, 2].map(|threads| {
         let pool = ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
@@ -325,14 +318,8 @@ fn bytes_do_not_depend_on_the_number_of_threads() {
 
 #[test]
 fn groups_without_triangles_are_files_without_meshes() {
-    let flat = Mesh::new(
-        vec![[0.0; 3]; 3].into(),
-        vec![[0, 1, 2]].into(),
-        None,
-        None,
-        FaceMap::Uniform(0),
-        FaceMap::Uniform(0),
-    );
+    let zero = FaceMap::Uniform(0);
+    let flat = Mesh::new(vec![[0.0; 3]; 3].into(), vec![[0, 1, 2]].into(), None, None, zero.clone(), zero);
     let flat = Arc::new(flat.unwrap());
     let standing = vec![instance(&flat, DAffine3::IDENTITY, 0), instance(&flat, pose(1, 1.0), 0)];
     let lone = Instance::new(Arc::clone(&plain_mesh(1, 0)), DAffine3::IDENTITY, Some(1)).unwrap();

@@ -47,7 +47,7 @@ pub fn discontinuity(
     for (number, group) in sums.iter().enumerate() {
         progress.check()?;
         let previous = number.checked_sub(1).map(|number| &sums[number]);
-        for n in group.own.clone() {
+        for n in group.own_points.clone() {
             let (excess, count) = group.point_sums(n);
             let (previous_excess, previous_count) = match previous {
                 Some(previous) if n < previous.end() => previous.point_sums(n),
@@ -64,7 +64,7 @@ pub fn discontinuity(
 /// Sums over the pairs of a task's points with later points, for both points of each pair.
 struct PairSums {
     /// The task's points; the sums also cover later points that its pairs reach.
-    own: Range<usize>,
+    own_points: Range<usize>,
     /// Sums of |p − q| / |p₀(p) − p₀(q)| − 1.
     excess: Vec<f32>,
     count: Vec<f32>,
@@ -72,10 +72,10 @@ struct PairSums {
 
 impl PairSums {
     fn new(points: &TruthPoints, bands: Range<usize>, around: Neighbourhood, progress: &Progress) -> Result<Self> {
-        let own = points.bands[bands.start].1.start..points.bands[bands.end - 1].1.end;
+        let own_points = points.bands[bands.start].1.start..points.bands[bands.end - 1].1.end;
         let last = points.bands.len().min(bands.end + BANDS) - 1;
-        let length = points.bands[last].1.end - own.start + LANES;
-        let mut sums = Self { own, excess: vec![0.0; length], count: vec![0.0; length] };
+        let length = points.bands[last].1.end - own_points.start + LANES;
+        let mut sums = Self { own_points, excess: vec![0.0; length], count: vec![0.0; length] };
         for band in bands {
             // The band itself and later ones.
             let targets = points.targets(band, points.bands[band..].iter().take(BANDS + 1), around.epsilon);
@@ -93,12 +93,12 @@ impl PairSums {
 
     /// Returns the end of the points that have sums.
     fn end(&self) -> usize {
-        self.own.start + self.excess.len() - LANES
+        self.own_points.start + self.excess.len() - LANES
     }
 
     /// Returns the sum over a point's pairs and their number.
     fn point_sums(&self, n: usize) -> (f32, f32) {
-        (self.excess[n - self.own.start], self.count[n - self.own.start])
+        (self.excess[n - self.own_points.start], self.count[n - self.own_points.start])
     }
 }
 
@@ -151,7 +151,7 @@ fn pairs<const FUSED: bool>(
                 block::<FUSED, false>(points, start, to - start, point, limits, sums, &mut excess, &mut count);
             }
         }
-        let own = n - sums.own.start;
+        let own = n - sums.own_points.start;
         for lane in 0..LANES {
             sums.excess[own] += excess[lane];
             sums.count[own] += count[lane];
@@ -179,7 +179,7 @@ fn block<const FUSED: bool, const IS_FULL: bool>(
         points.shift_y[start..].first_chunk::<LANES>(),
     ];
     let [Some(x), Some(y), Some(shift_x), Some(shift_y)] = lanes else { return };
-    let offset = start - sums.own.start;
+    let offset = start - sums.own_points.start;
     let (Some(other_excess), Some(other_count)) =
         (sums.excess[offset..].first_chunk_mut::<LANES>(), sums.count[offset..].first_chunk_mut::<LANES>())
     else {

@@ -115,7 +115,7 @@ fn moments_kernel<const FUSED: bool>(
             continue;
         }
         let truth = points.truth_x[n];
-        let mut sums = LaneMoments::default();
+        let mut sums = [[0.0; WIDE]; TERMS];
         for target in targets {
             let near = &points.truth_x[target.range.clone()];
             // float32 steps at positions of millions of pixels.
@@ -124,11 +124,11 @@ fn moments_kernel<const FUSED: bool>(
             let to = target.range.start + near.partition_point(|&x| x <= truth + reach);
             let mut start = from;
             while start < to {
-                sums.add::<FUSED>(points, sides, [start, to - start, n], epsilon * epsilon);
+                add_terms::<FUSED>(&mut sums, points, sides, [start, to - start, n], epsilon * epsilon);
                 start += WIDE;
             }
         }
-        moments.push(sums.total());
+        moments.push(Moments::new(sums));
     }
 }
 
@@ -150,23 +150,24 @@ struct Moments {
 }
 
 impl Moments {
+    /// Creates moments from terms summed per lane.
+    fn new(sums: [[f64; WIDE]; TERMS]) -> Self {
+        let [count, side, u, v, x, y, uu, uv, vv, shift_squares, ux, uy, vx, vy] = sums.map(|lanes| lanes.iter().sum());
+        let (position, shift) = (DVec2::new(u, v), DVec2::new(x, y));
+        let mixed = [DVec2::new(ux, uy), DVec2::new(vx, vy)];
+        Self { count, side, position, shift, position_squares: [uu, uv, vv], shift_squares, mixed }
+    }
+
     /// Returns the root-mean-square residual of the best affine map.
     fn residual(&self) -> f64 {
         let (mean, mean_shift) = (self.position / self.count, self.shift / self.count);
         let [uu, uv, vv] = self.position_squares.map(|sum| sum / self.count);
-        let covariance = DMat2::from_cols_array(&[
-            uu - mean.x * mean.x,
-            uv - mean.x * mean.y,
-            uv - mean.x * mean.y,
-            vv - mean.y * mean.y,
-        ]);
+        let [uu, uv, vv] = [uu - mean.x * mean.x, uv - mean.x * mean.y, vv - mean.y * mean.y];
+        let covariance = DMat2::from_cols_array(&[uu, uv, uv, vv]);
         let variance = self.shift_squares / self.count - mean_shift.length_squared();
-        let [along_u, along_v] =
-            [self.mixed[0] / self.count - mean.x * mean_shift, self.mixed[1] / self.count - mean.y * mean_shift];
-        let explained: f64 = [DVec2::new(along_u.x, along_v.x), DVec2::new(along_u.y, along_v.y)]
-            .map(|mixed| mixed.dot(solve(covariance, mixed)))
-            .iter()
-            .sum();
+        let [by_u, by_v] = [0, 1].map(|axis| self.mixed[axis] / self.count - mean[axis] * mean_shift);
+        let mixed = [DVec2::new(by_u.x, by_v.x), DVec2::new(by_u.y, by_v.y)];
+        let explained: f64 = mixed.map(|mixed| mixed.dot(solve(covariance, mixed))).iter().sum();
         (variance - explained).max(0.0).sqrt()
     }
 }
@@ -184,59 +185,37 @@ fn solve(covariance: DMat2, mixed: DVec2) -> DVec2 {
     mixed / trace
 }
 
-/// Moments per lane.
-#[derive(Default)]
-struct LaneMoments {
-    sums: [[f64; WIDE]; TERMS],
-}
-
-/// Number of terms of `LaneMoments`: count, side, u, v, x, y, u², uv, v², x² + y², ux, uy, vx, vy, with (u, v) a position
-/// and (x, y) a shift.
+/// Number of terms of moments: count, side, u, v, x, y, u², uv, v², x² + y², ux, uy, vx, vy, with (u, v) a position and
+/// (x, y) a shift.
 const TERMS: usize = 14;
 
-impl LaneMoments {
-    /// Adds those of `length` points from `start` on whose squared distance from point `n` is below `max_squared`.
-    #[inline(always)]
-    fn add<const FUSED: bool>(
-        &mut self,
-        points: &TruthPoints,
-        sides: &[f32],
-        [start, length, n]: [usize; 3],
-        max_squared: f32,
-    ) {
-        let lanes = [&points.x, &points.y, &points.shift_x, &points.shift_y]
-            .map(|values| values[start..].first_chunk::<WIDE>());
-        let ([Some(x), Some(y), Some(shift_x), Some(shift_y)], Some(side)) =
-            (lanes, sides[start..].first_chunk::<WIDE>())
-        else {
-            return;
-        };
-        let (own_x, own_y, own_shift) = (points.x[n], points.y[n], [points.shift_x[n], points.shift_y[n]]);
-        for lane in 0..WIDE {
-            let (dx, dy) = (shift_x[lane] - own_shift[0], shift_y[lane] - own_shift[1]);
-            let (u, v) = ((x[lane] - own_x) + dx, (y[lane] - own_y) + dy);
-            let counts = (f32::fuse::<FUSED>(u, u, v * v) < max_squared) & (lane < length);
-            let weight = if counts { 1.0 } else { 0.0 };
-            let [u, v, x, y] = [u, v, dx, dy].map(|value| if counts { f64::from(value) } else { 0.0 });
-            let side = weight * f64::from(side[lane]);
-            let terms = [weight, side, u, v, x, y, u * u, u * v, v * v, x * x + y * y, u * x, u * y, v * x, v * y];
-            for (sum, term) in self.sums.iter_mut().zip(terms) {
-                sum[lane] += term;
-            }
-        }
-    }
-
-    fn total(&self) -> Moments {
-        let [count, side, u, v, x, y, uu, uv, vv, shift_squares, ux, uy, vx, vy] =
-            self.sums.map(|lanes| lanes.iter().sum());
-        Moments {
-            count,
-            side,
-            position: DVec2::new(u, v),
-            shift: DVec2::new(x, y),
-            position_squares: [uu, uv, vv],
-            shift_squares,
-            mixed: [DVec2::new(ux, uy), DVec2::new(vx, vy)],
+/// Adds the terms of `length` points from `start` on; only of those whose squared distance from point `n` is below
+/// `max_squared`.
+#[inline(always)]
+fn add_terms<const FUSED: bool>(
+    sums: &mut [[f64; WIDE]; TERMS],
+    points: &TruthPoints,
+    sides: &[f32],
+    [start, length, n]: [usize; 3],
+    max_squared: f32,
+) {
+    let lanes =
+        [&points.x, &points.y, &points.shift_x, &points.shift_y].map(|values| values[start..].first_chunk::<WIDE>());
+    let ([Some(x), Some(y), Some(shift_x), Some(shift_y)], Some(side)) = (lanes, sides[start..].first_chunk::<WIDE>())
+    else {
+        return;
+    };
+    let (own_x, own_y, own_shift) = (points.x[n], points.y[n], [points.shift_x[n], points.shift_y[n]]);
+    for lane in 0..WIDE {
+        let (dx, dy) = (shift_x[lane] - own_shift[0], shift_y[lane] - own_shift[1]);
+        let (u, v) = ((x[lane] - own_x) + dx, (y[lane] - own_y) + dy);
+        let counts = (f32::fuse::<FUSED>(u, u, v * v) < max_squared) & (lane < length);
+        let weight = if counts { 1.0 } else { 0.0 };
+        let [u, v, x, y] = [u, v, dx, dy].map(|value| if counts { f64::from(value) } else { 0.0 });
+        let side = weight * f64::from(side[lane]);
+        let terms = [weight, side, u, v, x, y, u * u, u * v, v * v, x * x + y * y, u * x, u * y, v * x, v * y];
+        for (sum, term) in sums.iter_mut().zip(terms) {
+            sum[lane] += term;
         }
     }
 }

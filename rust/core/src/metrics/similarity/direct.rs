@@ -48,7 +48,7 @@ impl<'a> Patch<'a> {
                 let across = (part.columns[0] + column) as i64 - before;
                 let [at_row, at_column] = [mirror(down, size[0]), mirror(across, size[1])];
                 let within = down == at_row as i64 && across == at_column as i64;
-                if mask.is_none_or(|mask| within && mask.names(at_row, at_column)) {
+                if mask.is_none_or(|mask| within && mask.contains(at_row, at_column)) {
                     let index = row * width + column;
                     patch.values[0][index] = pair.reference.value(at_row, at_column).wide();
                     patch.values[1][index] = pair.test.value(at_row, at_column).wide();

@@ -88,7 +88,7 @@ fn row_sums<P: PixelRows>(
         if let Some(mask) = window_mask {
             for values in [&mut s, &mut d] {
                 let mut columns = columns.clone();
-                values.retain(|_| columns.next().is_some_and(|column| mask.names(row, column)));
+                values.retain(|_| columns.next().is_some_and(|column| mask.contains(row, column)));
             }
         }
         let [sum_s, sum_d, sum_ss, sum_dd] = power_sums(&s, &d);

@@ -76,7 +76,7 @@ impl<P: PixelRows> Masked<'_, P> {
                 sum_down(&ring, field, (read + 1) % taps, self.weights, sums);
             }
             let mut failed = false;
-            for column in (first..end).filter(|&column| self.mask.names(row, column)) {
+            for column in (first..end).filter(|&column| self.mask.contains(row, column)) {
                 let index = column - first;
                 let scale = 1.0 / window[0][index];
                 let (s, ss) = (window[1][index] * scale, window[2][index] * scale);
@@ -93,7 +93,7 @@ impl<P: PixelRows> Masked<'_, P> {
                 let patch = patch.get_or_insert_with(|| {
                     Patch::new(&self.pair, self.weights, self.constants, &region, Some(&self.mask))
                 });
-                let named = |n: usize| first + n < end && self.mask.names(row, first + n);
+                let named = |n: usize| first + n < end && self.mask.contains(row, first + n);
                 patch.measure_row(
                     row - region.rows[0],
                     |n| named(n) && results[n][2] == 0.0,
@@ -101,7 +101,7 @@ impl<P: PixelRows> Masked<'_, P> {
                 );
                 recomputed.drain(..).for_each(|(n, result)| results[n] = result);
             }
-            for column in (first..end).filter(|&column| self.mask.names(row, column)) {
+            for column in (first..end).filter(|&column| self.mask.contains(row, column)) {
                 let [similarity, contrast, _] = results[column - first];
                 sums.similarity += similarity;
                 sums.contrast += if self.contrast { contrast } else { 0.0 };
@@ -126,7 +126,7 @@ impl<P: PixelRows> Masked<'_, P> {
     ) {
         line.iter_mut().for_each(|field| field.fill(0.0));
         let Some(row) = row else { return };
-        for column in (region.columns[0]..region.columns[1]).filter(|&column| self.mask.names(row, column)) {
+        for column in (region.columns[0]..region.columns[1]).filter(|&column| self.mask.contains(row, column)) {
             let [x, y] = [&self.pair.reference, &self.pair.test].map(|image| image.value(row, column).wide());
             range.include(x);
             range.include(y);
@@ -140,19 +140,19 @@ impl<P: PixelRows> Masked<'_, P> {
 }
 
 vectorized! {
-    fn sum_along(line: &[f64], weights: &[f64], sums: &mut [f64]) = fused filter_row<_>;
+    fn sum_along(line: &[f64], weights: &[f64], sums: &mut [f64]) = fused along;
     fn sum_down(ring: &[Fields], field: usize, first: usize, weights: &[f64], sums: &mut [f64]) = fused down;
 }
 
 /// Writes weighted sums of a line's values; the nth sum begins at the nth value.
 #[inline(always)]
-fn filter_row<R: Real, const FUSED: bool>(line: &[R], weights: &[R], sums: &mut [R]) {
+fn along<const FUSED: bool>(line: &[f64], weights: &[f64], sums: &mut [f64]) {
     for (block, sums) in sums.as_chunks_mut::<LANES>().0.iter_mut().enumerate() {
-        let mut sum = [R::default(); LANES];
+        let mut sum = [0.0; LANES];
         for (k, &weight) in weights.iter().enumerate() {
-            let values: &[R; LANES] = lanes(&line[block * LANES + k..]);
+            let values: &[f64; LANES] = lanes(&line[block * LANES + k..]);
             for i in 0..LANES {
-                sum[i] = R::fuse::<FUSED>(weight, values[i], sum[i]);
+                sum[i] = f64::fuse::<FUSED>(weight, values[i], sum[i]);
             }
         }
         *sums = sum;

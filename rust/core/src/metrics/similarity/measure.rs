@@ -3,11 +3,9 @@
 use super::super::pixel_rows::LANES;
 use super::super::plane::RoundingLimits;
 use super::moments::{COLUMNS, Moments};
-use crate::base::Real;
 use crate::base::simd::vectorized;
 
 /// Levels and constants that turn moments into similarity.
-#[derive(Clone, Copy, Debug)]
 pub struct Measure<R> {
     /// Value subtracted from each image.
     pub levels: [R; 2],
@@ -52,7 +50,6 @@ impl<R: RoundingLimits> Measure<R> {
 }
 
 /// Similarity of one window.
-#[derive(Clone, Copy, Debug)]
 pub struct Measurement<R> {
     /// Similarity.
     pub similarity: R,
@@ -63,7 +60,6 @@ pub struct Measurement<R> {
 }
 
 /// A row of windows.
-#[derive(Clone, Debug)]
 #[repr(align(64))]
 pub struct WindowRow<R> {
     /// 1 for windows that count, 0 for others.
@@ -144,22 +140,20 @@ fn measure_row_kernel<R: RoundingLimits, const CONTRAST: bool, const FUSED: bool
 }
 
 #[inline(always)]
-fn power_sums_kernel<R: Real>(s: &[R], d: &[R]) -> [f64; 4] {
+fn power_sums_kernel(s: &[f64], d: &[f64]) -> [f64; 4] {
     const WIDE: usize = 8;
     let mut sums = [[0.0; WIDE]; 4];
     let (s, s_rest) = s.as_chunks::<WIDE>();
     let (d, d_rest) = d.as_chunks::<WIDE>();
     for (s, d) in s.iter().zip(d) {
         for i in 0..WIDE {
-            let (s, d) = (s[i].wide(), d[i].wide());
-            sums[0][i] += s;
-            sums[1][i] += d;
-            sums[2][i] += s * s;
-            sums[3][i] += d * d;
+            sums[0][i] += s[i];
+            sums[1][i] += d[i];
+            sums[2][i] += s[i] * s[i];
+            sums[3][i] += d[i] * d[i];
         }
     }
     for (s, d) in s_rest.iter().zip(d_rest) {
-        let (s, d) = (s.wide(), d.wide());
         sums[0][0] += s;
         sums[1][0] += d;
         sums[2][0] += s * s;

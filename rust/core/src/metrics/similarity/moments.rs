@@ -62,13 +62,9 @@ pub(super) fn across_kernel<R: Real, const FUSED: bool>(
         for (k, &weight) in weights[..weights.len() / 2].iter().enumerate() {
             let values: [&[R; LANES]; 2] = [lanes(&line[k..]), lanes(&line[weights.len() - 1 - k..])];
             for i in 0..LANES {
-                let offsets = [values[0][i] - center[i], values[1][i] - center[i]];
-                first[i] = R::fuse::<FUSED>(weight, offsets[0] + offsets[1], first[i]);
-                second[i] = R::fuse::<FUSED>(
-                    weight,
-                    R::fuse::<FUSED>(offsets[0], offsets[0], offsets[1] * offsets[1]),
-                    second[i],
-                );
+                let (a, b) = (values[0][i] - center[i], values[1][i] - center[i]);
+                first[i] = R::fuse::<FUSED>(weight, a + b, first[i]);
+                second[i] = R::fuse::<FUSED>(weight, R::fuse::<FUSED>(a, a, b * b), second[i]);
             }
         }
         for i in 0..LANES {
@@ -104,10 +100,10 @@ pub(super) fn down_kernel<R: Real, const FUSED: bool>(
             let values = [block_values(&upper.mean, block), block_values(&lower.mean, block)];
             let spreads = [block_values(&upper.variance, block), block_values(&lower.variance, block)];
             for i in 0..LANES {
-                let offsets = [values[0][i] - center[i], values[1][i] - center[i]];
-                first[i] = R::fuse::<FUSED>(weight, offsets[0] + offsets[1], first[i]);
-                let spread = R::fuse::<FUSED>(offsets[0], offsets[0], spreads[0][i] + spreads[1][i]);
-                second[i] = R::fuse::<FUSED>(weight, R::fuse::<FUSED>(offsets[1], offsets[1], spread), second[i]);
+                let (a, b) = (values[0][i] - center[i], values[1][i] - center[i]);
+                first[i] = R::fuse::<FUSED>(weight, a + b, first[i]);
+                let spread = R::fuse::<FUSED>(a, a, spreads[0][i] + spreads[1][i]);
+                second[i] = R::fuse::<FUSED>(weight, R::fuse::<FUSED>(b, b, spread), second[i]);
             }
         }
         for i in 0..LANES {
@@ -117,7 +113,6 @@ pub(super) fn down_kernel<R: Real, const FUSED: bool>(
     }
 }
 
-/// Returns a block of values.
 #[inline(always)]
 fn block_values<R>(values: &[R; COLUMNS], block: usize) -> &[R; LANES] {
     &values.as_chunks::<LANES>().0[block]

@@ -26,7 +26,6 @@ impl<R: Pixel> Shrunk<R> {
         Ok(Self { images, size })
     }
 
-    /// Returns the images as a pair.
     pub fn pair(&self) -> Result<Pair<'_, R>>
     where
         R: PixelRows,

@@ -25,23 +25,26 @@ pub(super) struct Windows<'a, P: PixelRows> {
     narrow_weights: Vec<P::Real>,
     constants: [f64; 2],
     counted: Counted<'a>,
+    /// Region of the windows that count, before any mask.
+    inside: Region,
 }
 
 impl<'a, P: PixelRows> Windows<'a, P> {
     pub(super) fn new(pair: Pair<'a, P>, weights: &'a [f64], constants: [f64; 2], counted: Counted<'a>) -> Self {
-        Self {
-            pair,
-            weights,
-            narrow_weights: weights.iter().map(|&w| P::Real::narrow(w)).collect(),
-            constants,
-            counted,
-        }
+        let narrow_weights = weights.iter().map(|&w| P::Real::narrow(w)).collect();
+        let (height, width, taps) = (pair.reference.height, pair.reference.width, weights.len());
+        let (before, after) = (taps / 2, taps - 1 - taps / 2);
+        let inside = if counted.all || height < taps || width < taps {
+            Region { rows: [0, height], columns: [0, width] }
+        } else {
+            Region { rows: [before, height - after], columns: [before, width - after] }
+        };
+        Self { pair, weights, narrow_weights, constants, counted, inside }
     }
 
-    /// Returns sums over the windows that count.
     pub(super) fn sums(&self, map: Option<&mut [P::Real]>) -> SimilaritySums {
         let (height, width) = (self.pair.reference.height, self.pair.reference.width);
-        let inside = self.inner_region();
+        let inside = self.inside;
         sum_bands([height, width], ROWS, map, |rows, mut map| {
             let wanted = if map.is_some() { Region { rows, columns: [0, width] } } else { inside.within_rows(rows) };
             let mut buffers = TileBuffers::new(self.weights.len(), self.counted.contrast);
@@ -55,41 +58,28 @@ impl<'a, P: PixelRows> Windows<'a, P> {
                     region = mask.plane().bounds(region);
                 }
                 if !region.is_empty() {
-                    sums = sums.and(self.tile(&region, inside, &mut buffers, map.as_mut()));
+                    sums = sums.and(self.tile(&region, &mut buffers, map.as_mut()));
                 }
             }
             sums
         })
     }
 
-    /// Returns the region of the windows that count, before any mask.
-    fn inner_region(&self) -> Region {
-        let (height, width) = (self.pair.reference.height, self.pair.reference.width);
-        let taps = self.weights.len();
-        let (before, after) = (taps / 2, taps - 1 - taps / 2);
-        if self.counted.all || height < taps || width < taps {
-            return Region { rows: [0, height], columns: [0, width] };
-        }
-        Region { rows: [before, height - after], columns: [before, width - after] }
-    }
-
     /// Computes a tile in the pixels' own precision; if that loses digits, in float64, or else window by window.
     fn tile(
         &self,
         region: &Region,
-        inside: Region,
         buffers: &mut TileBuffers<P::Real>,
         mut map: Option<&mut MapRows<'_, P::Real>>,
     ) -> SimilaritySums {
         let levels = self.pair.levels(region, self.counted.mask.as_ref().map(Mask::plane));
         buffers.row.must_all_hold = map.is_some();
-        let range_region = self.range_region(region, inside);
+        let range_region = self.range_region(region);
         let mut extremes = self.counted.range.then(Extremes::default);
         let load_narrow = |row: usize, positions: &[usize], lines: [&mut [P::Real]; 2]| {
             self.load(row, positions, range_region, levels.map(P::Real::narrow), lines, extremes.as_mut())
         };
-        if let Some(sums) =
-            self.pass(region, inside, (levels, &self.narrow_weights), buffers, map.as_deref_mut(), load_narrow)
+        if let Some(sums) = self.pass(region, (levels, &self.narrow_weights), buffers, map.as_deref_mut(), load_narrow)
         {
             return SimilaritySums { range: extremes.unwrap_or_default().range(), ..sums };
         }
@@ -105,20 +95,17 @@ impl<'a, P: PixelRows> Windows<'a, P> {
         if size_of::<P::Real>() < size_of::<f64>() {
             let mut buffers = TileBuffers::new(self.weights.len(), self.counted.contrast);
             buffers.row.must_all_hold = map.is_some();
-            if let Some(sums) =
-                self.pass(region, inside, (levels, self.weights), &mut buffers, map.as_deref_mut(), load_wide)
-            {
+            if let Some(sums) = self.pass(region, (levels, self.weights), &mut buffers, map.as_deref_mut(), load_wide) {
                 return SimilaritySums { range, ..sums };
             }
         }
-        SimilaritySums { range, ..self.one_by_one(region, inside, map) }
+        SimilaritySums { range, ..self.one_by_one(region, map) }
     }
 
     /// Computes all windows of a region in one precision; `None` if that precision is insufficient.
     fn pass<R: RoundingLimits>(
         &self,
         region: &Region,
-        inside: Region,
         (levels, weights): ([f64; 2], &[R]),
         buffers: &mut TileBuffers<R>,
         mut map: Option<&mut MapRows<'_, P::Real>>,
@@ -159,13 +146,13 @@ impl<'a, P: PixelRows> Windows<'a, P> {
             for (rows, moments) in buffers.rows.iter().zip(&mut buffers.moments) {
                 down(rows, &buffers.order, weights, moments, blocks);
             }
-            match (inside.holds_row(row), self.counted.mask) {
-                (true, Some(mask)) => buffers.mask(mask, row, region, inside),
-                (true, None) if !counting => buffers.count(region, inside),
+            match (self.inside.holds_row(row), self.counted.mask) {
+                (true, Some(mask)) => buffers.mask(mask, row, region, self.inside),
+                (true, None) if !counting => buffers.count(region, self.inside),
                 (true, None) => {}
                 (false, _) => buffers.count_none(),
             }
-            counting = inside.holds_row(row);
+            counting = self.inside.holds_row(row);
             let [s, d] = &buffers.moments;
             measure_row(&measure, s, d, &mut buffers.row);
             if !buffers.row.holds {
@@ -180,19 +167,14 @@ impl<'a, P: PixelRows> Windows<'a, P> {
         Some(SimilaritySums { similarity, contrast, pixels, ..SimilaritySums::default() })
     }
 
-    fn one_by_one(
-        &self,
-        region: &Region,
-        inside: Region,
-        mut map: Option<&mut MapRows<'_, P::Real>>,
-    ) -> SimilaritySums {
+    fn one_by_one(&self, region: &Region, mut map: Option<&mut MapRows<'_, P::Real>>) -> SimilaritySums {
         let patch = Patch::new(&self.pair, self.weights, self.constants, region, None);
         let ([first, end], is_mapped) = (region.columns, map.is_some());
         let mut sums = SimilaritySums::default();
         for row in region.rows[0]..region.rows[1] {
             let counts = |n: usize| {
-                let named = |mask: Mask<'_>| mask.plane().names(row, first + n);
-                inside.holds(row, first + n) && self.counted.mask.is_none_or(named)
+                let named = |mask: Mask<'_>| mask.plane().contains(row, first + n);
+                self.inside.holds(row, first + n) && self.counted.mask.is_none_or(named)
             };
             let wanted = |n: usize| first + n < end && (is_mapped || counts(n));
             patch.measure_row(row - region.rows[0], wanted, |n, similarity, contrast| {
@@ -210,7 +192,7 @@ impl<'a, P: PixelRows> Windows<'a, P> {
 
     /// Returns the pixels whose range a region contributes: its own, and those of the image's margin that only its
     /// windows see. With a mask, a region contributes all pixels that its windows see.
-    fn range_region(&self, region: &Region, inside: Region) -> Region {
+    fn range_region(&self, region: &Region) -> Region {
         let taps = self.weights.len();
         let (before, after) = (taps / 2, taps - 1 - taps / 2);
         let grown = |[from, to]: [usize; 2], inside: [usize; 2], length: usize| match self.counted.mask {
@@ -218,8 +200,8 @@ impl<'a, P: PixelRows> Windows<'a, P> {
             None => [if from <= inside[0] { 0 } else { from }, if to >= inside[1] { length } else { to }],
         };
         Region {
-            rows: grown(region.rows, inside.rows, self.pair.reference.height),
-            columns: grown(region.columns, inside.columns, self.pair.reference.width),
+            rows: grown(region.rows, self.inside.rows, self.pair.reference.height),
+            columns: grown(region.columns, self.inside.columns, self.pair.reference.width),
         }
     }
 
@@ -292,7 +274,6 @@ impl<R: Real> TileBuffers<R> {
         self.counted = (to - from) as f64;
     }
 
-    /// Marks no window of a row as counting.
     fn count_none(&mut self) {
         self.row.counts.fill(R::default());
         self.counted = 0.0;
@@ -303,7 +284,7 @@ impl<R: Real> TileBuffers<R> {
         let [from, to] = columns_inside(region, inside);
         self.count_none();
         for column in from..to {
-            let counts = if mask.plane().names(row, region.columns[0] + column) { 1.0 } else { 0.0 };
+            let counts = if mask.plane().contains(row, region.columns[0] + column) { 1.0 } else { 0.0 };
             self.row.counts[column] = R::narrow(counts);
             self.counted += counts;
         }

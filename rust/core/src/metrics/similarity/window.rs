@@ -99,7 +99,6 @@ pub enum Mask<'a> {
 }
 
 impl<'a> Mask<'a> {
-    /// Returns the mask's pixels.
     pub(super) fn plane(&self) -> &Plane<'a, u8> {
         match self {
             Self::Mean(plane) | Self::Windows(plane) => plane,

@@ -66,23 +66,20 @@ impl Backdrop<'_> {
         }
     }
 
-    /// Returns the channels of a ray that hits near geometry or, if it misses, shows the far part.
-    pub fn hit_sample(
+    /// Returns the channels of a ray: of its hit on near geometry or, for a miss, of the far part. The map shows what O
+    /// sees in the ray's direction; its range gives the point.
+    pub fn sample(
         &self,
-        scene: &Scene,
+        near: &Scene,
         ray: &Ray,
         hit: &Hit,
         footprint: impl FnOnce() -> Footprint,
         wanted: Channels,
     ) -> Sample {
-        if hit.is_miss() {
-            return self.sample(ray.direction, footprint, wanted);
+        if !hit.is_miss() {
+            return Surface::of_hit(near, ray, hit).sample(near, hit.t, || footprint().width_at(hit.t), wanted);
         }
-        Surface::of_hit(scene, ray, hit).sample(scene, hit.t, || footprint().width_at(hit.t), wanted)
-    }
-
-    /// Returns the channels of a far pixel. The map shows what O sees in this direction; its range gives the point.
-    fn sample(&self, direction: Vec3, footprint: impl FnOnce() -> Footprint, wanted: Channels) -> Sample {
+        let direction = ray.direction;
         match self.far {
             Far::Map(map) if self.shows(map, direction) => {
                 let (range, object_id) = map.surface(direction);
@@ -112,14 +109,9 @@ impl Backdrop<'_> {
         t_max.is_infinite() && (t_min == 0.0 || is_behind())
     }
 
-    /// Returns the displayed distance beyond which the far part hides other points beyond the near part. Points of the
-    /// near part are not tested: along their bent ray they precede all far points.
-    pub fn hides_beyond(&self, direction: Vec3) -> f32 {
-        self.displayed(direction, self.range_limit(direction))
-    }
-
-    /// Returns the same limit as a distance from O; infinite if the map has no range or its surface is nearer than the
-    /// segment's start.
+    /// Returns the distance from O beyond which the far part hides other points beyond the near part; infinite if the
+    /// map has no range or its surface is nearer than the segment's start. Points of the near part are not tested: along
+    /// their bent ray they precede all far points.
     pub fn range_limit(&self, direction: Vec3) -> f32 {
         let limit = match self.far {
             Far::Map(map) if map.range.is_some() => map.farthest(direction) * (1.0 + BIAS),

@@ -5,14 +5,14 @@ use super::super::frame::{Channels, Sample};
 use super::super::surface::add_colors;
 use super::super::tiles::{PIXELS, Picture, Spots};
 use super::backdrop::Backdrop;
-use super::near_geometry::MorphedGeometry;
+use super::near_geometry::Morphed;
 use crate::camera::Footprint;
 use crate::scene::Scene;
 use crate::trace::{Hit, HitFilter, Ray, closest_hits};
 
 pub(super) struct Bent<'a> {
     pub scene: &'a Scene,
-    pub near: MorphedGeometry,
+    pub near: Morphed,
     pub backdrop: Backdrop<'a>,
     pub radius: f64,
 }
@@ -41,7 +41,8 @@ impl HitFilter for Split<'_> {
             let point = a + (b - a) * f64::from(u) + (c - a) * f64::from(v);
             let from_axis = point - backdrop.center;
             let is_beyond = from_axis.x.hypot(from_axis.z) > *radius;
-            if is_beyond != self.beyond || is_beyond && candidate.t > backdrop.hides_beyond(ray.direction) {
+            let hidden_from = || backdrop.displayed(ray.direction, backdrop.range_limit(ray.direction));
+            if is_beyond != self.beyond || is_beyond && candidate.t > hidden_from() {
                 return false;
             }
         }
@@ -86,6 +87,6 @@ impl Picture for Bent<'_> {
 
     fn sample(&self, ray: &Ray, hit: &Hit, footprint: impl FnOnce() -> Footprint, wanted: Channels) -> Sample {
         let hit = if hit.is_miss() { *hit } else { self.on_scene(hit) };
-        self.backdrop.hit_sample(self.scene, ray, &hit, footprint, wanted)
+        self.backdrop.sample(self.scene, ray, &hit, footprint, wanted)
     }
 }

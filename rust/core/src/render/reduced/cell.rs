@@ -81,9 +81,9 @@ impl<'a> Cell<'a> {
 
     /// Converts a position in the tile to one in this part; `None` outside of it.
     #[inline]
-    pub fn to_part(&self, spot: [f32; 2]) -> Option<[f32; 2]> {
+    pub fn to_part(&self, position: [f32; 2]) -> Option<[f32; 2]> {
         let TilePart { parts, x, y } = self.part;
-        let [u, v] = spot.map(|fraction| fraction * parts as f32);
+        let [u, v] = position.map(|fraction| fraction * parts as f32);
         // Positions in a tile are below 1, so each lies in exactly one part.
         ((u as usize, v as usize) == (x, y)).then_some([u - x as f32, v - y as f32])
     }

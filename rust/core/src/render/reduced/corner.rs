@@ -30,7 +30,11 @@ impl Corner {
     /// Bends the ray; `None` for users outside r₁, for vertical rays, and if the maximum number of legs misses the
     /// tolerance, in radians.
     pub fn new(curve: &RayCurve<'_>, tolerance: f64) -> Option<Self> {
-        let stretch = between_radii(curve)?;
+        // A ray of a user inside r₁ is straight up to there, and bends up to r₂.
+        let [inside, stretch] = curve.stretches()[..] else { return None };
+        if !inside.straight || stretch.straight || curve.end().is_none() {
+            return None;
+        }
         let (mut beside, mut legs) = ([0.0; MAX_LEGS + 1], 1);
         beside[1] = curve.beside;
         while legs < MIN_LEGS || misses(curve, &stretch, &beside[..=legs], tolerance) {
@@ -51,19 +55,19 @@ impl Corner {
             bounds: Aabb::EMPTY,
         };
         for k in 0..=legs {
-            corner.bounds.extend(corner.place(k));
+            corner.bounds.extend(corner.bend_position(k));
         }
         Some(corner)
     }
 
     /// Returns the position of this corner's k-th bend, relative to the user.
-    fn place(&self, k: usize) -> Vec3 {
+    fn bend_position(&self, k: usize) -> Vec3 {
         self.direction * (self.from + self.step * k as f32) + self.across * self.beside[k]
     }
 
     /// Returns the positions of the first and the last bend, relative to the user.
     pub fn ends(&self) -> [Vec3; 2] {
-        [self.place(0), self.place(self.legs)]
+        [self.bend_position(0), self.bend_position(self.legs)]
     }
 
     /// Returns the k-th of `legs` + 1 bends, with `legs` at least the corner's own number: the offset from the ray to
@@ -82,15 +86,6 @@ impl Corner {
         let y = before + (self.beside[own + 1] - before) * fraction;
         (self.across * y).extend(self.from + self.step * (own as f32 + fraction))
     }
-}
-
-/// Returns the stretch between the radii of a ray from a user inside r₁; `None` for other users and vertical rays.
-fn between_radii(curve: &RayCurve<'_>) -> Option<Stretch> {
-    match curve.stretches()[..] {
-        [within, between] if within.straight && !between.straight => Some(between),
-        _ => None,
-    }
-    .filter(|_| curve.end().is_some())
 }
 
 /// Returns the distance along the ray of the k-th of `legs` equal steps; k may be fractional.

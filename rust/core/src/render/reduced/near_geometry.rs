@@ -44,7 +44,7 @@ pub(super) struct NearGeometry {
 }
 
 /// Near geometry as one user sees it.
-pub(super) struct MorphedGeometry {
+pub(super) struct Morphed {
     /// Instance 0 holds the fixed pieces, instance 1 the morphed static pieces, instance 2 the moving ones.
     pub scene: Scene,
     pieces: [Arc<Vec<NearPiece>>; 3],
@@ -82,13 +82,13 @@ impl NearGeometry {
         morph: &Morph,
         tolerance: Option<f64>,
         progress: &Progress,
-    ) -> Result<MorphedGeometry> {
+    ) -> Result<Morphed> {
         let bends_all = bent_from(morph) < self.radii[0];
-        let standing = || {
+        let static_sources = || {
             let fixed = self.fixed.iter().filter(|_| bends_all).flat_map(|fixed| fixed.pieces.iter());
             fixed.map(|piece| (piece.instance, piece.face)).chain(self.bending.iter().copied()).collect()
         };
-        let moving = || {
+        let moving_sources = || {
             let first = scene.standing.instances().len();
             let instances = scene.moving.instances().iter().enumerate();
             let faces = instances.flat_map(|(number, instance)| {
@@ -101,16 +101,17 @@ impl NearGeometry {
             _ => NearPart::fixed(vec![], scene)?,
         };
         let poses = scene.moving.instances().iter().map(|instance| instance.to_scene).collect();
-        let standing = self.split(standing, None, scene, morph, tolerance, progress)?;
-        let moving = self.split(moving, Some(poses), scene, morph, tolerance, progress)?;
-        let [standing, moving] = [standing, moving].map(|split| self.morphed_part(&split, morph, progress));
-        let (standing, moving) = (standing?, moving?);
-        let (opposed, bounded) = (standing.opposed + moving.opposed, standing.bounded && moving.bounded);
-        let parts = [fixed, standing, moving];
+        let static_split = self.split(static_sources, None, scene, morph, tolerance, progress)?;
+        let moving_split = self.split(moving_sources, Some(poses), scene, morph, tolerance, progress)?;
+        let static_part = self.morphed_part(&static_split, morph, progress)?;
+        let moving_part = self.morphed_part(&moving_split, morph, progress)?;
+        let opposed = static_part.opposed + moving_part.opposed;
+        let bounded = static_part.bounded && moving_part.bounded;
+        let parts = [fixed, static_part, moving_part];
         let instances = parts.iter().map(|part| part.instance.clone()).collect();
         let scene = Scene::new(scene.origin, instances, Vec::new(), Arc::default(), Arc::default())?;
         scene.build(progress)?;
-        Ok(MorphedGeometry { scene, pieces: parts.map(|part| part.pieces), opposed, bounded })
+        Ok(Morphed { scene, pieces: parts.map(|part| part.pieces), opposed, bounded })
     }
 
     /// Returns the split of some triangles, shared by all users at about the same distance from the centre. `poses`
@@ -167,7 +168,7 @@ impl NearGeometry {
         Ok(part)
     }
 
-    /// No lock is held while work is shared out: a thread that waits inside rayon may run the task of another frame.
+    /// No lock may be held during parallel work: a thread that waits inside rayon may run the task of another frame.
     fn splits(&self) -> MutexGuard<'_, Vec<(SplitKey, Arc<Split>)>> {
         self.splits.lock().unwrap_or_else(PoisonError::into_inner)
     }
@@ -177,7 +178,7 @@ impl NearGeometry {
     }
 }
 
-impl MorphedGeometry {
+impl Morphed {
     /// Returns the piece of a hit on `scene`.
     #[inline]
     pub fn piece(&self, instance: u32, face: u32) -> &NearPiece {

@@ -32,7 +32,6 @@ pub enum Join {
 }
 
 impl Join {
-    /// Returns the kind of the morph, if there is one.
     fn kind(self) -> Option<Kind> {
         match self {
             Self::Morph(kind) => Some(kind),

@@ -62,6 +62,6 @@ impl Picture for Straight<'_> {
     }
 
     fn sample(&self, ray: &Ray, hit: &Hit, footprint: impl FnOnce() -> Footprint, wanted: Channels) -> Sample {
-        self.backdrop.hit_sample(self.scene, ray, hit, footprint, wanted)
+        self.backdrop.sample(self.scene, ray, hit, footprint, wanted)
     }
 }
