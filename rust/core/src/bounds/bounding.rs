@@ -7,7 +7,7 @@
 use glam::DVec3;
 use rayon::prelude::*;
 
-use super::scan::{Cloud, farthest_of};
+use super::scan::{Cloud, Sphere, farthest_of};
 use crate::base::{Error, Progress, Real, Result};
 
 /// Points between two checks for cancellation.
@@ -25,15 +25,6 @@ const SHELL: f64 = 0.05;
 const STALLED_STEPS: usize = 24;
 /// Relative rounding error of distances.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
-
-/// A centre and a radius.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Sphere {
-    /// The centre.
-    pub center: DVec3,
-    /// The radius, at least 0.
-    pub radius: f64,
-}
 
 /// Method for the bounding sphere of points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

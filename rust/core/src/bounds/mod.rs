@@ -6,5 +6,6 @@ mod solid_angle;
 #[cfg(test)]
 mod tests;
 
-pub use bounding::{Sphere, SphereMethod, bounding_sphere, bounding_spheres};
+pub use bounding::{SphereMethod, bounding_sphere, bounding_spheres};
+pub use scan::Sphere;
 pub use solid_angle::{Seen, check, each_tile, solid_angles};

@@ -3,7 +3,6 @@
 use glam::DVec3;
 use rayon::prelude::*;
 
-use super::bounding::Sphere;
 use crate::base::simd::{prefetch, vectorized};
 use crate::base::{Error, Progress, Real, Result};
 
@@ -21,6 +20,15 @@ const DIRECTIONS: usize = 7;
 const AXES: usize = 3;
 /// Stride in blocks: only every eighth block is projected onto the diagonals.
 const DIAGONAL_STRIDE: usize = 8;
+
+/// A centre and a radius.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sphere {
+    /// The centre.
+    pub center: DVec3,
+    /// The radius, at least 0.
+    pub radius: f64,
+}
 
 /// Minimum and maximum along each direction.
 #[derive(Clone, Copy, Debug)]
@@ -280,10 +288,10 @@ fn farthest_kernel<T: Real>(points: &[[T; 3]], origin: DVec3, center: DVec3) -> 
         }
         number += 1.0;
     }
-    let mut found = (f64::NEG_INFINITY, usize::MAX);
+    let mut best = (f64::NEG_INFINITY, usize::MAX);
     let mut include = |squared: f64, index: usize| {
-        if squared > found.0 || (squared == found.0 && index < found.1) {
-            found = (squared, index);
+        if squared > best.0 || (squared == best.0 && index < best.1) {
+            best = (squared, index);
         }
     };
     if !blocks.is_empty() {
@@ -294,7 +302,7 @@ fn farthest_kernel<T: Real>(points: &[[T; 3]], origin: DVec3, center: DVec3) -> 
     for (n, point) in rest.iter().enumerate() {
         include(squares(&[*point; LANES], origin, center)[0], blocks.len() * LANES + n);
     }
-    found
+    best
 }
 
 #[inline(always)]

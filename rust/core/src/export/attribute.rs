@@ -6,7 +6,7 @@ use meshopt::{decode_filter_oct, encode_index_buffer, encode_vertex_buffer_level
 
 use super::gather::Primitive;
 use super::grid::Grid;
-use super::statistics::Kind;
+use super::statistics::{Kind, Statistics};
 use crate::base::{Error, Result};
 
 const BYTE: u32 = 5120;
@@ -91,6 +91,14 @@ impl Stream {
             bytemuck::cast_slice(rows).to_vec()
         };
         Ok(Self { attribute, count: rows.len(), bytes, extent: None, error: 0.0 })
+    }
+
+    /// Adds the array to statistics.
+    pub fn count_in(&self, statistics: &mut Statistics) {
+        let layout = self.attribute.layout();
+        statistics.count(layout.kind, self.bytes.len());
+        statistics.raw_bytes += (self.count * layout.stride) as u64;
+        statistics.position_error = statistics.position_error.max(self.error);
     }
 
     /// Encodes corners of triangles between `vertex_count` vertices.

@@ -31,15 +31,15 @@ pub fn texels_per_radian(scene: &Scene, distances: &[f64], progress: &Progress) 
     }
     let views = views(scene, distances);
     progress.expect(views.iter().map(|view| view.mesh.faces.len() as u64).sum());
-    let least = Least(scene.textures.iter().map(|_| AtomicU64::new(f64::INFINITY.to_bits())).collect());
+    let min_texels = MinTexels(scene.textures.iter().map(|_| AtomicU64::new(f64::INFINITY.to_bits())).collect());
     views.par_iter().try_for_each(|view| {
         view.mesh.faces.par_chunks(TILE).enumerate().try_for_each(|(tile, faces)| {
             let first = (tile * TILE) as u32;
-            least.take_faces(scene, view, distances, first..first + faces.len() as u32);
+            min_texels.lower_by_faces(scene, view, distances, first..first + faces.len() as u32);
             progress.report(faces.len() as u64)
         })
     })?;
-    Ok(least.0.into_iter().map(|bits| f64::from_bits(bits.into_inner())).collect())
+    Ok(min_texels.0.into_iter().map(|bits| f64::from_bits(bits.into_inner())).collect())
 }
 
 /// A mesh with textures, and the distances of its placements.
@@ -83,10 +83,10 @@ fn textures_of(scene: &Scene, material: i32) -> impl Iterator<Item = usize> {
 
 /// Bits of the minimum number of texels found so far for each texture. They sort like the numbers, because none is
 /// negative.
-struct Least(Vec<AtomicU64>);
+struct MinTexels(Vec<AtomicU64>);
 
-impl Least {
-    fn take_faces(&self, scene: &Scene, view: &View<'_>, distances: &[f64], faces: Range<u32>) {
+impl MinTexels {
+    fn lower_by_faces(&self, scene: &Scene, view: &View<'_>, distances: &[f64], faces: Range<u32>) {
         let Some(uvs) = view.mesh.uvs.as_deref() else { return };
         let mut run = (None, f64::INFINITY);
         for face in faces {
@@ -107,16 +107,16 @@ impl Least {
                 });
                 let Some(density) = texels_per_metre(corners, texels) else { continue };
                 if run.0 != Some(texture) {
-                    self.take(run);
+                    self.lower(run);
                     run = (Some(texture), f64::INFINITY);
                 }
                 run.1 = f64::min(run.1, density * distance);
             }
         }
-        self.take(run);
+        self.lower(run);
     }
 
-    fn take(&self, (texture, texels): (Option<usize>, f64)) {
+    fn lower(&self, (texture, texels): (Option<usize>, f64)) {
         if let Some(texture) = texture {
             self.0[texture].fetch_min(texels.to_bits(), Ordering::Relaxed);
         }

@@ -4,14 +4,13 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use rayon::prelude::*;
 
-use super::Settings;
 use super::attribute::{Attribute, Stream};
 use super::document::Document;
 use super::faces::{Frame, Part};
 use super::grid::Grid;
 use super::mesh::EncodedMesh;
 use super::placement::{Trs, greatest_stretch, is_mirrored};
-use super::plan::{Contents, InstanceFaces, Moving, Plan, SharedPlan};
+use super::plan::{Contents, InstanceFaces, Moving, Plan, Settings, SharedPlan};
 use super::statistics::{Kind, Statistics};
 use super::surfaces::Surfaces;
 use crate::base::{Error, Progress, Result};
@@ -213,7 +212,7 @@ impl FileWriter<'_> {
             }
             if !placements.is_empty() {
                 let streams = placement_streams(&placements)?;
-                streams.iter().for_each(|stream| self.statistics.count_stream(stream));
+                streams.iter().for_each(|stream| stream.count_in(&mut self.statistics));
                 self.document.add_placements(mesh, &streams);
             }
         }

@@ -93,16 +93,16 @@ impl Gatherer {
             _ => None,
         };
         self.positions.extend(numbering.vertices().map(|vertex| {
-            let own = Vec3::from_array(mesh.positions[vertex as usize]).as_dvec3();
-            let point = placement.map_or(own, |instance| instance.to_scene.transform_point3(own));
+            let raw = Vec3::from_array(mesh.positions[vertex as usize]).as_dvec3();
+            let point = placement.map_or(raw, |instance| instance.to_scene.transform_point3(raw));
             point.to_array().map(|x| grid.round(x))
         }));
         if let Some(normals) = mesh.normals.as_deref().filter(|_| self.key.lit) {
             // Normals are transformed by the inverse transpose of the placement's matrix.
             let matrix = placement.map(|instance| instance.to_object.matrix3.transpose());
             self.normals.extend(numbering.vertices().map(|vertex| {
-                let own = Vec3::from_array(normals[vertex as usize]).as_dvec3();
-                let normal = matrix.map_or(own, |matrix| matrix * own);
+                let raw = Vec3::from_array(normals[vertex as usize]).as_dvec3();
+                let normal = matrix.map_or(raw, |matrix| matrix * raw);
                 normal.normalize_or_zero().as_vec3().extend(0.0).to_array()
             }));
         }

@@ -54,7 +54,7 @@ impl EncodedMesh {
                     let streams = streams(&welded.primitive, &welded.corners, compressed)?;
                     statistics.triangles = welded.corners.len() as u64 / 3;
                     statistics.vertices = welded.primitive.positions.len() as u64;
-                    streams.iter().for_each(|stream| statistics.count_stream(stream));
+                    streams.iter().for_each(|stream| stream.count_in(&mut statistics));
                     Some(EncodedPrimitive { key: *key, streams })
                 }
             };

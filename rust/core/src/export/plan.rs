@@ -6,8 +6,41 @@ use std::sync::Arc;
 
 use super::grid::Grid;
 use super::placement::{greatest_stretch, is_mirrored, is_trs, stretch};
-use crate::base::{Error, FaceMap, Progress, Result, by_object};
+use crate::base::{Error, FaceMap, Progress, Result, by_object, number};
 use crate::scene::{Instance, Mesh, Scene};
+
+/// Limits of `Settings::step`: beyond the needs of float32 positions and scenes, and within the exponents of the
+/// EXPONENTIAL filter.
+const MIN_STEP: f64 = 1.0 / (1u64 << 40) as f64;
+const MAX_STEP: f64 = (1u64 << 20) as f64;
+
+/// Settings of an export.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Settings {
+    /// Step of the grid of positions in metres, rounded down to a power of two. The error of a position is at most
+    /// half a step per axis. Coordinates beyond 2²³ steps use coarser steps, as float32 demands; `Statistics` has the
+    /// maximum error.
+    pub step: f64,
+    /// Whether arrays are compressed; otherwise files need no extension, unless images are WebP.
+    pub compressed: bool,
+}
+
+impl Default for Settings {
+    /// 2⁻¹⁰ m: errors of at most half a millimetre, up to 8 km from the origin.
+    fn default() -> Self {
+        Self { step: 1.0 / 1024.0, compressed: true }
+    }
+}
+
+impl Settings {
+    pub(super) fn check(&self) -> Result<()> {
+        if !(MIN_STEP..=MAX_STEP).contains(&self.step) {
+            let expected = format!("metres from {} to {}", number(MIN_STEP), number(MAX_STEP));
+            return Err(Error::value("step", expected, number(self.step)));
+        }
+        Ok(())
+    }
+}
 
 /// A mesh with several placements.
 #[derive(Clone, Debug)]
@@ -103,8 +136,8 @@ impl Plan {
         let mut reach: f32 = 0.0;
         for placed in &all {
             progress.check()?;
-            let known = placed.object.filter(|_| placed.can_share(step)).zip(numbers.get(&placed.shape()).copied());
-            if let Some((object, number)) = known {
+            let sharing = placed.object.filter(|_| placed.can_share(step)).zip(numbers.get(&placed.shape()).copied());
+            if let Some((object, number)) = sharing {
                 let contents = &mut contents[usize::from(group_of(object))];
                 if placed.moves {
                     let faces = InstanceFaces { instance: placed.number, faces: None };
@@ -153,8 +186,8 @@ fn shared_meshes(all: &[Placed<'_>], step: f64, group_of: &impl Fn(i32) -> u16) 
     for placed in all.iter().filter(|placed| placed.can_share(step)) {
         users.entry(placed.shape()).or_default().push(placed);
     }
-    let mut several: Vec<(Shape, Vec<&Placed<'_>>)> = users.into_iter().filter(|(_, users)| users.len() > 1).collect();
-    several.sort_by_key(|(_, users)| users[0].number);
+    let mut shapes: Vec<(Shape, Vec<&Placed<'_>>)> = users.into_iter().filter(|(_, users)| users.len() > 1).collect();
+    shapes.sort_by_key(|(_, users)| users[0].number);
     let plan = |((_, flipped), users): (Shape, Vec<&Placed<'_>>)| {
         let mesh = Arc::clone(&users[0].instance.mesh);
         let stretch_of = |placed: &&Placed<'_>| {
@@ -168,7 +201,7 @@ fn shared_meshes(all: &[Placed<'_>], step: f64, group_of: &impl Fn(i32) -> u16) 
         groups.dedup();
         SharedPlan { mesh, flipped, grid, stretch, groups }
     };
-    several.into_iter().map(plan).collect()
+    shapes.into_iter().map(plan).collect()
 }
 
 /// Divides the faces of an instance by a key of their objects; face numbers are `None` for all faces.
@@ -178,16 +211,16 @@ fn divide<K: Ord + Copy>(placed: &Placed<'_>, key_of: impl Fn(i32) -> K) -> Vec<
     }
     let mesh = &placed.instance.mesh;
     let mut by_key: BTreeMap<K, Vec<u32>> = BTreeMap::new();
-    let mut open = None;
-    let mut close = |open: Option<(usize, K)>, end: usize| {
-        if let Some((start, key)) = open {
+    let mut run = None;
+    let mut close = |run: Option<(usize, K)>, end: usize| {
+        if let Some((start, key)) = run {
             by_key.entry(key).or_default().extend(start as u32..end as u32);
         }
     };
     for (start, object) in mesh.objects.runs(mesh.faces.len()) {
-        close(open.replace((start, key_of(object))), start);
+        close(run.replace((start, key_of(object))), start);
     }
-    close(open, mesh.faces.len());
+    close(run, mesh.faces.len());
     let all = |faces: &Vec<u32>| faces.len() == mesh.faces.len();
     by_key.into_iter().map(|(key, faces)| (key, Some(faces).filter(|faces| !all(faces)))).collect()
 }

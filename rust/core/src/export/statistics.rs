@@ -1,7 +1,5 @@
 //! Sizes, counts and errors of encoded geometry.
 
-use super::attribute::Stream;
-
 /// Kind of the bytes of a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
@@ -66,14 +64,6 @@ impl Statistics {
 
     pub(super) fn count(&mut self, kind: Kind, bytes: usize) {
         self.bytes[kind as usize] += bytes as u64;
-    }
-
-    /// Counts an encoded array.
-    pub(super) fn count_stream(&mut self, stream: &Stream) {
-        let layout = stream.attribute.layout();
-        self.count(layout.kind, stream.bytes.len());
-        self.raw_bytes += (stream.count * layout.stride) as u64;
-        self.position_error = self.position_error.max(stream.error);
     }
 
     /// Adds the statistics of other geometry.

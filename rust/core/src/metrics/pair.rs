@@ -4,8 +4,8 @@ use std::ops::Range;
 
 use rayon::prelude::*;
 
-use super::extremes::{Extremes, ValueRange};
-use super::pixel_rows::{EXTREME_LANES, LANES, PixelRows, extend, sum_and_difference, sum_difference_and_extremes};
+use super::extremes::{Extremes, LANES, ValueRange};
+use super::pixel_rows::{EXTREME_LANES, PixelRows, extend, sum_and_difference, sum_difference_and_extremes};
 use super::plane::{Plane, Region};
 use crate::base::{Real, Result};
 

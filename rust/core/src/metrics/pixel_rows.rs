@@ -1,12 +1,10 @@
 //! Kernels over rows of pixels: sums and differences, squared differences. Metrics use fused multiply-add if the machine
 //! has it: half the instructions and one rounding less. Results are otherwise the same on all machines.
 
-use super::extremes::Extremes;
+use super::extremes::{Extremes, LANES};
 use super::plane::Pixel;
 use crate::base::simd::vectorized;
 
-/// Number of pixels per vector operation.
-pub(super) const LANES: usize = 32;
 /// Lanes of the kernel that also finds extremes: its last block overlaps the previous one, and narrow blocks overlap
 /// less.
 pub(super) const EXTREME_LANES: usize = LANES / 2;
@@ -15,11 +13,6 @@ pub(super) const EXTREME_LANES: usize = LANES / 2;
 pub trait PixelRows: Pixel {
     /// Returns the sum of the squared differences of a short run of pixels.
     fn squares(x: &[Self], y: &[Self]) -> f64;
-}
-
-#[inline(always)]
-pub(super) fn lanes<R>(values: &[R]) -> &[R; LANES] {
-    &values.as_chunks::<LANES>().0[0]
 }
 
 macro_rules! pixel_rows {

@@ -120,7 +120,7 @@ impl Baker<'_> {
             let rows = &mut rows[(count - layer - 1) * TILE..];
             for n in ones(next.own_pixels) {
                 let (color, sample) = pixel(n);
-                let row = &mut rows[tile.place(n).1];
+                let row = &mut rows[tile.offset_in_tile(n).1];
                 row.texels.push(tile.index(n) as i64);
                 row.frame.push(self.channels, color, COVERAGE, &sample);
             }

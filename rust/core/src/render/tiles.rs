@@ -59,7 +59,7 @@ impl Spots<'_> {
     /// Returns the position of the n-th ray in the tile, as fractions of the full tile's width and height.
     #[inline]
     pub(super) fn position_in_tile(&self, n: usize) -> [f32; 2] {
-        let (column, row) = self.tile.place(n);
+        let (column, row) = self.tile.offset_in_tile(n);
         let fraction = |pixel: usize, offset: f64| ((pixel as f64 + offset) / TILE as f64) as f32;
         [fraction(column, self.offset[0]), fraction(row, self.offset[1])]
     }
@@ -163,7 +163,7 @@ impl ImageTile {
 
     /// Returns the column and row within the tile of the n-th drawn pixel.
     #[inline]
-    pub(super) fn place(&self, n: usize) -> (usize, usize) {
+    pub(super) fn offset_in_tile(&self, n: usize) -> (usize, usize) {
         let number = usize::from(self.drawn[n]);
         (number % self.columns, number / self.columns)
     }
@@ -171,7 +171,7 @@ impl ImageTile {
     /// Returns the position in the image of a point of the n-th drawn pixel; `offset` is relative to the pixel's corner.
     #[inline]
     fn position(&self, n: usize, offset: [f64; 2]) -> (f64, f64) {
-        let (column, row) = self.place(n);
+        let (column, row) = self.offset_in_tile(n);
         ((self.first_column + column) as f64 + offset[0], (self.first_row + row) as f64 + offset[1])
     }
 
@@ -184,7 +184,7 @@ impl ImageTile {
     /// Returns the index in the band of the n-th drawn pixel.
     #[inline]
     pub(super) fn slot(&self, n: usize) -> usize {
-        let (column, row) = self.place(n);
+        let (column, row) = self.offset_in_tile(n);
         row * self.width + self.first_column + column
     }
 

@@ -1,8 +1,7 @@
 //! Prediction of texels from texels visited before.
 
-use super::Faces;
 use super::planes::{Flag, Link, Trust, damaged};
-use super::scale::{NOTHING, Scale};
+use super::scale::{Faces, NOTHING, Scale};
 use crate::base::{Progress, Result};
 
 /// Number of texels that a fit remembers.
@@ -139,8 +138,8 @@ impl<'a> Walk<'a> {
             return Ok(());
         }
         let neighbour = around.predicted(face.codes, self.last);
-        let along = |run: &Run| (run.count > 0).then(|| self.scale.code(run.next(), distance, neighbour));
-        let (by_row, by_column) = (along(row), along(column));
+        let run_code = |run: &Run| (run.count > 0).then(|| self.scale.code(run.next(), distance, neighbour));
+        let (by_row, by_column) = (run_code(row), run_code(column));
         if is_new {
             let run_codes = (by_row.filter(|_| row.count >= MIN_RUN), by_column.filter(|_| column.count >= MIN_RUN));
             let (guess, trust) = match run_codes {

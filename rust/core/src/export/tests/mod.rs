@@ -138,10 +138,10 @@ fn compressed_arrays_are_the_plain_ones_bit_for_bit() {
         Read::new(&file.bytes, &[])
     });
     let primitives = |file: &Read| file.list("meshes")[0]["primitives"].as_array().unwrap().clone();
-    let (one, other) = (primitives(&plain), primitives(&compressed));
+    let (plain_primitives, compressed_primitives) = (primitives(&plain), primitives(&compressed));
     // No material, the blue one, which needs no texture coordinates, and the textured one.
-    assert_eq!((one.len(), other.len()), (3, 3));
-    for (one, other) in one.iter().zip(&other) {
+    assert_eq!((plain_primitives.len(), compressed_primitives.len()), (3, 3));
+    for (one, other) in plain_primitives.iter().zip(&compressed_primitives) {
         // The codec for triangles may rotate the corners.
         let from_least = |corners: Vec<u32>| -> Vec<[u32; 3]> {
             let turned = |&[a, b, c]: &[u32; 3]| [[a, b, c], [b, c, a], [c, a, b]].into_iter().min();
@@ -162,7 +162,8 @@ fn compressed_arrays_are_the_plain_ones_bit_for_bit() {
             assert!(short.distance(Vec3::from_array(*exact)) < 1e-6);
         }
     }
-    assert_eq!(one.iter().filter(|primitive| primitive["attributes"].get("TEXCOORD_0").is_some()).count(), 1);
+    let textured = plain_primitives.iter().filter(|primitive| primitive["attributes"].get("TEXCOORD_0").is_some());
+    assert_eq!(textured.count(), 1);
     assert!(plain.document.get("extensionsUsed").is_none());
 }
 

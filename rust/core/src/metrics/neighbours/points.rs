@@ -84,7 +84,7 @@ impl TruthPoints {
         let position_of = |(pixel, position): (usize, &[f32; 3])| {
             progress.check().ok()?;
             let point = Vec3::from_array(*position).as_dvec3() + origin;
-            let truth = truth.project(point).filter(|there| there.is_finite())?.truncate();
+            let truth = truth.project(point).filter(|position| position.is_finite())?.truncate();
             let is_near = truth.abs().max_element() < MAX_COORDINATE;
             // The cast saturates.
             let band = (truth.y * BANDS as f64 / epsilon).floor() as i64;

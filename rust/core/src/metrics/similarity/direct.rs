@@ -97,10 +97,10 @@ fn block(patch: &Patch<'_>, from: usize) -> [[f64; 2]; LANES] {
             let (x, y, seen) =
                 (&xs[index..index + LANES], &ys[index..index + LANES], &patch.seen[index..index + LANES]);
             for i in 0..LANES {
-                let share = weight * seen[i];
-                total[i] += share;
-                x_mean[i] += share * (x[i] - x_level[i]);
-                y_mean[i] += share * (y[i] - y_level[i]);
+                let tap_weight = weight * seen[i];
+                total[i] += tap_weight;
+                x_mean[i] += tap_weight * (x[i] - x_level[i]);
+                y_mean[i] += tap_weight * (y[i] - y_level[i]);
             }
         }
     }
@@ -115,10 +115,10 @@ fn block(patch: &Patch<'_>, from: usize) -> [[f64; 2]; LANES] {
             let (xs, ys, seen) =
                 (&xs[index..index + LANES], &ys[index..index + LANES], &patch.seen[index..index + LANES]);
             for i in 0..LANES {
-                let share = weight * seen[i];
+                let tap_weight = weight * seen[i];
                 let (x, y) = ((xs[i] - x_level[i]) - x_mean[i], (ys[i] - y_level[i]) - y_mean[i]);
-                variances[i] += share * (x * x + y * y);
-                difference_variances[i] += share * ((x - y) * (x - y));
+                variances[i] += tap_weight * (x * x + y * y);
+                difference_variances[i] += tap_weight * ((x - y) * (x - y));
             }
         }
     }

@@ -1,9 +1,9 @@
 //! Similarity restricted to a mask: other pixels have weight 0, and the remaining weights of a window are scaled to
 //! sum to 1. Knutsson, Westin: Normalized and differential convolution, 1993.
 
-use super::super::extremes::ValueRange;
+use super::super::extremes::{LANES, ValueRange, lanes};
 use super::super::pair::Pair;
-use super::super::pixel_rows::{LANES, PixelRows, lanes};
+use super::super::pixel_rows::PixelRows;
 use super::super::plane::{Plane, Region};
 use super::direct::Patch;
 use super::measure::{Measure, Measurement};

@@ -1,6 +1,6 @@
 //! Similarity measure from means and variances of the sum and difference of both images.
 
-use super::super::pixel_rows::LANES;
+use super::super::extremes::LANES;
 use super::super::plane::RoundingLimits;
 use super::moments::{COLUMNS, Moments};
 use crate::base::simd::vectorized;

@@ -5,7 +5,7 @@
 //! remains to be subtracted is at most the variance divided by the middle's weight (the middle is one of the averaged
 //! values), so the relative error is a few roundings over that weight, at any level.
 
-use super::super::pixel_rows::{LANES, lanes};
+use super::super::extremes::{LANES, lanes};
 use crate::base::Real;
 use crate::base::simd::vectorized;
 

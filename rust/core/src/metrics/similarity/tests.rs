@@ -4,8 +4,8 @@
 use super::moments::{COLUMNS, Moments, across, across_kernel, down, down_kernel};
 use super::*;
 use crate::base::Progress;
+use crate::metrics::extremes::LANES;
 use crate::metrics::pair::Pair;
-use crate::metrics::pixel_rows::LANES;
 use crate::metrics::plane::{self, Plane};
 use crate::metrics::{Stacks, ValueRange};
 use proptest::prelude::*;

@@ -1,8 +1,8 @@
 //! Windowed similarity over tiles that stay in the caches, with one pass over each tile's rows.
 
-use super::super::extremes::Extremes;
+use super::super::extremes::{Extremes, LANES};
 use super::super::pair::Pair;
-use super::super::pixel_rows::{LANES, PixelRows};
+use super::super::pixel_rows::PixelRows;
 use super::super::plane::{Region, RoundingLimits, mirror};
 use super::direct::Patch;
 use super::measure::{Measure, WindowRow, measure_row};
@@ -46,13 +46,13 @@ impl<'a, P: PixelRows> Windows<'a, P> {
         let (height, width) = (self.pair.reference.height, self.pair.reference.width);
         let inside = self.inside;
         sum_bands([height, width], ROWS, map, |rows, mut map| {
-            let wanted = if map.is_some() { Region { rows, columns: [0, width] } } else { inside.within_rows(rows) };
+            let computed = if map.is_some() { Region { rows, columns: [0, width] } } else { inside.within_rows(rows) };
             let mut buffers = TileBuffers::new(self.weights.len(), self.counted.contrast);
             let mut sums = SimilaritySums::default();
-            let mut start = wanted.columns[0];
-            while start < wanted.columns[1] && !wanted.is_empty() && self.counted.progress.check().is_ok() {
-                let end = wanted.columns[1].min(start + TILE_BYTES / size_of::<P::Real>());
-                let mut region = Region { rows: wanted.rows, columns: [start, end] };
+            let mut start = computed.columns[0];
+            while start < computed.columns[1] && !computed.is_empty() && self.counted.progress.check().is_ok() {
+                let end = computed.columns[1].min(start + TILE_BYTES / size_of::<P::Real>());
+                let mut region = Region { rows: computed.rows, columns: [start, end] };
                 start = end;
                 if let (None, Some(mask)) = (&map, &self.counted.mask) {
                     region = mask.plane().bounds(region);

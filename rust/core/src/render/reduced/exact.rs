@@ -213,8 +213,8 @@ impl Picture for Exact<'_> {
         hits.fill(Hit::MISS);
         let are_traced = self.inside.as_ref().is_some_and(|inside| self.trace_tile(inside, rays, hits, spots));
         if !are_traced && self.morph.r2 > 0.0 {
-            let open = rays.iter_mut().zip(hits.iter_mut()).filter(|(_, hit)| hit.is_miss());
-            open.for_each(|(ray, hit)| self.trace_alone(ray, hit));
+            let missing = rays.iter_mut().zip(hits.iter_mut()).filter(|(_, hit)| hit.is_miss());
+            missing.for_each(|(ray, hit)| self.trace_alone(ray, hit));
         }
         if self.morph.r2 < self.boundary {
             self.trace_outside(rays, hits);

@@ -54,8 +54,8 @@ impl Lattice {
         let Some(error) = self.linear_error(column, row) else { return false };
         let allowed = INTERPOLATION_SHARE * self.tolerance(column as f64, row as f64);
         let user = self.morph.user.as_vec3();
-        let at = |x, y| self.corner(column + x, row + y);
-        if let (Some(a), Some(b), Some(c), Some(d)) = (at(0, 0), at(1, 0), at(0, 1), at(1, 1)) {
+        let corner = |x, y| self.corner(column + x, row + y);
+        if let (Some(a), Some(b), Some(c), Some(d)) = (corner(0, 0), corner(1, 0), corner(0, 1), corner(1, 1)) {
             let corners = [a, b, c, d];
             let linear = || Cell::linear(corners, user, TilePart::WHOLE);
             let quadratic = if error <= allowed { None } else { self.quadratic_corners(column, row, allowed) };
@@ -71,11 +71,11 @@ impl Lattice {
             return false;
         };
         let across = parts + 1;
-        let at = |i: usize| {
-            let share = |cell: usize, part: usize| cell as f64 + part as f64 / parts as f64;
-            self.bent(share(column, i % across), share(row, i / across))
+        let corner_at = |i: usize| {
+            let position = |cell: usize, part: usize| cell as f64 + part as f64 / parts as f64;
+            self.bent(position(column, i % across), position(row, i / across))
         };
-        let Some(corners) = (0..across * across).map(at).collect::<Option<Vec<Corner>>>() else { return false };
+        let Some(corners) = (0..across * across).map(corner_at).collect::<Option<Vec<Corner>>>() else { return false };
         for part in 0..parts * parts {
             let (x, y) = (part % parts, part / parts);
             let first = y * across + x;

@@ -94,13 +94,13 @@ fn cut(
     };
     let triangles = sources.par_iter().map(|&(instance, face)| {
         let corners = scene.instance(instance).corners(face).map(|corner| corner.as_dvec3());
-        let place = |piece: tessellate::Piece| {
+        let place_piece = |piece: tessellate::Piece| {
             let corners = piece.weights.map(|[_, u, v]| [u as f32, v as f32]);
             // The cylinder is convex.
             let is_within = piece.corners.iter().all(|&corner| is_within(corner));
             (NearPiece { instance, face, is_within, corners }, piece.corners)
         };
-        Ok(split(tessellate::Piece::whole(corners))?.into_iter().map(place).collect())
+        Ok(split(tessellate::Piece::whole(corners))?.into_iter().map(place_piece).collect())
     });
     let triangles: Result<Vec<Vec<Placed>>> = triangles.collect();
     // The total does not depend on the number of threads, whichever of them found that it is too large.
@@ -151,11 +151,11 @@ impl Split {
         progress.check()?;
         let (mut pieces, mut faces, mut vertices) = (vec![], vec![], vec![]);
         // The cut of an edge depends on the edge alone, so neighbours have bit-equal vertices.
-        let mut known = HashMap::new();
+        let mut numbers = HashMap::new();
         for (piece, corners) in triangles.into_iter().flatten() {
             pieces.push(piece);
             faces.push(corners.map(|corner| {
-                *known.entry(corner.to_array().map(f64::to_bits)).or_insert_with(|| {
+                *numbers.entry(corner.to_array().map(f64::to_bits)).or_insert_with(|| {
                     vertices.push(corner);
                     vertices.len() as u32 - 1
                 })
@@ -168,8 +168,8 @@ impl Split {
     pub fn morphed(&self, morph: &Morph, progress: &Progress) -> Result<NearPart> {
         let tiles = self.vertices.par_chunks(TILE).map(|tile| {
             progress.check()?;
-            let shown = tile.iter().map(|&vertex| morph.examine(vertex));
-            Ok(shown.map(|shown| (shown.point.as_vec3().to_array(), u64::from(shown.opposed))).unzip())
+            let points = tile.iter().map(|&vertex| morph.examine(vertex));
+            Ok(points.map(|point| (point.point.as_vec3().to_array(), u64::from(point.opposed))).unzip())
         });
         let tiles: Vec<(Vec<[f32; 3]>, Vec<u64>)> = tiles.collect::<Result<_>>()?;
         let opposed = tiles.iter().flat_map(|(_, opposed)| opposed).sum();
