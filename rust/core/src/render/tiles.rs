@@ -168,7 +168,7 @@ impl ImageTile {
         (number % self.columns, number / self.columns)
     }
 
-    /// Returns the position in the image of a point of the n-th drawn pixel; `offset` is relative to the pixel's corner.
+    /// Returns the image position of a point of the n-th drawn pixel; `offset` is relative to the pixel's corner.
     #[inline]
     fn position(&self, n: usize, offset: [f64; 2]) -> (f64, f64) {
         let (column, row) = self.offset_in_tile(n);

@@ -77,7 +77,7 @@ impl PairSums {
         let length = points.bands[last].1.end - own_points.start + LANES;
         let mut sums = Self { own_points, excess: vec![0.0; length], count: vec![0.0; length] };
         for band in bands {
-            // The band itself and later ones.
+            // The band itself and later bands; earlier bands count their pairs with this one.
             let targets = points.targets(band, points.bands[band..].iter().take(BANDS + 1), around.epsilon);
             let limits = [around.epsilon, around.least].map(|limit| (limit * limit) as f32);
             let band = points.bands[band].1.clone();

@@ -1,5 +1,5 @@
-//! Similarity of a pair, image reduction, and similarity at several scales. Wang, Simoncelli, Bovik: Multiscale structural similarity for
-//! image quality assessment, 2003.
+//! Similarity of a pair, image reduction, and similarity at several scales. Wang, Simoncelli, Bovik: Multiscale
+//! structural similarity for image quality assessment, 2003.
 
 use rayon::prelude::*;
 
