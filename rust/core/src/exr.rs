@@ -70,10 +70,10 @@ fn sort_headers(bytes: &mut [u8], headers: usize) {
     let mut start = PREAMBLE;
     for _ in 0..headers {
         let mut attributes: Vec<&[u8]> = Vec::new();
-        let mut rest = &bytes[start..];
-        while let Some(attribute) = first_attribute(rest) {
+        let mut header = &bytes[start..];
+        while let Some(attribute) = first_attribute(header) {
             attributes.push(attribute);
-            rest = &rest[attribute.len()..];
+            header = &header[attribute.len()..];
         }
         // Names end with 0, which precedes every letter, so comparing whole attributes compares names first.
         attributes.sort();
@@ -150,19 +150,13 @@ fn check_size(bytes: &[u8]) -> base::Result<()> {
     /// Maximum ratio of data to file size: deflate's maximum of 1032, plus a margin.
     const MAX_EXPANSION: u128 = 1100;
     let meta = MetaData::read_from_buffered(Cursor::new(bytes), false).map_err(unreadable)?;
-    let promised: u128 = meta
-        .headers
-        .iter()
-        .map(|header| {
-            let pixels = header.layer_size.width() as u128 * header.layer_size.height() as u128;
-            pixels * header.channels.bytes_per_pixel as u128
-        })
-        .sum();
-    if promised > bytes.len() as u128 * MAX_EXPANSION {
-        return Err(base::Error::Format(format!(
-            "no readable OpenEXR image: {} bytes cannot hold the {promised} bytes that its header promises",
-            bytes.len()
-        )));
+    let promised = meta.headers.iter().map(|header| {
+        let pixels = header.layer_size.width() as u128 * header.layer_size.height() as u128;
+        pixels * header.channels.bytes_per_pixel as u128
+    });
+    let (promised, length) = (promised.sum::<u128>(), bytes.len());
+    if promised > length as u128 * MAX_EXPANSION {
+        return Err(unreadable(format!("{length} bytes cannot hold the {promised} bytes that its header promises")));
     }
     Ok(())
 }
@@ -175,11 +169,8 @@ fn layer(part: &Part<'_>, progress: &Progress) -> base::Result<Layer<AnyChannels
     let pixels = part.width * part.height;
     let channels = part.channels.iter().map(|(name, values)| {
         if values.len() != pixels {
-            return Err(base::Error::value(
-                "channels",
-                format!("{} x {} values for '{name}'", part.width, part.height),
-                values.len(),
-            ));
+            let expected = format!("{} x {} values for '{name}'", part.width, part.height);
+            return Err(base::Error::value("channels", expected, values.len()));
         }
         Ok(AnyChannel::new(text("channels", name)?, values.to_samples(progress)?))
     });
@@ -197,12 +188,12 @@ fn layer(part: &Part<'_>, progress: &Progress) -> base::Result<Layer<AnyChannels
 }
 
 fn part(layer: Layer<AnyChannels<FlatSamples>>) -> Part<'static> {
-    let known = layer.attributes.other.iter().filter_map(|(name, value)| match value {
+    let attributes = layer.attributes.other.iter().filter_map(|(name, value)| match value {
         AttributeValue::Text(value) => Some((name.to_string(), Attribute::Text(value.to_string()))),
         &AttributeValue::FloatVec3((x, y, z)) => Some((name.to_string(), Attribute::Vector([x, y, z]))),
         _ => None,
     });
-    let mut attributes: Vec<_> = known.collect();
+    let mut attributes: Vec<_> = attributes.collect();
     attributes.sort_by(|a, b| a.0.cmp(&b.0));
     let channels = layer.channel_data.list.into_iter();
     Part {
@@ -229,23 +220,23 @@ impl Values<'_> {
 
     fn to_samples(&self, progress: &Progress) -> base::Result<FlatSamples> {
         Ok(match self {
-            Self::Half(values) => FlatSamples::F16(copied(values, progress)?),
-            Self::Float(values) => FlatSamples::F32(copied(values, progress)?),
-            Self::Unsigned(values) => FlatSamples::U32(copied(values, progress)?),
+            Self::Half(values) => FlatSamples::F16(copy(values, progress)?),
+            Self::Float(values) => FlatSamples::F32(copy(values, progress)?),
+            Self::Unsigned(values) => FlatSamples::U32(copy(values, progress)?),
         })
     }
 }
 
 /// Copies values that the crate needs to own.
-fn copied<T: Copy>(values: &[T], progress: &Progress) -> base::Result<Vec<T>> {
+fn copy<T: Copy>(values: &[T], progress: &Progress) -> base::Result<Vec<T>> {
     /// Values between two checks for cancellation: milliseconds of copying.
     const TILE: usize = 1 << 20;
-    let mut copy = Vec::with_capacity(values.len());
+    let mut owned = Vec::with_capacity(values.len());
     for tile in values.chunks(TILE) {
         progress.check()?;
-        copy.extend_from_slice(tile);
+        owned.extend_from_slice(tile);
     }
-    Ok(copy)
+    Ok(owned)
 }
 
 impl From<FlatSamples> for Values<'_> {

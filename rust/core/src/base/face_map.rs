@@ -26,6 +26,12 @@ pub enum FaceMap {
     PerFace(Buffer<i32>),
 }
 
+/// Returns the value of an object; `values` has the value of each object, and last that of faces without an object.
+pub(crate) fn by_object<T: Copy>(values: &[T], object: i32) -> T {
+    let last = values.len() - 1;
+    values[usize::try_from(object).map_or(last, |object| object.min(last))]
+}
+
 impl FaceMap {
     /// Returns the value of one face.
     #[inline]

@@ -3,7 +3,6 @@
 use glam::DVec3;
 use rayon::prelude::*;
 
-use super::sphere::Sphere;
 use crate::base::simd::{prefetch, vectorized};
 use crate::base::{Error, Progress, Real, Result};
 
@@ -21,6 +20,15 @@ const DIRECTIONS: usize = 7;
 const AXES: usize = 3;
 /// Stride in blocks: only every eighth block is projected onto the diagonals.
 const DIAGONAL_STRIDE: usize = 8;
+
+/// A centre and a radius.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sphere {
+    /// The centre.
+    pub center: DVec3,
+    /// The radius, at least 0.
+    pub radius: f64,
+}
 
 /// Minimum and maximum along each direction.
 #[derive(Clone, Copy, Debug)]
@@ -95,11 +103,6 @@ impl<'a, T: Real> Cloud<'a, T> {
         Ok(Self { points, progress, origin, bounds: bounds.map(|corner| corner - origin), extremes })
     }
 
-    /// Longest side of the bounding box.
-    pub fn extent(&self) -> f64 {
-        (self.bounds[1] - self.bounds[0]).max_element()
-    }
-
     /// A point relative to the cloud's origin.
     #[inline(always)]
     pub fn local(&self, point: &[T; 3]) -> DVec3 {
@@ -109,6 +112,11 @@ impl<'a, T: Real> Cloud<'a, T> {
     /// Returns the maximum distance from a centre, and the first point that has it.
     pub fn farthest(&self, center: DVec3) -> Result<(f64, DVec3)> {
         farthest_of(self.points, self.origin, center, self.progress)
+    }
+
+    /// Returns the smallest sphere about a centre.
+    pub fn sphere_about(&self, center: DVec3) -> Result<Sphere> {
+        Ok(Sphere { center, radius: self.farthest(center)?.0 })
     }
 
     pub fn mean(&self) -> Result<DVec3> {
@@ -131,8 +139,8 @@ impl<'a, T: Real> Cloud<'a, T> {
     /// measured again from the rounded centre.
     pub fn to_world(&self, sphere: &Sphere) -> Result<Sphere> {
         let center = sphere.center + self.origin;
-        let moved = (center - self.origin) - sphere.center;
-        let radius = if moved == DVec3::ZERO { sphere.radius } else { self.farthest(center - self.origin)?.0 };
+        let is_exact = center - self.origin == sphere.center;
+        let radius = if is_exact { sphere.radius } else { self.farthest(center - self.origin)?.0 };
         Ok(Sphere { center, radius })
     }
 }
@@ -206,63 +214,47 @@ fn extremes_kernel<T: Real>(points: &[[T; 3]]) -> Extremes {
     for block in blocks.iter().step_by(DIAGONAL_STRIDE) {
         let [x, y, z] = gather(block);
         for i in 0..LANES {
-            let of = project(&[x[i], y[i], z[i]]);
+            let projections = project(&[x[i], y[i], z[i]]);
             for n in AXES..DIRECTIONS {
-                low[n][i] = if of[n] < low[n][i] { of[n] } else { low[n][i] };
-                high[n][i] = if of[n] > high[n][i] { of[n] } else { high[n][i] };
+                low[n][i] = if projections[n] < low[n][i] { projections[n] } else { low[n][i] };
+                high[n][i] = if projections[n] > high[n][i] { projections[n] } else { high[n][i] };
             }
         }
     }
     for point in rest {
-        let of = project(point);
-        zeros[0] += 0.0 * of[3];
+        let projections = project(point);
+        zeros[0] += 0.0 * projections[3];
         for n in 0..DIRECTIONS {
-            low[n][0] = low[n][0].min(of[n]);
-            high[n][0] = high[n][0].max(of[n]);
+            low[n][0] = low[n][0].min(projections[n]);
+            high[n][0] = high[n][0].max(projections[n]);
         }
     }
-    let mut zero = 0.0;
-    for lane in zeros {
-        zero += lane;
+    let zero = zeros.iter().sum::<f64>();
+    Extremes {
+        low: low.map(|lanes| lanes.into_iter().fold(f64::INFINITY, f64::min) + zero),
+        high: high.map(|lanes| lanes.into_iter().fold(f64::NEG_INFINITY, f64::max) + zero),
     }
-    let mut found = Extremes { low: [0.0; DIRECTIONS], high: [0.0; DIRECTIONS] };
-    for n in 0..DIRECTIONS {
-        let (mut least, mut greatest) = (low[n][0], high[n][0]);
-        for i in 1..LANES {
-            least = least.min(low[n][i]);
-            greatest = greatest.max(high[n][i]);
-        }
-        found.low[n] = least + zero;
-        found.high[n] = greatest + zero;
-    }
-    found
 }
 
 #[inline(always)]
 fn sum_kernel<T: Real>(points: &[[T; 3]], origin: DVec3) -> DVec3 {
-    let from = origin.to_array();
+    let origin_xyz = origin.to_array();
     let (blocks, rest) = points.as_chunks::<LANES>();
     let mut sums = [[0.0; LANES]; 3];
     for block in blocks {
         let lanes = gather(block);
         for axis in 0..3 {
             for i in 0..LANES {
-                sums[axis][i] += lanes[axis][i] - from[axis];
+                sums[axis][i] += lanes[axis][i] - origin_xyz[axis];
             }
         }
     }
     for point in rest {
         for axis in 0..3 {
-            sums[axis][0] += point[axis].wide() - from[axis];
+            sums[axis][0] += point[axis].wide() - origin_xyz[axis];
         }
     }
-    let mut total = [0.0; 3];
-    for axis in 0..3 {
-        for lane in sums[axis] {
-            total[axis] += lane;
-        }
-    }
-    DVec3::from_array(total)
+    DVec3::from_array(sums.map(|lanes| lanes.iter().sum()))
 }
 
 /// Squared distances of a block's points from a centre.
@@ -284,58 +276,58 @@ fn farthest_kernel<T: Real>(points: &[[T; 3]], origin: DVec3, center: DVec3) -> 
     let (origin, center) = (origin.to_array(), center.to_array());
     let (blocks, rest) = points.as_chunks::<LANES>();
     // Maximum of each lane and its block; the first of equal values.
-    let (mut most, mut which) = ([f64::NEG_INFINITY; LANES], [0.0; LANES]);
+    let (mut max_squared, mut block_of_max) = ([f64::NEG_INFINITY; LANES], [0.0; LANES]);
     let mut number = 0.0;
     for (n, block) in blocks.iter().enumerate() {
         prefetch(blocks.get(n + PREFETCHED_BLOCKS).unwrap_or(block));
         let squared = squares(block, origin, center);
         for i in 0..LANES {
-            let farther = squared[i] > most[i];
-            most[i] = if farther { squared[i] } else { most[i] };
-            which[i] = if farther { number } else { which[i] };
+            let farther = squared[i] > max_squared[i];
+            max_squared[i] = if farther { squared[i] } else { max_squared[i] };
+            block_of_max[i] = if farther { number } else { block_of_max[i] };
         }
         number += 1.0;
     }
-    let mut found = (f64::NEG_INFINITY, usize::MAX);
-    let mut take = |squared: f64, index: usize| {
-        if squared > found.0 || (squared == found.0 && index < found.1) {
-            found = (squared, index);
+    let mut best = (f64::NEG_INFINITY, usize::MAX);
+    let mut include = |squared: f64, index: usize| {
+        if squared > best.0 || (squared == best.0 && index < best.1) {
+            best = (squared, index);
         }
     };
     if !blocks.is_empty() {
         for i in 0..LANES {
-            take(most[i], which[i] as usize * LANES + i);
+            include(max_squared[i], block_of_max[i] as usize * LANES + i);
         }
     }
     for (n, point) in rest.iter().enumerate() {
-        take(squares(&[*point; LANES], origin, center)[0], blocks.len() * LANES + n);
+        include(squares(&[*point; LANES], origin, center)[0], blocks.len() * LANES + n);
     }
-    found
+    best
 }
 
 #[inline(always)]
 fn beyond_kernel<T: Real>(points: &[[T; 3]], origin: DVec3, center: DVec3, limit: f64, found: &mut Vec<[f64; 3]>) {
-    let (from, middle) = (origin.to_array(), center.to_array());
+    let (origin_xyz, center_xyz) = (origin.to_array(), center.to_array());
     let (blocks, rest) = points.as_chunks::<LANES>();
-    let mut keep = |point: &[T; 3], squared: f64| {
+    let mut push_if_beyond = |point: &[T; 3], squared: f64| {
         if squared > limit {
-            found.push([point[0].wide() - from[0], point[1].wide() - from[1], point[2].wide() - from[2]]);
+            found.push([0, 1, 2].map(|axis| point[axis].wide() - origin_xyz[axis]));
         }
     };
     for (n, block) in blocks.iter().enumerate() {
         prefetch(blocks.get(n + PREFETCHED_BLOCKS).unwrap_or(block));
-        let squared = squares(block, from, middle);
+        let squared = squares(block, origin_xyz, center_xyz);
         let mut greatest = 0.0;
         for value in squared {
             greatest = if value > greatest { value } else { greatest };
         }
         if greatest > limit {
             for i in 0..LANES {
-                keep(&block[i], squared[i]);
+                push_if_beyond(&block[i], squared[i]);
             }
         }
     }
     for point in rest {
-        keep(point, squares(&[*point; LANES], from, middle)[0]);
+        push_if_beyond(point, squares(&[*point; LANES], origin_xyz, center_xyz)[0]);
     }
 }

@@ -45,31 +45,31 @@ impl Seen {
     }
 }
 
-/// Checks spheres and writes the results of `of` tile by tile.
+/// Checks spheres and calls `compute` for each tile of centres, radii and results.
 pub fn each_tile(
     centers: &[[f64; 3]],
     radii: &[f64],
     eye: DVec3,
-    to: &mut [f64],
-    of: impl Fn(&[[f64; 3]], &[f64], &mut [f64]) -> Result<()> + Sync,
+    results: &mut [f64],
+    compute: impl Fn(&[[f64; 3]], &[f64], &mut [f64]) -> Result<()> + Sync,
 ) -> Result<()> {
-    let tiles = centers.par_chunks(TILE).zip(radii.par_chunks(TILE)).zip(to.par_chunks_mut(TILE)).enumerate();
-    tiles.try_for_each(|(number, ((centers, radii), to))| {
+    let tiles = centers.par_chunks(TILE).zip(radii.par_chunks(TILE)).zip(results.par_chunks_mut(TILE)).enumerate();
+    tiles.try_for_each(|(number, ((centers, radii), results))| {
         check(centers, radii, eye, number * TILE)?;
-        of(centers, radii, to)
+        compute(centers, radii, results)
     })
 }
 
 /// Fails for spheres that are not finite; `first` is the index of the first sphere, for the message.
 pub fn check(centers: &[[f64; 3]], radii: &[f64], eye: DVec3, first: usize) -> Result<()> {
     for (n, (center, &radius)) in centers.iter().zip(radii).enumerate() {
-        let at = first + n;
+        let index = first + n;
         if !(DVec3::from_array(*center) - eye).is_finite() {
             let expected = "finite numbers, and distances from the eye that are";
-            return Err(Error::value("centers", expected, format!("{center:?} at index {at}")));
+            return Err(Error::value("centers", expected, format!("{center:?} at index {index}")));
         }
         if !(radius >= 0.0 && radius.is_finite()) {
-            return Err(Error::value("radii", "finite numbers of at least 0", format!("{radius} at index {at}")));
+            return Err(Error::value("radii", "finite numbers of at least 0", format!("{radius} at index {index}")));
         }
     }
     Ok(())

@@ -19,9 +19,9 @@ fn slowly(points: &[[f64; 3]]) -> f64 {
         for (j, &b) in points.iter().enumerate().skip(i + 1) {
             try_center((a + b) / 2.0);
             for (k, &c) in points.iter().enumerate().skip(j + 1) {
-                try_center(support::equidistant(&[a, b, c]));
+                try_center(bounding::equidistant(&[a, b, c]));
                 for &d in points.iter().skip(k + 1) {
-                    try_center(support::equidistant(&[a, b, c, d]));
+                    try_center(bounding::equidistant(&[a, b, c, d]));
                 }
             }
         }

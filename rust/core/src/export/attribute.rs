@@ -1,11 +1,12 @@
 //! Arrays as bytes, with the descriptions that glTF readers need.
 
 use bytemuck::Pod;
+use glam::{IVec3, Vec3};
 use meshopt::{decode_filter_oct, encode_index_buffer, encode_vertex_buffer_level};
 
 use super::gather::Primitive;
 use super::grid::Grid;
-use super::statistics::Kind;
+use super::statistics::{Kind, Statistics};
 use crate::base::{Error, Result};
 
 const BYTE: u32 = 5120;
@@ -37,62 +38,35 @@ pub(super) enum Attribute {
     Scale,
 }
 
-/// Type of an accessor.
-#[derive(Clone, Copy, Debug)]
+/// Description of an array in a file.
 pub(super) struct Layout {
+    /// Attribute name in a primitive or an instancing extension; empty for corners.
+    pub name: &'static str,
+    pub kind: Kind,
     pub component: u32,
     pub shape: &'static str,
     pub normalized: bool,
     /// Bytes per row.
     pub stride: usize,
+    /// Filter with which the array is compressed.
+    pub filter: &'static str,
 }
 
 impl Attribute {
-    /// Returns the attribute name in a primitive or an instancing extension; empty for corners.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Position => "POSITION",
-            Self::ShortNormal | Self::Normal => "NORMAL",
-            Self::Uv => "TEXCOORD_0",
-            Self::Color => "COLOR_0",
-            Self::ShortCorners | Self::Corners => "",
-            Self::Translation => "TRANSLATION",
-            Self::Rotation => "ROTATION",
-            Self::Scale => "SCALE",
-        }
-    }
-
-    pub fn kind(self) -> Kind {
-        match self {
-            Self::Position => Kind::Positions,
-            Self::ShortNormal | Self::Normal => Kind::Normals,
-            Self::Uv => Kind::Uvs,
-            Self::Color => Kind::Colors,
-            Self::ShortCorners | Self::Corners => Kind::Corners,
-            Self::Translation | Self::Rotation | Self::Scale => Kind::Placements,
-        }
-    }
-
     pub fn layout(self) -> Layout {
-        let (component, shape, normalized, stride) = match self {
-            Self::Position | Self::Normal | Self::Translation | Self::Scale => (FLOAT, "VEC3", false, 12),
-            Self::ShortNormal => (BYTE, "VEC3", true, 4),
-            Self::Uv => (FLOAT, "VEC2", false, 8),
-            Self::Color => (UNSIGNED_SHORT, "VEC4", true, 8),
-            Self::ShortCorners => (UNSIGNED_SHORT, "SCALAR", false, 2),
-            Self::Corners => (UNSIGNED_INT, "SCALAR", false, 4),
-            Self::Rotation => (FLOAT, "VEC4", false, 16),
+        let (name, kind, component, shape, normalized, stride, filter) = match self {
+            Self::Position => ("POSITION", Kind::Positions, FLOAT, "VEC3", false, 12, "EXPONENTIAL"),
+            Self::ShortNormal => ("NORMAL", Kind::Normals, BYTE, "VEC3", true, 4, "OCTAHEDRAL"),
+            Self::Normal => ("NORMAL", Kind::Normals, FLOAT, "VEC3", false, 12, "NONE"),
+            Self::Uv => ("TEXCOORD_0", Kind::Uvs, FLOAT, "VEC2", false, 8, "EXPONENTIAL"),
+            Self::Color => ("COLOR_0", Kind::Colors, UNSIGNED_SHORT, "VEC4", true, 8, "NONE"),
+            Self::ShortCorners => ("", Kind::Corners, UNSIGNED_SHORT, "SCALAR", false, 2, "NONE"),
+            Self::Corners => ("", Kind::Corners, UNSIGNED_INT, "SCALAR", false, 4, "NONE"),
+            Self::Translation => ("TRANSLATION", Kind::Placements, FLOAT, "VEC3", false, 12, "NONE"),
+            Self::Rotation => ("ROTATION", Kind::Placements, FLOAT, "VEC4", false, 16, "NONE"),
+            Self::Scale => ("SCALE", Kind::Placements, FLOAT, "VEC3", false, 12, "NONE"),
         };
-        Layout { component, shape, normalized, stride }
-    }
-
-    /// Returns the filter with which the array is compressed.
-    pub fn filter(self) -> &'static str {
-        match self {
-            Self::Position | Self::Uv => "EXPONENTIAL",
-            Self::ShortNormal => "OCTAHEDRAL",
-            _ => "NONE",
-        }
+        Layout { name, kind, component, shape, normalized, stride, filter }
     }
 }
 
@@ -110,31 +84,33 @@ pub(super) struct Stream {
 }
 
 impl Stream {
-    /// Encodes rows of numbers.
     pub fn rows<T: Pod>(attribute: Attribute, rows: &[T], compressed: bool) -> Result<Self> {
         let bytes = if compressed {
-            encode_vertex_buffer_level(rows, CODEC_LEVEL, CODEC_VERSION).map_err(refused)?
+            encode_vertex_buffer_level(rows, CODEC_LEVEL, CODEC_VERSION).map_err(encoding_error)?
         } else {
             bytemuck::cast_slice(rows).to_vec()
         };
         Ok(Self { attribute, count: rows.len(), bytes, extent: None, error: 0.0 })
     }
 
+    /// Adds the array to statistics.
+    pub fn count_in(&self, statistics: &mut Statistics) {
+        let layout = self.attribute.layout();
+        statistics.count(layout.kind, self.bytes.len());
+        statistics.raw_bytes += (self.count * layout.stride) as u64;
+        statistics.position_error = statistics.position_error.max(self.error);
+    }
+
     /// Encodes corners of triangles between `vertex_count` vertices.
     fn corners(corners: &[u32], vertex_count: usize, compressed: bool) -> Result<Self> {
         let short = vertex_count <= MAX_SHORT;
         let bytes = match (compressed, short) {
-            (true, _) => encode_index_buffer(corners, vertex_count).map_err(refused)?,
+            (true, _) => encode_index_buffer(corners, vertex_count).map_err(encoding_error)?,
             (false, true) => corners.iter().flat_map(|&corner| (corner as u16).to_le_bytes()).collect(),
             (false, false) => bytemuck::cast_slice(corners).to_vec(),
         };
         let attribute = if short { Attribute::ShortCorners } else { Attribute::Corners };
         Ok(Self { attribute, count: corners.len(), bytes, extent: None, error: 0.0 })
-    }
-
-    /// Returns the bytes of the array without compression.
-    pub fn raw_bytes(&self) -> usize {
-        self.count * self.attribute.layout().stride
     }
 }
 
@@ -145,9 +121,10 @@ pub(super) fn streams(primitive: &Primitive, corners: &[u32], compressed: bool) 
     streams[0].extent = Some(extent.map(|corner| corner.map(|steps| primitive.grid.value(steps))));
     streams[0].error = extent.as_flattened().iter().map(|&steps| primitive.grid.error(steps)).fold(0.0, f64::max);
     if let Some(normals) = &primitive.normals {
-        streams.push(match compressed {
-            true => Stream::rows(Attribute::ShortNormal, normals, true)?,
-            false => Stream::rows(Attribute::Normal, &unit_normals(normals.clone()), false)?,
+        streams.push(if compressed {
+            Stream::rows(Attribute::ShortNormal, normals, true)?
+        } else {
+            Stream::rows(Attribute::Normal, &unit_normals(normals), false)?
         });
     }
     if let Some((uvs, grid)) = &primitive.uvs {
@@ -160,7 +137,6 @@ pub(super) fn streams(primitive: &Primitive, corners: &[u32], compressed: bool) 
     Ok(streams)
 }
 
-/// Encodes points of a grid.
 fn points<const N: usize>(attribute: Attribute, points: &[[i32; N]], grid: Grid, compressed: bool) -> Result<Stream>
 where
     [u32; N]: Pod,
@@ -175,24 +151,19 @@ where
 }
 
 fn extent(points: &[[i32; 3]]) -> [[i32; 3]; 2] {
-    let mut extent = [[i32::MAX; 3], [i32::MIN; 3]];
-    for point in points {
-        for axis in 0..3 {
-            extent[0][axis] = extent[0][axis].min(point[axis]);
-            extent[1][axis] = extent[1][axis].max(point[axis]);
-        }
-    }
-    extent
+    let points = points.iter().copied().map(IVec3::from_array);
+    let extend = |[min, max]: [IVec3; 2], point: IVec3| [min.min(point), max.max(point)];
+    points.fold([IVec3::MAX, IVec3::MIN], extend).map(|corner| corner.to_array())
 }
 
 /// Returns the unit normals that the OCTAHEDRAL filter decodes from its coordinates.
-fn unit_normals(mut coordinates: Vec<[i8; 4]>) -> Vec<[f32; 3]> {
+fn unit_normals(coordinates: &[[i8; 4]]) -> Vec<[f32; 3]> {
+    let mut coordinates = coordinates.to_vec();
     decode_filter_oct(&mut coordinates);
-    let unit =
-        |&[x, y, z, _]: &[i8; 4]| glam::Vec3::from_array([x, y, z].map(f32::from)).normalize_or_zero().to_array();
+    let unit = |&[x, y, z, _]: &[i8; 4]| Vec3::from_array([x, y, z].map(f32::from)).normalize_or_zero().to_array();
     coordinates.iter().map(unit).collect()
 }
 
-fn refused(error: meshopt::Error) -> Error {
+fn encoding_error(error: meshopt::Error) -> Error {
     Error::value("mesh", "arrays that meshoptimizer can encode", error)
 }

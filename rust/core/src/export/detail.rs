@@ -9,8 +9,9 @@ use glam::DVec3;
 use rayon::prelude::*;
 
 use super::placement::scale;
-use crate::base::{Error, FaceMap, Progress, Result};
-use crate::scene::{Instance, Material, Mesh, Scene};
+use super::plan::only_object;
+use crate::base::{Error, Progress, Result, by_object};
+use crate::scene::{Material, Mesh, Scene};
 
 /// Number of faces per task.
 const TILE: usize = 1 << 14;
@@ -30,43 +31,43 @@ pub fn texels_per_radian(scene: &Scene, distances: &[f64], progress: &Progress) 
     }
     let views = views(scene, distances);
     progress.expect(views.iter().map(|view| view.mesh.faces.len() as u64).sum());
-    let least = Least(scene.textures.iter().map(|_| AtomicU64::new(f64::INFINITY.to_bits())).collect());
+    let min_texels = MinTexels(scene.textures.iter().map(|_| AtomicU64::new(f64::INFINITY.to_bits())).collect());
     views.par_iter().try_for_each(|view| {
         view.mesh.faces.par_chunks(TILE).enumerate().try_for_each(|(tile, faces)| {
             let first = (tile * TILE) as u32;
-            least.take_faces(scene, view, distances, first..first + faces.len() as u32);
+            min_texels.lower_by_faces(scene, view, distances, first..first + faces.len() as u32);
             progress.report(faces.len() as u64)
         })
     })?;
-    Ok(least.0.into_iter().map(|bits| f64::from_bits(bits.into_inner())).collect())
+    Ok(min_texels.0.into_iter().map(|bits| f64::from_bits(bits.into_inner())).collect())
 }
 
 /// A mesh with textures, and the distances of its placements.
 struct View<'a> {
     mesh: &'a Mesh,
     /// Minimum distance over placements with a single object, divided by their scale.
-    whole: f64,
+    distance: f64,
     /// Maximum scale over placements whose faces have their own objects; 0 if there are none.
     scale: f64,
 }
 
 /// Returns the textured meshes of a scene that are seen from a finite distance.
 fn views<'a>(scene: &'a Scene, distances: &[f64]) -> Vec<View<'a>> {
-    let mut places: HashMap<*const Mesh, usize> = HashMap::new();
+    let mut indices: HashMap<*const Mesh, usize> = HashMap::new();
     let mut views: Vec<View<'a>> = Vec::new();
     for instance in scene.instances().filter(|instance| is_textured(scene, &instance.mesh)) {
-        let place = *places.entry(ptr::from_ref(&*instance.mesh)).or_insert_with(|| {
-            views.push(View { mesh: &instance.mesh, whole: f64::INFINITY, scale: 0.0 });
+        let index = *indices.entry(ptr::from_ref(&*instance.mesh)).or_insert_with(|| {
+            views.push(View { mesh: &instance.mesh, distance: f64::INFINITY, scale: 0.0 });
             views.len() - 1
         });
-        let view = &mut views[place];
+        let view = &mut views[index];
         let scale = scale(&instance.to_scene.matrix3);
-        match object_of(instance) {
-            Some(object) => view.whole = view.whole.min(distance_of(distances, object) / scale),
+        match only_object(instance) {
+            Some(object) => view.distance = view.distance.min(by_object(distances, object) / scale),
             None => view.scale = view.scale.max(scale),
         }
     }
-    views.retain(|view| view.scale > 0.0 || view.whole < f64::INFINITY);
+    views.retain(|view| view.scale > 0.0 || view.distance < f64::INFINITY);
     views
 }
 
@@ -80,31 +81,18 @@ fn textures_of(scene: &Scene, material: i32) -> impl Iterator<Item = usize> {
     material.into_iter().flat_map(Material::textures).map(|texture| texture as usize)
 }
 
-/// Returns the object of all faces of an instance, if there is one.
-fn object_of(instance: &Instance) -> Option<i32> {
-    match instance.mesh.objects {
-        FaceMap::Uniform(object) => Some(instance.object.unwrap_or(object)),
-        _ => instance.object,
-    }
-}
-
-fn distance_of(distances: &[f64], object: i32) -> f64 {
-    let last = distances.len() - 1;
-    distances[usize::try_from(object).map_or(last, |object| object.min(last))]
-}
-
 /// Bits of the minimum number of texels found so far for each texture. They sort like the numbers, because none is
 /// negative.
-struct Least(Vec<AtomicU64>);
+struct MinTexels(Vec<AtomicU64>);
 
-impl Least {
-    fn take_faces(&self, scene: &Scene, view: &View<'_>, distances: &[f64], faces: Range<u32>) {
+impl MinTexels {
+    fn lower_by_faces(&self, scene: &Scene, view: &View<'_>, distances: &[f64], faces: Range<u32>) {
         let Some(uvs) = view.mesh.uvs.as_deref() else { return };
         let mut run = (None, f64::INFINITY);
         for face in faces {
-            let mut distance = view.whole;
+            let mut distance = view.distance;
             if view.scale > 0.0 {
-                distance = distance.min(distance_of(distances, view.mesh.objects.get(face)) / view.scale);
+                distance = distance.min(by_object(distances, view.mesh.objects.get(face)) / view.scale);
             }
             if distance == f64::INFINITY {
                 continue;
@@ -119,16 +107,16 @@ impl Least {
                 });
                 let Some(density) = texels_per_metre(corners, texels) else { continue };
                 if run.0 != Some(texture) {
-                    self.take(run);
+                    self.lower(run);
                     run = (Some(texture), f64::INFINITY);
                 }
                 run.1 = f64::min(run.1, density * distance);
             }
         }
-        self.take(run);
+        self.lower(run);
     }
 
-    fn take(&self, (texture, texels): (Option<usize>, f64)) {
+    fn lower(&self, (texture, texels): (Option<usize>, f64)) {
         if let Some(texture) = texture {
             self.0[texture].fetch_min(texels.to_bits(), Ordering::Relaxed);
         }
@@ -148,9 +136,9 @@ fn texels_per_metre(corners: [DVec3; 3], texels: [[f64; 2]; 3]) -> Option<f64> {
     let dot = |a: [f64; 2], b: [f64; 2]| a[0] * b[0] + a[1] * b[1];
     let trace = (dot(s, s) * q.dot(q) - 2.0 * dot(s, t) * p.dot(q) + dot(t, t) * p.dot(p)) / area;
     let determinant = (s[0] * t[1] - s[1] * t[0]).powi(2) / area;
-    let half = trace / 2.0;
-    let greatest = half + (half * half - determinant).max(0.0).sqrt();
-    Some(if greatest.is_finite() { greatest.max(0.0).sqrt() } else { 0.0 })
+    let half_trace = trace / 2.0;
+    let max_eigenvalue = half_trace + (half_trace * half_trace - determinant).max(0.0).sqrt();
+    Some(if max_eigenvalue.is_finite() { max_eigenvalue.max(0.0).sqrt() } else { 0.0 })
 }
 
 #[cfg(test)]
@@ -160,8 +148,9 @@ mod tests {
     use glam::{DAffine3, DQuat};
 
     use super::*;
+    use crate::base::FaceMap;
     use crate::base::random::uniform;
-    use crate::scene::Texture;
+    use crate::scene::{Instance, Texture};
 
     const FACES: u64 = 40;
 

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use glam::{DAffine3, DVec3};
 use serde_json::{Map, Value, json};
 
-use super::attribute::{Attribute, Stream};
+use super::attribute::{Attribute, Layout, Stream};
 use super::mesh::{ALIGNMENT, EncodedMesh, append};
 use super::statistics::Kind;
 use super::surfaces::{OPTIONAL, Surfaces};
@@ -21,18 +21,9 @@ const ELEMENT_ARRAY_BUFFER: u32 = 34963;
 const MAGIC: &[u8; 4] = b"glTF";
 const VERSION: u32 = 2;
 
-/// Buffer of a view. Buffer numbers are assigned when all buffers are known.
-#[derive(Clone, Copy, Debug)]
-enum Source {
-    /// The file's own binary chunk.
-    Chunk,
-    /// A buffer with a URI.
-    External(usize),
-}
-
-#[derive(Clone, Debug)]
 struct View {
-    source: Source,
+    /// Index of the buffer among those with a URI; `None` for the file's own binary chunk.
+    external: Option<usize>,
     offset: usize,
     length: usize,
     attribute: Attribute,
@@ -40,7 +31,7 @@ struct View {
 }
 
 /// Parts of a GLB.
-#[derive(Debug, Default)]
+#[derive(Default)]
 pub(super) struct Document {
     compressed: bool,
     chunk: Vec<u8>,
@@ -63,7 +54,7 @@ impl Document {
     /// Adds a mesh, in an external buffer if `uri` is given; returns its number.
     pub fn add_mesh(&mut self, mesh: &EncodedMesh, uri: Option<&str>) -> usize {
         let external = uri.map(|uri| (uri, self.external.len()));
-        let mut place = 0;
+        let mut end = 0;
         let mut primitives = Vec::new();
         for primitive in &mesh.primitives {
             let mut attributes = Map::new();
@@ -72,14 +63,14 @@ impl Document {
                 let accessor = match external {
                     None => self.add(stream),
                     Some((_, number)) => {
-                        let start = place;
-                        place = (start + stream.bytes.len()).next_multiple_of(ALIGNMENT);
-                        self.describe(stream, Source::External(number), start)
+                        let start = end;
+                        end = (start + stream.bytes.len()).next_multiple_of(ALIGNMENT);
+                        self.describe(stream, Some(number), start)
                     }
                 };
                 match stream.attribute {
                     Attribute::Corners | Attribute::ShortCorners => entry["indices"] = json!(accessor),
-                    attribute => drop(attributes.insert(attribute.name().into(), json!(accessor))),
+                    attribute => drop(attributes.insert(attribute.layout().name.into(), json!(accessor))),
                 }
             }
             let next = self.materials.len();
@@ -88,12 +79,11 @@ impl Document {
             entry["attributes"] = Value::Object(attributes);
             primitives.push(entry);
         }
-        self.external.extend(external.map(|(uri, _)| (uri.to_owned(), place)));
+        self.external.extend(external.map(|(uri, _)| (uri.to_owned(), end)));
         self.meshes.push(json!({ "primitives": primitives }));
         self.meshes.len() - 1
     }
 
-    /// Adds a node with a mesh.
     pub fn add_node(&mut self, mesh: usize, name: Option<&str>, to_scene: &DAffine3) {
         let mut node = json!({ "mesh": mesh });
         if let Some(name) = name {
@@ -109,7 +99,7 @@ impl Document {
     pub fn add_placements(&mut self, mesh: usize, placements: &[Stream]) {
         let mut attributes = Map::new();
         for stream in placements {
-            attributes.insert(stream.attribute.name().into(), json!(self.add(stream)));
+            attributes.insert(stream.attribute.layout().name.into(), json!(self.add(stream)));
         }
         self.extensions.insert(PLACEMENT);
         let extensions = json!({ PLACEMENT: { "attributes": attributes } });
@@ -119,11 +109,11 @@ impl Document {
     /// Adds an array to the file's chunk; returns the number of its accessor.
     fn add(&mut self, stream: &Stream) -> usize {
         let start = append(&mut self.chunk, &stream.bytes);
-        self.describe(stream, Source::Chunk, start)
+        self.describe(stream, None, start)
     }
 
     /// Adds a view and an accessor for an array.
-    fn describe(&mut self, stream: &Stream, source: Source, offset: usize) -> usize {
+    fn describe(&mut self, stream: &Stream, external: Option<usize>, offset: usize) -> usize {
         let (attribute, count) = (stream.attribute, stream.count);
         if attribute == Attribute::ShortNormal {
             self.extensions.insert(QUANTIZATION);
@@ -135,20 +125,18 @@ impl Document {
         if layout.normalized {
             accessor["normalized"] = json!(true);
         }
-        if let Some([least, most]) = stream.extent {
-            (accessor["min"], accessor["max"]) = (json!(least), json!(most));
+        if let Some([min, max]) = stream.extent {
+            (accessor["min"], accessor["max"]) = (json!(min), json!(max));
         }
-        self.views.push(View { source, offset, length: stream.bytes.len(), attribute, count });
+        self.views.push(View { external, offset, length: stream.bytes.len(), attribute, count });
         self.accessors.push(accessor);
         self.accessors.len() - 1
     }
 
     /// Returns the file's bytes. All nodes are children of the first one, which translates by the scene's origin.
     pub fn encode(mut self, origin: DVec3, surfaces: &Surfaces) -> Result<Vec<u8>> {
-        let mut numbered: Vec<((i32, bool), usize)> =
-            self.materials.iter().map(|(&key, &number)| (key, number)).collect();
-        numbered.sort_by_key(|&(_, number)| number);
-        let materials: Vec<(i32, bool)> = numbered.into_iter().map(|(key, _)| key).collect();
+        let mut materials: Vec<(i32, bool)> = self.materials.keys().copied().collect();
+        materials.sort_by_key(|key| self.materials[key]);
         let (surfaces, extensions) = surfaces.describe(&materials);
         self.extensions.extend(extensions);
         if self.compressed && !self.views.is_empty() {
@@ -163,10 +151,8 @@ impl Document {
             root["children"] = json!((1..=self.nodes.len()).collect::<Vec<_>>());
         }
         let nodes = std::iter::once(root).chain(self.nodes).collect();
-        let (used, required): (Vec<Value>, Vec<Value>) = (
-            self.extensions.iter().map(|name| json!(name)).collect(),
-            self.extensions.iter().filter(|name| !OPTIONAL.contains(name)).map(|name| json!(name)).collect(),
-        );
+        let used = self.extensions.iter().map(|name| json!(name)).collect();
+        let required = self.extensions.iter().filter(|name| !OPTIONAL.contains(name)).map(|name| json!(name)).collect();
         let mut document = json!({
             "asset": { "version": "2.0", "generator": concat!("nearfar ", env!("CARGO_PKG_VERSION")) },
             "scene": 0,
@@ -192,61 +178,52 @@ impl Document {
     /// the extension demands for the decompressed arrays.
     fn buffers(&self) -> (Vec<Value>, Vec<Value>) {
         let has_chunk = usize::from(!self.chunk.is_empty());
-        let number = |source| match source {
-            Source::Chunk => 0,
-            Source::External(number) => has_chunk + number,
-        };
-        let decompressed = has_chunk + self.external.len();
-        let mut place = 0;
+        let fallback_number = has_chunk + self.external.len();
+        let mut fallback_length = 0;
         let mut views = Vec::new();
         for view in &self.views {
-            let stored = (number(view.source), view.offset, view.length);
-            let raw = view.count * view.attribute.layout().stride;
+            let layout = view.attribute.layout();
+            let buffer = view.external.map_or(0, |number| has_chunk + number);
+            let stored = buffer_range(buffer, view.offset, view.length);
             let mut entry = if self.compressed {
-                entry_at(decompressed, place, raw)
+                let length = view.count * layout.stride;
+                let mut entry = buffer_range(fallback_number, fallback_length, length);
+                fallback_length = (fallback_length + length).next_multiple_of(ALIGNMENT);
+                entry["extensions"] = json!({ COMPRESSION: compression(stored, &layout, view.count) });
+                entry
             } else {
-                entry_at(stored.0, stored.1, stored.2)
+                stored
             };
-            describe_use(&mut entry, view.attribute);
-            if self.compressed {
-                place = (place + raw).next_multiple_of(ALIGNMENT);
-                entry["extensions"] = json!({ COMPRESSION: compression(view, stored) });
+            // Placements need neither target nor stride.
+            match layout.kind {
+                Kind::Corners => entry["target"] = json!(ELEMENT_ARRAY_BUFFER),
+                Kind::Placements => {}
+                _ => {
+                    entry["target"] = json!(ARRAY_BUFFER);
+                    entry["byteStride"] = json!(layout.stride);
+                }
             }
             views.push(entry);
         }
         let chunk = (has_chunk == 1).then(|| json!({ "byteLength": self.chunk.len() }));
         let external = self.external.iter().map(|(uri, length)| json!({ "uri": uri, "byteLength": length }));
         let fallback = (self.compressed && !views.is_empty())
-            .then(|| json!({ "byteLength": place, "extensions": { COMPRESSION: { "fallback": true } } }));
+            .then(|| json!({ "byteLength": fallback_length, "extensions": { COMPRESSION: { "fallback": true } } }));
         (chunk.into_iter().chain(external).chain(fallback).collect(), views)
     }
 }
 
-fn entry_at(buffer: usize, offset: usize, length: usize) -> Value {
+fn buffer_range(buffer: usize, offset: usize, length: usize) -> Value {
     json!({ "buffer": buffer, "byteOffset": offset, "byteLength": length })
 }
 
-/// Adds the buffer target and stride that vertex attributes and corners need; placements need nothing.
-fn describe_use(entry: &mut Value, attribute: Attribute) {
-    match attribute.kind() {
-        Kind::Corners => entry["target"] = json!(ELEMENT_ARRAY_BUFFER),
-        Kind::Placements => {}
-        _ => {
-            entry["target"] = json!(ARRAY_BUFFER);
-            entry["byteStride"] = json!(attribute.layout().stride);
-        }
-    }
-}
-
-/// Returns the extension object of a compressed view.
-fn compression(view: &View, (buffer, offset, length): (usize, usize, usize)) -> Value {
-    let mode = if view.attribute.kind() == Kind::Corners { "TRIANGLES" } else { "ATTRIBUTES" };
-    let mut entry = entry_at(buffer, offset, length);
-    entry["byteStride"] = json!(view.attribute.layout().stride);
-    entry["count"] = json!(view.count);
-    entry["mode"] = json!(mode);
-    if view.attribute.filter() != "NONE" {
-        entry["filter"] = json!(view.attribute.filter());
+/// Completes the extension object of a compressed view of `count` rows.
+fn compression(mut entry: Value, layout: &Layout, count: usize) -> Value {
+    entry["byteStride"] = json!(layout.stride);
+    entry["count"] = json!(count);
+    entry["mode"] = json!(if layout.kind == Kind::Corners { "TRIANGLES" } else { "ATTRIBUTES" });
+    if layout.filter != "NONE" {
+        entry["filter"] = json!(layout.filter);
     }
     entry
 }

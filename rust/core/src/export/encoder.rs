@@ -10,8 +10,7 @@ use super::faces::{Frame, Part};
 use super::grid::Grid;
 use super::mesh::EncodedMesh;
 use super::placement::{Trs, greatest_stretch, is_mirrored};
-use super::plan::{Body, Contents, Moving, OwnFaces, Plan};
-use super::settings::Settings;
+use super::plan::{Contents, InstanceFaces, Moving, Plan, Settings, SharedPlan};
 use super::statistics::{Kind, Statistics};
 use super::surfaces::Surfaces;
 use crate::base::{Error, Progress, Result};
@@ -81,8 +80,8 @@ impl Export {
         let surfaces = Surfaces::new(scene, images)?;
         let plan = Plan::new(scene, groups, count, settings.step, progress)?;
         progress.expect(plan.shared.iter().map(|plan| plan.mesh.faces.len() as u64).sum());
-        let encode = |plan: &super::plan::SharedPlan| {
-            let part = Part { mesh: &plan.mesh, frame: Frame::Own { turned: plan.turned }, faces: None };
+        let encode = |plan: &SharedPlan| {
+            let part = Part { mesh: &plan.mesh, frame: Frame::Own { flipped: plan.flipped }, faces: None };
             let mut encoded = EncodedMesh::new(&[part], plan.grid, &surfaces, settings.compressed, progress)?;
             encoded.statistics.position_error *= plan.stretch;
             Ok(SharedMesh { encoded, groups: plan.groups.clone() })
@@ -99,20 +98,15 @@ impl Export {
     /// Returns the file of a group. `uris` names the buffers of shared meshes; meshes without a URI are written into
     /// the file.
     pub fn glb(&self, group: u16, uris: &[Option<String>], progress: &Progress) -> Result<Glb> {
-        let contents = self
-            .plan
-            .groups
-            .get(usize::from(group))
-            .ok_or_else(|| Error::value("group", format!("a number below {}", self.plan.groups.len()), group))?;
+        let Some(contents) = self.plan.groups.get(usize::from(group)) else {
+            return Err(Error::value("group", format!("a number below {}", self.plan.groups.len()), group));
+        };
         if uris.len() != self.shared.len() {
             let expected = format!("a URI or none for each of {} shared meshes", self.shared.len());
             return Err(Error::value("uris", expected, uris.len()));
         }
-        let mut file = FileWriter {
-            export: self,
-            document: Document::new(self.settings.compressed),
-            statistics: Statistics::default(),
-        };
+        let document = Document::new(self.settings.compressed);
+        let mut file = FileWriter { export: self, document, statistics: Statistics::default() };
         let (merged, moving) = self.encode(contents, progress)?;
         file.add_merged(&merged);
         let numbers = file.add_shared(contents, uris);
@@ -126,43 +120,35 @@ impl Export {
         let merged: Vec<Part<'_>> = contents
             .merged
             .iter()
-            .map(|own| Part { frame: Frame::Scene(self.scene.instance(own.instance)), ..self.own_part(own) })
+            .map(|faces| Part { frame: Frame::Scene(self.scene.instance(faces.instance)), ..self.mesh_part(faces) })
             .collect();
-        let own_faces = |moving: &Moving| match &moving.body {
-            Body::Own(own) => self.own_part(own).count(),
-            Body::Shared(_) => 0,
-        };
-        let faces =
-            merged.iter().map(Part::count).sum::<usize>() + contents.moving.iter().map(own_faces).sum::<usize>();
-        progress.expect(faces as u64);
+        let unshared = contents.moving.iter().filter(|moving| moving.shared.is_none());
+        let face_counts =
+            merged.iter().map(Part::count).chain(unshared.map(|moving| self.mesh_part(&moving.faces).count()));
+        progress.expect(face_counts.sum::<usize>() as u64);
         let encode = |parts: &[Part<'_>], grid| {
             EncodedMesh::new(parts, grid, &self.surfaces, self.settings.compressed, progress)
         };
-        let own_mesh = |moving: &Moving| match &moving.body {
-            Body::Shared(_) => Ok(None),
-            Body::Own(own) => {
-                let (part, grid, stretch) = self.moving_part(own);
-                let mut encoded = encode(&[part], grid)?;
-                encoded.statistics.position_error *= stretch;
-                Ok(Some(encoded))
+        let encode_moving = |Moving { faces, shared, .. }: &Moving| {
+            if shared.is_some() {
+                return Ok(None);
             }
+            let part = self.mesh_part(faces);
+            // Placements increase errors by this factor.
+            let stretch = greatest_stretch(&self.scene.instance(faces.instance).to_scene.matrix3);
+            let grid = Grid::new(self.settings.step / stretch, f64::from(part.mesh.bounds().reach()));
+            let mut encoded = encode(&[part], grid)?;
+            encoded.statistics.position_error *= stretch;
+            Ok(Some(encoded))
         };
         let merged = encode(&merged, self.plan.merged_grid)?;
-        Ok((merged, contents.moving.par_iter().map(own_mesh).collect::<Result<_>>()?))
+        Ok((merged, contents.moving.par_iter().map(encode_moving).collect::<Result<_>>()?))
     }
 
-    fn own_part<'a>(&'a self, own: &'a OwnFaces) -> Part<'a> {
-        let instance = self.scene.instance(own.instance);
-        let frame = Frame::Own { turned: is_mirrored(&instance.to_scene) };
-        Part { mesh: &instance.mesh, frame, faces: own.faces.as_deref() }
-    }
-
-    /// Returns the faces of a moving object with their grid, and the factor by which placements increase errors.
-    fn moving_part<'a>(&'a self, own: &'a OwnFaces) -> (Part<'a>, Grid, f64) {
-        let part = self.own_part(own);
-        let stretch = greatest_stretch(&self.scene.instance(own.instance).to_scene.matrix3);
-        let grid = Grid::new(self.settings.step / stretch, f64::from(part.mesh.bounds().reach()));
-        (part, grid, stretch)
+    fn mesh_part<'a>(&'a self, faces: &'a InstanceFaces) -> Part<'a> {
+        let instance = self.scene.instance(faces.instance);
+        let frame = Frame::Own { flipped: is_mirrored(&instance.to_scene) };
+        Part { mesh: &instance.mesh, frame, faces: faces.faces.as_deref() }
     }
 }
 
@@ -186,10 +172,7 @@ impl FileWriter<'_> {
     /// Adds the shared meshes that a group needs; returns their numbers in the file. Meshes without faces get none.
     fn add_shared(&mut self, contents: &Contents, uris: &[Option<String>]) -> BTreeMap<usize, usize> {
         let placed = contents.placed.iter().map(|&(shared, _)| shared);
-        let moving = contents.moving.iter().filter_map(|moving| match moving.body {
-            Body::Shared(shared) => Some(shared),
-            Body::Own(_) => None,
-        });
+        let moving = contents.moving.iter().filter_map(|moving| moving.shared);
         let needed: BTreeSet<usize> = placed.chain(moving).collect();
         let mut numbers = BTreeMap::new();
         for shared in needed {
@@ -205,7 +188,6 @@ impl FileWriter<'_> {
         numbers
     }
 
-    /// Adds the static placements of shared meshes.
     fn add_placed(&mut self, contents: &Contents, numbers: &BTreeMap<usize, usize>) -> Result<()> {
         let mut by_mesh: BTreeMap<usize, Vec<u32>> = BTreeMap::new();
         contents.placed.iter().for_each(|&(shared, instance)| by_mesh.entry(shared).or_default().push(instance));
@@ -218,7 +200,7 @@ impl FileWriter<'_> {
             for instance in instances {
                 let to_scene = &self.export.scene.instance(instance).to_scene;
                 // Viewers flip the winding of mirrored nodes, but not of mirrored placements of an instanced mesh.
-                let trs = Some(Trs::decompose(to_scene)).filter(|_| self.export.settings.compressed && !plan.turned);
+                let trs = Some(Trs::decompose(to_scene)).filter(|_| self.export.settings.compressed && !plan.flipped);
                 let error = trs.map(|trs| trs.error(to_scene, &bounds));
                 match trs.zip(error).filter(|&(_, error)| error <= self.export.settings.step / 2.0) {
                     Some((trs, error)) => {
@@ -230,30 +212,30 @@ impl FileWriter<'_> {
             }
             if !placements.is_empty() {
                 let streams = placement_streams(&placements)?;
-                self.count_own(&streams);
+                streams.iter().for_each(|stream| stream.count_in(&mut self.statistics));
                 self.document.add_placements(mesh, &streams);
             }
         }
         Ok(())
     }
 
-    fn add_moving(&mut self, contents: &Contents, own: &[Option<EncodedMesh>], numbers: &BTreeMap<usize, usize>) {
-        for (moving, own) in contents.moving.iter().zip(own) {
-            let mesh = match (&moving.body, own) {
-                (Body::Shared(shared), _) => {
-                    self.count_drawn(*shared, 1);
-                    numbers.get(shared).copied()
+    fn add_moving(&mut self, contents: &Contents, meshes: &[Option<EncodedMesh>], numbers: &BTreeMap<usize, usize>) {
+        for (moving, encoded) in contents.moving.iter().zip(meshes) {
+            let mesh = match (moving.shared, encoded) {
+                (Some(shared), _) => {
+                    self.count_drawn(shared, 1);
+                    numbers.get(&shared).copied()
                 }
-                (Body::Own(_), Some(encoded)) if !encoded.primitives.is_empty() => {
+                (None, Some(encoded)) if !encoded.primitives.is_empty() => {
                     self.statistics.add(&encoded.statistics);
                     self.statistics.drawn += encoded.statistics.triangles;
                     Some(self.document.add_mesh(encoded, None))
                 }
-                (Body::Own(_), _) => None,
+                (None, _) => None,
             };
             let name = usize::try_from(moving.object).ok().and_then(|object| self.export.names.get(object));
             if let Some(mesh) = mesh {
-                let to_scene = &self.export.scene.instance(moving.instance).to_scene;
+                let to_scene = &self.export.scene.instance(moving.faces.instance).to_scene;
                 self.document.add_node(mesh, name.map(String::as_str), to_scene);
             }
         }
@@ -265,13 +247,6 @@ impl FileWriter<'_> {
         self.statistics.position_error = self.statistics.position_error.max(statistics.position_error);
     }
 
-    fn count_own(&mut self, streams: &[Stream]) {
-        for stream in streams {
-            self.statistics.count(stream.attribute.kind(), stream.bytes.len());
-            self.statistics.raw_bytes += stream.raw_bytes() as u64;
-        }
-    }
-
     fn finish(self) -> Result<Glb> {
         let Self { export, document, mut statistics } = self;
         let bytes = document.encode(export.scene.origin, &export.surfaces)?;
@@ -281,7 +256,6 @@ impl FileWriter<'_> {
     }
 }
 
-/// Encodes placements as arrays.
 fn placement_streams(placements: &[Trs]) -> Result<[Stream; 3]> {
     let translations: Vec<[f32; 3]> = placements.iter().map(|trs| trs.translation).collect();
     let rotations: Vec<[f32; 4]> = placements.iter().map(|trs| trs.rotation).collect();

@@ -33,15 +33,11 @@ pub(super) struct Key {
 pub(super) enum Frame<'a> {
     /// Scene coordinates; the instance places the vertices.
     Scene(&'a Instance),
-    /// Mesh coordinates. `turned` faces are flipped, because a mirrored placement flips them back.
-    Own {
-        /// Whether the placement is a mirror.
-        turned: bool,
-    },
+    /// Mesh coordinates. Faces are flipped for a mirrored placement, which flips them back.
+    Own { flipped: bool },
 }
 
 /// Faces of a mesh.
-#[derive(Clone, Debug)]
 pub(super) struct Part<'a> {
     pub mesh: &'a Mesh,
     pub frame: Frame<'a>,
@@ -50,7 +46,6 @@ pub(super) struct Part<'a> {
 }
 
 /// Faces of a part that belong to one primitive.
-#[derive(Clone, Debug)]
 pub(super) struct Piece<'a> {
     pub mesh: &'a Mesh,
     pub frame: Frame<'a>,
@@ -58,14 +53,13 @@ pub(super) struct Piece<'a> {
 }
 
 impl Part<'_> {
-    /// Returns the number of faces.
     pub fn count(&self) -> usize {
         self.faces.map_or(self.mesh.faces.len(), <[u32]>::len)
     }
 
-    /// Returns the number of the face at a position of the list.
-    fn face(&self, place: usize) -> u32 {
-        self.faces.map_or(place as u32, |faces| faces[place])
+    /// Returns the number of the face at an index of the list.
+    fn face(&self, index: usize) -> u32 {
+        self.faces.map_or(index as u32, |faces| faces[index])
     }
 }
 
@@ -83,7 +77,7 @@ pub(super) fn primitives<'a>(
             by_primitive.entry(key).or_default().push(Piece { mesh: part.mesh, frame: part.frame, faces });
         }
     }
-    let divided = by_primitive.into_iter().flat_map(|(key, pieces)| divided(pieces).into_iter().map(move |p| (key, p)));
+    let divided = by_primitive.into_iter().flat_map(|(key, pieces)| divide(pieces).into_iter().map(move |p| (key, p)));
     Ok(divided.collect())
 }
 
@@ -91,9 +85,8 @@ pub(super) fn primitives<'a>(
 fn by_key(part: &Part<'_>, surfaces: &Surfaces, progress: &Progress) -> Result<BTreeMap<Key, Vec<u32>>> {
     let sorted = |start: usize| -> Result<Vec<(Key, u32)>> {
         progress.check()?;
-        let places = start..(start + TILE).min(part.count());
-        let mut keyed: Vec<(Key, u32)> =
-            places.map(|place| part.face(place)).map(|face| (key_of(part.mesh, face, surfaces), face)).collect();
+        let faces = (start..(start + TILE).min(part.count())).map(|index| part.face(index));
+        let mut keyed: Vec<(Key, u32)> = faces.map(|face| (key_of(part.mesh, face, surfaces), face)).collect();
         keyed.sort_by_key(|&(key, _)| key);
         Ok(keyed)
     };
@@ -118,19 +111,19 @@ fn key_of(mesh: &Mesh, face: u32, surfaces: &Surfaces) -> Key {
 }
 
 /// Divides pieces into primitives of at most `MAX_FACES` faces.
-fn divided(pieces: Vec<Piece<'_>>) -> Vec<Vec<Piece<'_>>> {
-    let (mut primitives, mut open, mut room) = (Vec::new(), Vec::new(), MAX_FACES);
+fn divide(pieces: Vec<Piece<'_>>) -> Vec<Vec<Piece<'_>>> {
+    let (mut primitives, mut primitive, mut capacity) = (Vec::new(), Vec::new(), MAX_FACES);
     for mut piece in pieces {
-        while piece.faces.len() > room {
-            let rest = piece.faces.split_off(room);
-            open.push(Piece { faces: std::mem::replace(&mut piece.faces, rest), ..piece });
-            primitives.push(std::mem::take(&mut open));
-            room = MAX_FACES;
+        while piece.faces.len() > capacity {
+            let remaining_faces = piece.faces.split_off(capacity);
+            primitive.push(Piece { faces: std::mem::replace(&mut piece.faces, remaining_faces), ..piece });
+            primitives.push(std::mem::take(&mut primitive));
+            capacity = MAX_FACES;
         }
-        room -= piece.faces.len();
-        open.push(piece);
+        capacity -= piece.faces.len();
+        primitive.push(piece);
     }
-    primitives.push(open);
+    primitives.push(primitive);
     primitives
 }
 
@@ -144,10 +137,10 @@ mod tests {
         let none = FaceMap::Uniform(-1);
         let mesh = Mesh::new(vec![].into(), vec![].into(), None, None, none.clone(), none).unwrap();
         let piece =
-            |count: u32| Piece { mesh: &mesh, frame: Frame::Own { turned: false }, faces: (0..count).collect() };
+            |count: u32| Piece { mesh: &mesh, frame: Frame::Own { flipped: false }, faces: (0..count).collect() };
         let most = MAX_FACES as u32;
         let counts = |pieces: Vec<Piece<'_>>| -> Vec<Vec<usize>> {
-            divided(pieces).iter().map(|pieces| pieces.iter().map(|piece| piece.faces.len()).collect()).collect()
+            divide(pieces).iter().map(|pieces| pieces.iter().map(|piece| piece.faces.len()).collect()).collect()
         };
         assert_eq!(counts(vec![piece(3), piece(4)]), [[3, 4]]);
         assert_eq!(counts(vec![piece(3), piece(2 * most)]), [vec![3, MAX_FACES - 3], vec![MAX_FACES], vec![3]]);

@@ -27,7 +27,6 @@ static LINEAR: LazyLock<[u16; 256]> =
     LazyLock::new(|| linear_from_srgb().map(|linear| (f64::from(linear) * 65535.0).round() as u16));
 
 /// A primitive with quantised vertices.
-#[derive(Clone, Debug)]
 pub(super) struct Primitive {
     pub grid: Grid,
     /// Positions as grid points.
@@ -51,12 +50,13 @@ pub(super) fn gather(
     surfaces: &Surfaces,
     progress: &Progress,
 ) -> Result<Primitive> {
-    let mut gathered = Gatherer::new(key, grid);
+    let (positions, normals, uvs, colors, faces) = (vec![], vec![], vec![], vec![], vec![]);
+    let mut gatherer = Gatherer { key, grid, positions, normals, uvs, colors, faces, dropped: 0 };
     for piece in pieces {
         progress.check()?;
-        gathered.add(piece);
+        gatherer.add(piece);
     }
-    Ok(gathered.finish(surfaces))
+    Ok(gatherer.finish(surfaces))
 }
 
 struct Gatherer {
@@ -72,48 +72,39 @@ struct Gatherer {
 }
 
 impl Gatherer {
-    fn new(key: Key, grid: Grid) -> Self {
-        let (positions, normals, uvs, colors, faces) = (vec![], vec![], vec![], vec![], vec![]);
-        Self { key, grid, positions, normals, uvs, colors, faces, dropped: 0 }
-    }
-
     fn add(&mut self, piece: &Piece<'_>) {
-        let turned = matches!(piece.frame, Frame::Own { turned: true });
-        let listed = |&face: &u32| piece.mesh.faces[face as usize];
-        let chosen: Vec<[u32; 3]> = piece.faces.iter().map(listed).collect();
-        let numbering = Numbering::new(&chosen);
+        let flipped = matches!(piece.frame, Frame::Own { flipped: true });
+        let faces: Vec<[u32; 3]> = piece.faces.iter().map(|&face| piece.mesh.faces[face as usize]).collect();
+        let numbering = Numbering::new(&faces);
         let first = self.positions.len() as u32;
         self.add_vertices(piece, &numbering);
-        self.faces.reserve(chosen.len());
-        for face in chosen {
+        self.faces.reserve(faces.len());
+        for face in faces {
             let face = face.map(|vertex| first + numbering.number(vertex));
-            self.add_face(if turned { other_side(face) } else { face });
+            self.add_face(if flipped { flip(face) } else { face });
         }
     }
 
     fn add_vertices(&mut self, piece: &Piece<'_>, numbering: &Numbering) {
         let mesh = piece.mesh;
         let grid = self.grid;
-        let own = |vertex: u32| Vec3::from_array(mesh.positions[vertex as usize]).as_dvec3();
-        let round = |point: DVec3| point.to_array().map(|x| grid.round(x));
-        match piece.frame {
-            Frame::Scene(instance) if !instance.in_place => {
-                let placed = |vertex| round(instance.to_scene.transform_point3(own(vertex)));
-                self.positions.extend(numbering.vertices().map(placed));
-            }
-            _ => self.positions.extend(numbering.vertices().map(|vertex| round(own(vertex)))),
-        }
+        let placement = match piece.frame {
+            Frame::Scene(instance) if !instance.in_place => Some(instance),
+            _ => None,
+        };
+        self.positions.extend(numbering.vertices().map(|vertex| {
+            let raw = Vec3::from_array(mesh.positions[vertex as usize]).as_dvec3();
+            let point = placement.map_or(raw, |instance| instance.to_scene.transform_point3(raw));
+            point.to_array().map(|x| grid.round(x))
+        }));
         if let Some(normals) = mesh.normals.as_deref().filter(|_| self.key.lit) {
-            let own = |vertex: u32| Vec3::from_array(normals[vertex as usize]).as_dvec3();
-            let unit = |normal: DVec3| normal.normalize_or_zero().as_vec3().extend(0.0).to_array();
-            match piece.frame {
-                Frame::Scene(instance) if !instance.in_place => {
-                    // Normals are transformed by the inverse transpose of the placement's matrix.
-                    let matrix = instance.to_object.matrix3.transpose();
-                    self.normals.extend(numbering.vertices().map(|vertex| unit(matrix * own(vertex))));
-                }
-                _ => self.normals.extend(numbering.vertices().map(|vertex| unit(own(vertex)))),
-            }
+            // Normals are transformed by the inverse transpose of the placement's matrix.
+            let matrix = placement.map(|instance| instance.to_object.matrix3.transpose());
+            self.normals.extend(numbering.vertices().map(|vertex| {
+                let raw = Vec3::from_array(normals[vertex as usize]).as_dvec3();
+                let normal = matrix.map_or(raw, |matrix| matrix * raw);
+                normal.normalize_or_zero().as_vec3().extend(0.0).to_array()
+            }));
         }
         if let Some(uvs) = mesh.uvs.as_deref().filter(|_| self.key.textured) {
             self.uvs.extend(numbering.vertices().map(|vertex| uvs[vertex as usize]));
@@ -132,37 +123,41 @@ impl Gatherer {
     fn add_face(&mut self, face: [u32; 3]) {
         let [a, b, c] = face.map(|vertex| I64Vec3::from_array(self.positions[vertex as usize].map(i64::from)));
         // Exact, because edges have at most 25 bits.
-        let across = (b - a).cross(c - a);
-        if across == I64Vec3::ZERO {
+        let normal = (b - a).cross(c - a);
+        if normal == I64Vec3::ZERO {
             self.dropped += 1;
             return;
         }
-        let face = if self.key.lit { self.lit(face, across.as_dvec3().normalize()) } else { face };
+        let face = if self.key.lit { self.orient(face, normal.as_dvec3().normalize()) } else { face };
         self.faces.push(face);
     }
 
     /// Orients a face to the side of its normals, and gives corners without a normal the face's own. Files order
     /// corners inconsistently; nearfar lights a face from the side of its normals, but glTF viewers from the side on
     /// which its corners are counter-clockwise.
-    fn lit(&mut self, face: [u32; 3], mut plane: DVec3) -> [u32; 3] {
+    fn orient(&mut self, face: [u32; 3], mut face_normal: DVec3) -> [u32; 3] {
         let normal = |&[x, y, z, _]: &[f32; 4]| Vec3::new(x, y, z);
         let normals = face.map(|vertex| normal(&self.normals[vertex as usize]));
         let sum: Vec3 = normals.iter().sum();
-        let mut shown = face;
-        if sum.as_dvec3().dot(plane) < 0.0 {
-            (shown, plane) = (other_side(face), -plane);
+        let mut oriented = face;
+        if sum.as_dvec3().dot(face_normal) < 0.0 {
+            (oriented, face_normal) = (flip(face), -face_normal);
         }
         if !normals.contains(&Vec3::ZERO) {
-            return shown;
+            return oriented;
         }
-        let plane = plane.as_vec3().extend(0.0).to_array();
-        shown.map(|vertex| {
-            if normal(&self.normals[vertex as usize]) == Vec3::ZERO { self.copied(vertex, plane) } else { vertex }
+        let face_normal = face_normal.as_vec3().extend(0.0).to_array();
+        oriented.map(|vertex| {
+            if normal(&self.normals[vertex as usize]) == Vec3::ZERO {
+                self.copy_vertex(vertex, face_normal)
+            } else {
+                vertex
+            }
         })
     }
 
     /// Copies a vertex with another normal.
-    fn copied(&mut self, vertex: u32, normal: [f32; 4]) -> u32 {
+    fn copy_vertex(&mut self, vertex: u32, normal: [f32; 4]) -> u32 {
         let row = vertex as usize;
         self.positions.push(self.positions[row]);
         self.normals.push(normal);
@@ -185,8 +180,7 @@ impl Gatherer {
     }
 }
 
-/// Flips a face.
-fn other_side([a, b, c]: [u32; 3]) -> [u32; 3] {
+fn flip([a, b, c]: [u32; 3]) -> [u32; 3] {
     [a, c, b]
 }
 

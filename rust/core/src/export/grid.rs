@@ -7,7 +7,7 @@
 const MAX_MANTISSA: i32 = (1 << 23) - 1;
 
 /// Maximum number of steps: products of differences stay exact in 64 bits.
-const MAX: i32 = 1 << 29;
+const MAX_STEPS: i32 = 1 << 29;
 
 /// Minimum and maximum exponent of the extension, with a reserve for large numbers.
 const EXPONENTS: std::ops::RangeInclusive<i32> = -100..=94;
@@ -23,7 +23,7 @@ impl Grid {
     /// numbers up to `reach`.
     pub fn new(step: f64, reach: f64) -> Self {
         let mut grid = Self { exponent: exponent(step).clamp(*EXPONENTS.start(), *EXPONENTS.end()) };
-        while grid.exponent < *EXPONENTS.end() && reach > f64::from(MAX) * grid.step() {
+        while grid.exponent < *EXPONENTS.end() && reach > f64::from(MAX_STEPS) * grid.step() {
             grid.exponent += 1;
         }
         grid
@@ -42,12 +42,13 @@ impl Grid {
     /// Returns the nearest point as a number of steps, clamped to the grid's range; 0 for NaN.
     #[inline]
     pub fn round(self, x: f64) -> i32 {
-        let near = ((x * power(-self.exponent)).round_ties_even() as i32).clamp(-MAX, MAX);
+        let near = ((x * power(-self.exponent)).round_ties_even() as i32).clamp(-MAX_STEPS, MAX_STEPS);
         if near.unsigned_abs() <= MAX_MANTISSA.unsigned_abs() {
             return near;
         }
         let shift = shift(near);
-        ((x * power(-self.exponent - shift)).round_ties_even() as i32).clamp(-(MAX >> shift), MAX >> shift) << shift
+        ((x * power(-self.exponent - shift)).round_ties_even() as i32).clamp(-(MAX_STEPS >> shift), MAX_STEPS >> shift)
+            << shift
     }
 
     /// Returns the value of a point.
@@ -110,6 +111,6 @@ mod tests {
             assert!((f64::from(value) - x).abs() <= grid.error(steps), "{x}");
         }
         assert_eq!((grid.error(8_388_607), grid.error(-8_388_608)), (power(-11), power(-10)));
-        assert_eq!((grid.round(f64::INFINITY), grid.round(f64::NAN)), (MAX, 0));
+        assert_eq!((grid.round(f64::INFINITY), grid.round(f64::NAN)), (MAX_STEPS, 0));
     }
 }

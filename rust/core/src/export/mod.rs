@@ -20,16 +20,14 @@ mod numbering;
 mod placement;
 mod plan;
 pub mod ranges;
-mod settings;
 mod statistics;
 mod surfaces;
 #[cfg(test)]
 mod tests;
-mod weld;
 
 pub use detail::texels_per_radian;
 pub use encoder::{Export, Glb, SharedMesh};
 pub use gather::NORMAL_ERROR_DEG;
-pub use settings::Settings;
+pub use plan::Settings;
 pub use statistics::{Kind, Statistics};
 pub use surfaces::UV_ERROR_TEXELS;

@@ -13,14 +13,13 @@ pub(super) struct Numbering {
 }
 
 impl Numbering {
-    /// Numbers the vertices of faces.
     pub fn new(faces: &[[u32; 3]]) -> Self {
         let corners = faces.as_flattened();
-        let (Some(&least), Some(&most)) = (corners.iter().min(), corners.iter().max()) else {
+        let (Some(&min_vertex), Some(&max_vertex)) = (corners.iter().min(), corners.iter().max()) else {
             return Self::default();
         };
-        let start = least & !63;
-        let mut used = vec![0u64; ((most - start) / 64) as usize + 1];
+        let start = min_vertex & !63;
+        let mut used = vec![0u64; ((max_vertex - start) / 64) as usize + 1];
         for corner in corners {
             used[((corner - start) / 64) as usize] |= 1 << (corner % 64);
         }
@@ -32,7 +31,6 @@ impl Numbering {
         Self { start, before: before.collect(), used }
     }
 
-    /// Returns the number of a used vertex.
     #[inline]
     pub fn number(&self, vertex: u32) -> u32 {
         let word = ((vertex - self.start) / 64) as usize;
@@ -41,12 +39,12 @@ impl Numbering {
 
     /// Returns the used vertices, ascending.
     pub fn vertices(&self) -> impl Iterator<Item = u32> + '_ {
-        self.used.iter().enumerate().flat_map(|(place, &word)| {
-            let first = self.start + 64 * place as u32;
-            let mut rest = word;
+        self.used.iter().enumerate().flat_map(|(word_index, &word)| {
+            let first = self.start + 64 * word_index as u32;
+            let mut remaining = word;
             std::iter::from_fn(move || {
-                let bit = (rest != 0).then(|| rest.trailing_zeros())?;
-                rest &= rest - 1;
+                let bit = (remaining != 0).then(|| remaining.trailing_zeros())?;
+                remaining &= remaining - 1;
                 Some(first + bit)
             })
         })

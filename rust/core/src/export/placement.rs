@@ -23,16 +23,12 @@ impl Trs {
         }
     }
 
-    /// Returns the placement composed of these parts.
-    fn affine(&self) -> DAffine3 {
-        let rotation = DQuat::from_array(self.rotation.map(f64::from)).normalize();
-        let (scale, translation) = (self.scale.map(f64::from), self.translation.map(f64::from));
-        DAffine3::from_scale_rotation_translation(DVec3::from_array(scale), rotation, DVec3::from_array(translation))
-    }
-
     /// Returns the maximum displacement per axis of a box's points.
     pub fn error(&self, to_scene: &DAffine3, bounds: &Aabb) -> f64 {
-        displacement(to_scene, &self.affine(), bounds)
+        let rotation = DQuat::from_array(self.rotation.map(f64::from)).normalize();
+        let [scale, translation] = [self.scale, self.translation].map(|v| DVec3::from_array(v.map(f64::from)));
+        let composed = DAffine3::from_scale_rotation_translation(scale, rotation, translation);
+        displacement(to_scene, &composed, bounds)
     }
 }
 
@@ -40,11 +36,10 @@ impl Trs {
 /// points.
 pub(super) fn is_trs(to_scene: &DAffine3, bounds: &Aabb, tolerance: f64) -> bool {
     let (scale, rotation, translation) = to_scene.to_scale_rotation_translation();
-    let again = DAffine3::from_scale_rotation_translation(scale, rotation.normalize(), translation);
-    displacement(to_scene, &again, bounds) <= tolerance
+    let recomposed = DAffine3::from_scale_rotation_translation(scale, rotation.normalize(), translation);
+    displacement(to_scene, &recomposed, bounds) <= tolerance
 }
 
-/// Returns whether a placement is a mirror.
 pub(super) fn is_mirrored(to_scene: &DAffine3) -> bool {
     to_scene.matrix3.determinant() < 0.0
 }

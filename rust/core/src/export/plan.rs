@@ -6,15 +6,48 @@ use std::sync::Arc;
 
 use super::grid::Grid;
 use super::placement::{greatest_stretch, is_mirrored, is_trs, stretch};
-use crate::base::{Error, FaceMap, Progress, Result};
+use crate::base::{Error, FaceMap, Progress, Result, by_object, number};
 use crate::scene::{Instance, Mesh, Scene};
+
+/// Limits of `Settings::step`: beyond the needs of float32 positions and scenes, and within the exponents of the
+/// EXPONENTIAL filter.
+const MIN_STEP: f64 = 1.0 / (1u64 << 40) as f64;
+const MAX_STEP: f64 = (1u64 << 20) as f64;
+
+/// Settings of an export.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Settings {
+    /// Step of the grid of positions in metres, rounded down to a power of two. The error of a position is at most
+    /// half a step per axis. Coordinates beyond 2²³ steps use coarser steps, as float32 demands; `Statistics` has the
+    /// maximum error.
+    pub step: f64,
+    /// Whether arrays are compressed; otherwise files need no extension, unless images are WebP.
+    pub compressed: bool,
+}
+
+impl Default for Settings {
+    /// 2⁻¹⁰ m: errors of at most half a millimetre, up to 8 km from the origin.
+    fn default() -> Self {
+        Self { step: 1.0 / 1024.0, compressed: true }
+    }
+}
+
+impl Settings {
+    pub(super) fn check(&self) -> Result<()> {
+        if !(MIN_STEP..=MAX_STEP).contains(&self.step) {
+            let expected = format!("metres from {} to {}", number(MIN_STEP), number(MAX_STEP));
+            return Err(Error::value("step", expected, number(self.step)));
+        }
+        Ok(())
+    }
+}
 
 /// A mesh with several placements.
 #[derive(Clone, Debug)]
 pub(super) struct SharedPlan {
     pub mesh: Arc<Mesh>,
     /// Whether its faces are flipped, for mirrored placements.
-    pub turned: bool,
+    pub flipped: bool,
     pub grid: Grid,
     /// Maximum factor by which a placement increases an error per axis.
     pub stretch: f64,
@@ -22,39 +55,30 @@ pub(super) struct SharedPlan {
     pub groups: Vec<u16>,
 }
 
-/// Faces of an instance that are not shared.
+/// Faces of an instance.
 #[derive(Clone, Debug)]
-pub(super) struct OwnFaces {
+pub(super) struct InstanceFaces {
     /// Number of the instance.
     pub instance: u32,
     /// Numbers of the faces; `None` for all.
     pub faces: Option<Vec<u32>>,
 }
 
-/// Triangles of a moving object.
-#[derive(Clone, Debug)]
-pub(super) enum Body {
-    /// Number of a shared mesh.
-    Shared(usize),
-    /// Unshared faces.
-    Own(OwnFaces),
-}
-
 /// A moving instance, or the part of one that belongs to an object.
 #[derive(Clone, Debug)]
 pub(super) struct Moving {
-    /// Number of the instance.
-    pub instance: u32,
     /// Number of the object, −1 for none.
     pub object: i32,
-    pub body: Body,
+    pub faces: InstanceFaces,
+    /// Number of the shared mesh with these faces, if it is shared.
+    pub shared: Option<usize>,
 }
 
 /// Content of a group.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Contents {
     /// Static faces to be merged.
-    pub merged: Vec<OwnFaces>,
+    pub merged: Vec<InstanceFaces>,
     /// Static placements, as numbers of the shared mesh and the instance.
     pub placed: Vec<(usize, u32)>,
     pub moving: Vec<Moving>,
@@ -97,33 +121,39 @@ impl Plan {
     /// Divides a scene. `groups` has the group of each object, and last that of faces without an object; all are below
     /// `count`.
     pub fn new(scene: &Scene, groups: &[u16], count: usize, step: f64, progress: &Progress) -> Result<Self> {
-        let group_of = group_function(groups, count)?;
-        let placed = placed_instances(scene);
-        let shared = shared_meshes(&placed, step, &group_of);
+        if groups.is_empty() {
+            return Err(Error::value("groups", "a group for faces without an object", "none"));
+        }
+        if let Some(wrong) = groups.iter().find(|&&group| usize::from(group) >= count) {
+            return Err(Error::value("groups", format!("group numbers below {count}"), wrong));
+        }
+        let group_of = |object: i32| by_object(groups, object);
+        let all = placed_instances(scene);
+        let shared = shared_meshes(&all, step, &group_of);
         let numbers: HashMap<Shape, usize> =
-            shared.iter().enumerate().map(|(i, plan)| ((ptr::from_ref(&*plan.mesh), plan.turned), i)).collect();
+            shared.iter().enumerate().map(|(i, plan)| ((ptr::from_ref(&*plan.mesh), plan.flipped), i)).collect();
         let mut contents = vec![Contents::default(); count];
         let mut reach: f32 = 0.0;
-        for one in &placed {
+        for placed in &all {
             progress.check()?;
-            let known = one.object.filter(|_| one.can_share(step)).zip(numbers.get(&one.shape()).copied());
-            if let Some((object, number)) = known {
+            let sharing = placed.object.filter(|_| placed.can_share(step)).zip(numbers.get(&placed.shape()).copied());
+            if let Some((object, number)) = sharing {
                 let contents = &mut contents[usize::from(group_of(object))];
-                if one.moves {
-                    contents.moving.push(Moving { instance: one.number, object, body: Body::Shared(number) });
+                if placed.moves {
+                    let faces = InstanceFaces { instance: placed.number, faces: None };
+                    contents.moving.push(Moving { object, faces, shared: Some(number) });
                 } else {
-                    contents.placed.push((number, one.number));
+                    contents.placed.push((number, placed.number));
                 }
-            } else if one.moves {
-                for (object, faces) in by_object(one) {
-                    let body = Body::Own(OwnFaces { instance: one.number, faces });
-                    let moving = Moving { instance: one.number, object, body };
-                    contents[usize::from(group_of(object))].moving.push(moving);
+            } else if placed.moves {
+                for (object, faces) in divide(placed, |object| object) {
+                    let faces = InstanceFaces { instance: placed.number, faces };
+                    contents[usize::from(group_of(object))].moving.push(Moving { object, faces, shared: None });
                 }
             } else {
-                reach = reach.max(one.instance.bounds.reach());
-                for (group, faces) in by_group(one, &group_of) {
-                    contents[usize::from(group)].merged.push(OwnFaces { instance: one.number, faces });
+                reach = reach.max(placed.instance.bounds.reach());
+                for (group, faces) in divide(placed, group_of) {
+                    contents[usize::from(group)].merged.push(InstanceFaces { instance: placed.number, faces });
                 }
             }
         }
@@ -131,90 +161,66 @@ impl Plan {
     }
 }
 
-/// Returns the function from an object's number to its group.
-fn group_function(groups: &[u16], count: usize) -> Result<impl Fn(i32) -> u16 + '_> {
-    let Some(last) = groups.len().checked_sub(1) else {
-        return Err(Error::value("groups", "a group for faces without an object", "none"));
-    };
-    if let Some(wrong) = groups.iter().find(|&&group| usize::from(group) >= count) {
-        return Err(Error::value("groups", format!("group numbers below {count}"), wrong));
+/// Returns the object of all faces of an instance, if there is one.
+pub(super) fn only_object(instance: &Instance) -> Option<i32> {
+    match instance.mesh.objects {
+        FaceMap::Uniform(object) => Some(instance.object.unwrap_or(object)),
+        _ => instance.object,
     }
-    Ok(move |object| groups[usize::try_from(object).map_or(last, |object| object.min(last))])
 }
 
 /// Returns all instances with faces, in order.
 fn placed_instances(scene: &Scene) -> Vec<Placed<'_>> {
-    let standing = scene.standing.instances().len();
-    let placed = |(number, instance): (usize, &'_ Instance)| {
-        let object = match instance.mesh.objects {
-            FaceMap::Uniform(object) => Some(instance.object.unwrap_or(object)),
-            _ => instance.object,
-        };
-        (number, object)
-    };
+    let static_count = scene.standing.instances().len();
     let with_faces = scene.instances().enumerate().filter(|(_, instance)| !instance.mesh.faces.is_empty());
-    with_faces
-        .map(|(number, instance)| {
-            let (number, object) = placed((number, instance));
-            Placed { number: number as u32, instance, object, moves: number >= standing }
-        })
-        .collect()
+    let placed = with_faces.map(|(number, instance)| {
+        let object = only_object(instance);
+        Placed { number: number as u32, instance, object, moves: number >= static_count }
+    });
+    placed.collect()
 }
 
 /// Returns the meshes with several placements, in the order of their first ones.
-fn shared_meshes(placed: &[Placed<'_>], step: f64, group_of: &impl Fn(i32) -> u16) -> Vec<SharedPlan> {
+fn shared_meshes(all: &[Placed<'_>], step: f64, group_of: &impl Fn(i32) -> u16) -> Vec<SharedPlan> {
     let mut users: HashMap<Shape, Vec<&Placed<'_>>> = HashMap::new();
-    for one in placed.iter().filter(|one| one.can_share(step)) {
-        users.entry(one.shape()).or_default().push(one);
+    for placed in all.iter().filter(|placed| placed.can_share(step)) {
+        users.entry(placed.shape()).or_default().push(placed);
     }
-    let mut several: Vec<(Shape, Vec<&Placed<'_>>)> = users.into_iter().filter(|(_, users)| users.len() > 1).collect();
-    several.sort_by_key(|(_, users)| users[0].number);
-    let plan = |((_, turned), users): (Shape, Vec<&Placed<'_>>)| {
+    let mut shapes: Vec<(Shape, Vec<&Placed<'_>>)> = users.into_iter().filter(|(_, users)| users.len() > 1).collect();
+    shapes.sort_by_key(|(_, users)| users[0].number);
+    let plan = |((_, flipped), users): (Shape, Vec<&Placed<'_>>)| {
         let mesh = Arc::clone(&users[0].instance.mesh);
-        let stretch_of = |one: &&Placed<'_>| {
-            let matrix = &one.instance.to_scene.matrix3;
-            if one.moves { greatest_stretch(matrix) } else { stretch(matrix) }
+        let stretch_of = |placed: &&Placed<'_>| {
+            let matrix = &placed.instance.to_scene.matrix3;
+            if placed.moves { greatest_stretch(matrix) } else { stretch(matrix) }
         };
         let stretch = users.iter().map(stretch_of).fold(f64::MIN_POSITIVE, f64::max);
         let grid = Grid::new(step / stretch, f64::from(mesh.bounds().reach()));
-        let mut groups: Vec<u16> = users.iter().filter_map(|one| one.object.map(group_of)).collect();
+        let mut groups: Vec<u16> = users.iter().filter_map(|placed| placed.object.map(group_of)).collect();
         groups.sort_unstable();
         groups.dedup();
-        SharedPlan { mesh, turned, grid, stretch, groups }
+        SharedPlan { mesh, flipped, grid, stretch, groups }
     };
-    several.into_iter().map(plan).collect()
+    shapes.into_iter().map(plan).collect()
 }
 
-/// Face numbers of an instance for one key; `None` for all faces.
-type Faces = Option<Vec<u32>>;
-
-fn by_group(one: &Placed<'_>, group_of: &impl Fn(i32) -> u16) -> Vec<(u16, Faces)> {
-    match one.object {
-        Some(object) => vec![(group_of(object), None)],
-        None => divided(&one.instance.mesh, group_of),
+/// Divides the faces of an instance by a key of their objects; face numbers are `None` for all faces.
+fn divide<K: Ord + Copy>(placed: &Placed<'_>, key_of: impl Fn(i32) -> K) -> Vec<(K, Option<Vec<u32>>)> {
+    if let Some(object) = placed.object {
+        return vec![(key_of(object), None)];
     }
-}
-
-fn by_object(one: &Placed<'_>) -> Vec<(i32, Faces)> {
-    match one.object {
-        Some(object) => vec![(object, None)],
-        None => divided(&one.instance.mesh, &|object| object),
-    }
-}
-
-/// Divides the faces of a mesh whose face map names the objects, by a key of the object.
-fn divided<K: Ord + Copy>(mesh: &Mesh, key_of: &impl Fn(i32) -> K) -> Vec<(K, Faces)> {
-    let mut divided: BTreeMap<K, Vec<u32>> = BTreeMap::new();
-    let mut open = None;
-    let mut close = |open: Option<(usize, K)>, end: usize| {
-        if let Some((start, key)) = open {
-            divided.entry(key).or_default().extend(start as u32..end as u32);
+    let mesh = &placed.instance.mesh;
+    let mut by_key: BTreeMap<K, Vec<u32>> = BTreeMap::new();
+    let mut run = None;
+    let mut close = |run: Option<(usize, K)>, end: usize| {
+        if let Some((start, key)) = run {
+            by_key.entry(key).or_default().extend(start as u32..end as u32);
         }
     };
     for (start, object) in mesh.objects.runs(mesh.faces.len()) {
-        close(open.replace((start, key_of(object))), start);
+        close(run.replace((start, key_of(object))), start);
     }
-    close(open, mesh.faces.len());
+    close(run, mesh.faces.len());
     let all = |faces: &Vec<u32>| faces.len() == mesh.faces.len();
-    divided.into_iter().map(|(key, faces)| (key, Some(faces).filter(|faces| !all(faces)))).collect()
+    by_key.into_iter().map(|(key, faces)| (key, Some(faces).filter(|faces| !all(faces)))).collect()
 }

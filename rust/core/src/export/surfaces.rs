@@ -36,7 +36,7 @@ pub(super) struct Surfaces {
     textures: Arc<Vec<Texture>>,
     images: Vec<Option<String>>,
     /// First material that is drawn alike, for each material; they may differ in properties that are not drawn.
-    alike: Vec<i32>,
+    first_alike: Vec<i32>,
 }
 
 /// Lists of the document for materials, and the extensions that they use.
@@ -50,8 +50,8 @@ impl Surfaces {
             let expected = format!("a URI or none for each of {} textures", scene.textures.len());
             return Err(Error::value("images", expected, images.len()));
         }
-        let mut first: HashMap<_, i32> = HashMap::new();
-        let mut alike = Vec::with_capacity(scene.materials.len());
+        let mut first_by_looks: HashMap<_, i32> = HashMap::new();
+        let mut first_alike = Vec::with_capacity(scene.materials.len());
         let materials: Vec<Material> = scene.materials.iter().map(|material| drawn_with(material, &images)).collect();
         for (number, material) in materials.iter().enumerate() {
             let cutoff = match material.alpha {
@@ -60,15 +60,15 @@ impl Surfaces {
             };
             let emission = (material.emission.map(f32::to_bits), material.emission_texture);
             let looks = (material.base_color.map(f32::to_bits), material.texture, cutoff, emission, material.unlit);
-            alike.push(*first.entry(looks).or_insert(number as i32));
+            first_alike.push(*first_by_looks.entry(looks).or_insert(number as i32));
         }
-        Ok(Self { materials, textures: Arc::clone(&scene.textures), images, alike })
+        Ok(Self { materials, textures: Arc::clone(&scene.textures), images, first_alike })
     }
 
     /// Returns the first material that is drawn like this one; −1 for none.
     #[inline]
     pub fn drawn_material(&self, material: i32) -> i32 {
-        usize::try_from(material).ok().and_then(|number| self.alike.get(number)).map_or(-1, |&first| first)
+        usize::try_from(material).ok().and_then(|number| self.first_alike.get(number)).map_or(-1, |&first| first)
     }
 
     #[inline]
@@ -108,7 +108,10 @@ impl Surfaces {
                     let uri = self.images[texture as usize].as_deref().unwrap_or_default();
                     let is_webp = uri.to_ascii_lowercase().ends_with(".webp");
                     extensions.extend(is_webp.then_some(WEBP));
-                    textures.push(texture_entry(images.len(), is_webp));
+                    let source = json!({ "source": images.len() });
+                    let mut texture = if is_webp { json!({ "extensions": { WEBP: source } }) } else { source };
+                    texture["sampler"] = json!(0);
+                    textures.push(texture);
                     images.push(json!({ "uri": uri }));
                     images.len() - 1
                 }))
@@ -133,24 +136,14 @@ impl Surfaces {
 /// Returns a material as drawn with the available images. Emission without its image is omitted: the factor alone
 /// would let dark parts glow.
 fn drawn_with(material: &Material, images: &[Option<String>]) -> Material {
-    let is_there = |texture: &u32| images[*texture as usize].is_some();
+    let has_image = |texture: &u32| images[*texture as usize].is_some();
     let mut drawn = *material;
-    drawn.texture = drawn.texture.filter(is_there);
-    if !drawn.emission_texture.as_ref().is_none_or(is_there) {
+    drawn.texture = drawn.texture.filter(has_image);
+    if !drawn.emission_texture.as_ref().is_none_or(has_image) {
         drawn.emission = [0.0; 3];
     }
     drawn.emission_texture = drawn.emission_texture.filter(|_| drawn.emits());
     drawn
-}
-
-fn texture_entry(image: usize, is_webp: bool) -> Value {
-    let mut entry = json!({ "sampler": 0 });
-    if is_webp {
-        entry["extensions"] = json!({ WEBP: { "source": image } });
-    } else {
-        entry["source"] = json!(image);
-    }
-    entry
 }
 
 fn material_entry(material: &Material, texture: Option<usize>) -> Value {
@@ -246,10 +239,8 @@ mod tests {
         let scene = Scene::new(DVec3::ZERO, vec![], vec![], Arc::new(materials), Arc::new(vec![texture])).unwrap();
         let all = Surfaces::new(&scene, vec![Some("a.webp".into())]).unwrap();
         assert_eq!([0, 1, 2, 3, 4].map(|number| all.drawn_material(number)), [0, 1, 2, 3, 0]);
-        assert_eq!(
-            [1, 2, 4].map(|number| (all.is_textured(number), all.texels(number))),
-            [(false, 1.0), (true, 900.0), (false, 1.0)]
-        );
+        let textures = [1, 2, 4].map(|number| (all.is_textured(number), all.texels(number)));
+        assert_eq!(textures, [(false, 1.0), (true, 900.0), (false, 1.0)]);
         let (lists, extensions) = all.describe(&[(0, false), (1, false), (2, true), (3, false)]);
         assert_eq!(extensions, [STRENGTH, UNLIT, WEBP].into());
         let [plain, dim, bright, unlit] = &lists["materials"][..] else { panic!("four materials") };

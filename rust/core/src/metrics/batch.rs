@@ -1,13 +1,19 @@
-//! Comparison of many pairs of images at once.
+//! Comparison of many pairs of images at once: similarity, and mean squared error of raw pixel values.
 
 use rayon::prelude::*;
 
+use super::extremes::{Extremes, ValueRange};
 use super::pair::Pair;
 use super::pixel_rows::PixelRows;
-use super::plane::Plane;
+use super::plane::{Plane, Region};
 use super::similarity::{Counted, Mask, Scales, Shrunk, Similarity, SimilaritySums, Window, multiscale, similarity};
-use super::squared_error::{SquaredError, mean_squared_error};
 use crate::base::{Error, Progress, Result};
+
+/// Pixels per task: fixed, so that sums do not depend on the number of threads, and few enough for integer sums.
+const TILE: usize = 1 << 14;
+
+/// Image size in bytes below which one thread is as fast as all.
+const SERIAL_BYTES: usize = 1 << 22;
 
 /// Settings of a comparison.
 #[derive(Clone, Debug)]
@@ -37,10 +43,7 @@ pub struct Stacks<'a, P> {
 }
 
 /// A pair of images and its mask.
-struct Job<'a, P> {
-    pair: Pair<'a, P>,
-    mask: Option<Plane<'a, u8>>,
-}
+type Job<'a, P> = (Pair<'a, P>, Option<Plane<'a, u8>>);
 
 impl<'a, P> Stacks<'a, P>
 where
@@ -55,7 +58,7 @@ where
         }
         let job = |n: usize| {
             let mask = self.masks.as_ref().map(|masks| masks[n]);
-            Ok(Job { pair: Pair::new(self.references[n], self.tests[n])?, mask })
+            Ok((Pair::new(self.references[n], self.tests[n])?, mask))
         };
         (0..count).map(job).collect()
     }
@@ -69,8 +72,20 @@ where
     ) -> Result<Vec<SimilaritySums>> {
         let jobs = self.jobs()?;
         progress.expect(jobs.len() as u64);
-        let one = |job: &Job<'_, P>, map: Option<&mut [P::Real]>| {
-            let sums = comparison.compare_pair(&job.pair, job.mask, map, progress)?;
+        let Comparison { ref window, constants, shrink, all, hidden, ranges } = *comparison;
+        let compare = |(pair, mask): &Job<'_, P>, map: Option<&mut [P::Real]>| {
+            let mask = mask.map(if hidden { Mask::Windows } else { Mask::Mean });
+            let counted = Counted { all, mask, contrast: false, range: ranges && shrink == 1, progress };
+            let mut sums;
+            if shrink > 1 {
+                let smaller = Shrunk::new(pair, shrink, progress)?;
+                sums = similarity(&smaller.pair()?, window, constants, counted, map)?;
+                if ranges {
+                    sums.range = pair.range();
+                }
+            } else {
+                sums = similarity(pair, window, constants, counted, map)?;
+            }
             progress.report(1)?;
             Ok(sums)
         };
@@ -78,45 +93,66 @@ where
             Some(maps) => {
                 let length = maps.len() / jobs.len().max(1);
                 let maps = maps.par_chunks_mut(length.max(1));
-                jobs.par_iter().zip_eq(maps).map(|(job, map)| one(job, Some(map))).collect()
+                jobs.par_iter().zip_eq(maps).map(|(job, map)| compare(job, Some(map))).collect()
             }
-            None => jobs.par_iter().map(|job| one(job, None)).collect(),
+            None => jobs.par_iter().map(|job| compare(job, None)).collect(),
         }
     }
 
     /// Returns the mean squared difference of each pair, with the range of values if `ranges`.
     pub fn mean_squared_errors(&self, ranges: bool, progress: &Progress) -> Result<Vec<SquaredError>> {
-        self.jobs()?.iter().map(|job| mean_squared_error(&job.pair, ranges, progress)).collect()
+        self.jobs()?.iter().map(|(pair, _)| mean_squared_error(pair, ranges, progress)).collect()
     }
 
     /// Returns the means of each pair's similarity and contrast factor at each of `scales` scales.
     pub fn multiscale(&self, comparison: &Comparison, scales: usize, progress: &Progress) -> Result<Vec<Scales>> {
         let Comparison { window, constants, ranges, .. } = comparison;
-        let one = |job: &Job<'_, P>| multiscale(&job.pair, window, *constants, scales, *ranges, progress);
-        self.jobs()?.par_iter().map(one).collect()
+        let means = |(pair, _): &Job<'_, P>| multiscale(pair, window, *constants, scales, *ranges, progress);
+        self.jobs()?.par_iter().map(means).collect()
     }
 }
 
-impl Comparison {
-    fn compare_pair<P>(
-        &self,
-        pair: &Pair<'_, P>,
-        mask: Option<Plane<'_, u8>>,
-        map: Option<&mut [P::Real]>,
-        progress: &Progress,
-    ) -> Result<SimilaritySums>
-    where
-        P: PixelRows<Real: PixelRows<Real = P::Real>>,
-    {
-        let mask = mask.map(if self.hidden { Mask::Windows } else { Mask::Mean });
-        let counted =
-            Counted { all: self.all, mask, contrast: false, range: self.ranges && self.shrink == 1, progress };
-        if self.shrink > 1 {
-            let smaller = Shrunk::new(pair, self.shrink, progress)?;
-            let sums = similarity(&smaller.pair()?, &self.window, self.constants, counted, map)?;
-            let range = if self.ranges { pair.range() } else { sums.range };
-            return Ok(SimilaritySums { range, ..sums });
+/// Mean squared difference of two images, and the range of their values.
+#[derive(Clone, Copy, Debug)]
+pub struct SquaredError {
+    /// Mean in float64; exact for integers.
+    pub mean: f64,
+    /// Range of both images' values, if requested.
+    pub range: ValueRange,
+}
+
+/// Compares two images pixel by pixel.
+fn mean_squared_error<P: PixelRows>(pair: &Pair<'_, P>, range: bool, progress: &Progress) -> Result<SquaredError> {
+    let (height, width) = (pair.reference.height, pair.reference.width);
+    let run = |row: usize, first: usize| {
+        let end = width.min(first + TILE);
+        match (pair.reference.run(row, first..end), pair.test.run(row, first..end)) {
+            (Some(x), Some(y)) => P::squares(x, y),
+            _ => (first..end).map(|column| pair.square(row, column)).sum(),
         }
-        similarity(pair, &self.window, self.constants, counted, map)
-    }
+    };
+    let rows = (TILE / width).max(1);
+    let task = |n: usize| {
+        let mut extremes = Extremes::default();
+        let rows = n * rows..height.min((n + 1) * rows);
+        let row_sum = |row: usize| -> f64 {
+            if range {
+                pair.extend(&Region { rows: [row, row + 1], columns: [0, width] }, &mut extremes);
+            }
+            (0..width).step_by(TILE).map(|first| run(row, first)).sum()
+        };
+        let sum: f64 = rows.map(row_sum).sum();
+        progress.check().map(|()| (sum, extremes.range()))
+    };
+    let tasks = height.div_ceil(rows);
+    // Same sums in the same order on one thread or many: waking threads takes as long as reading a few megabytes.
+    let sums: Vec<(f64, ValueRange)> = if height.saturating_mul(width).saturating_mul(size_of::<P>()) < SERIAL_BYTES {
+        (0..tasks).map(task).collect::<Result<_>>()?
+    } else {
+        (0..tasks).into_par_iter().map(task).collect::<Result<_>>()?
+    };
+    Ok(SquaredError {
+        mean: sums.iter().map(|task| task.0).sum::<f64>() / (height as f64 * width as f64),
+        range: sums.iter().fold(ValueRange::default(), |range, task| range.and(task.1)),
+    })
 }

@@ -1,8 +1,15 @@
-//! Value ranges of images, computed during the comparison.
+//! Value ranges of images, computed during the comparison, and vectors of pixels.
 
-use super::lanes::LANES;
 use super::plane::Pixel;
 use crate::base::Real;
+
+/// Number of pixels per vector operation.
+pub(super) const LANES: usize = 32;
+
+#[inline(always)]
+pub(super) fn lanes<R>(values: &[R]) -> &[R; LANES] {
+    &values.as_chunks::<LANES>().0[0]
+}
 
 /// Minimum and maximum of some pixels. An empty range has `least > greatest`.
 #[derive(Clone, Copy, Debug, PartialEq)]

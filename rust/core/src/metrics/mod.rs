@@ -9,10 +9,8 @@ mod pair;
 mod pixel_rows;
 mod plane;
 mod similarity;
-mod squared_error;
-mod lanes;
 
-pub use batch::{Comparison, Stacks};
+pub use batch::{Comparison, SquaredError, Stacks};
 pub use extremes::ValueRange;
 pub use neighbours::{Border, Neighbourhood, Tears, discontinuity, tear};
 pub use object_completion::object_completion;
@@ -20,4 +18,3 @@ pub use pair::Pair;
 pub use pixel_rows::PixelRows;
 pub use plane::{Pixel, Plane, RoundingLimits};
 pub use similarity::{Similarity, SimilaritySums, Window};
-pub use squared_error::SquaredError;

@@ -15,15 +15,15 @@ const DENSE: usize = 1 << 20;
 /// Returns the fraction of the reference's objects that are visible (OVC), and the mean fraction of each object's
 /// pixels that are visible (OFC); `None` if the reference shows no object. Negative numbers are no objects.
 pub fn object_completion(reference: &[i32], test: &[i32]) -> Option<(f64, f64)> {
-    let (wanted, found) = rayon::join(|| PixelCounts::new(reference), || PixelCounts::new(test));
-    let (mut objects, mut visible, mut shares) = (0u64, 0u64, 0.0);
-    for (object, pixels) in wanted.iter() {
-        let seen = found.get(object);
+    let (expected, visible_counts) = rayon::join(|| PixelCounts::new(reference), || PixelCounts::new(test));
+    let (mut objects, mut visible, mut fraction_sum) = (0u64, 0u64, 0.0);
+    for (object, pixels) in expected.iter() {
+        let visible_pixels = visible_counts.get(object);
         objects += 1;
-        visible += u64::from(seen > 0);
-        shares += seen.min(pixels) as f64 / pixels as f64;
+        visible += u64::from(visible_pixels > 0);
+        fraction_sum += visible_pixels.min(pixels) as f64 / pixels as f64;
     }
-    (objects > 0).then(|| (visible as f64 / objects as f64, shares / objects as f64))
+    (objects > 0).then(|| (visible as f64 / objects as f64, fraction_sum / objects as f64))
 }
 
 /// Pixel count of each object.
@@ -44,10 +44,10 @@ struct Run {
 impl Run {
     /// Extends the run if all pixels have its object.
     #[inline(always)]
-    fn goes_on<const COUNT: usize>(&mut self, ids: &[i32; COUNT]) -> bool {
-        let alike = ids.iter().fold(0, |differs, id| differs | (id ^ self.id)) == 0;
-        self.pixels += if alike { COUNT as u64 } else { 0 };
-        alike
+    fn try_extend<const COUNT: usize>(&mut self, ids: &[i32; COUNT]) -> bool {
+        let is_same = ids.iter().fold(0, |differs, id| differs | (id ^ self.id)) == 0;
+        self.pixels += if is_same { COUNT as u64 } else { 0 };
+        is_same
     }
 }
 
@@ -55,25 +55,25 @@ impl PixelCounts {
     fn new(ids: &[i32]) -> Self {
         // One array of counts per thread, because creating and adding arrays costs as much as counting. Integer sums
         // do not depend on the partition.
-        let each = ids.len().div_ceil(rayon::current_num_threads()).max(PIXELS_PER_TASK);
-        ids.par_chunks(each).map(|ids| Self::default().count(ids)).reduce(Self::default, Self::and)
+        let chunk_length = ids.len().div_ceil(rayon::current_num_threads()).max(PIXELS_PER_TASK);
+        ids.par_chunks(chunk_length).map(|ids| Self::default().count(ids)).reduce(Self::default, Self::and)
     }
 
     /// Adds pixels run by run: most pixels show the same object as their neighbour.
     fn count(mut self, ids: &[i32]) -> Self {
-        let (blocks, rest) = ids.as_chunks::<BLOCK>();
+        let (blocks, remainder) = ids.as_chunks::<BLOCK>();
         let mut run = Run { id: -1, pixels: 0 };
         for block in blocks {
-            if run.goes_on(block) {
+            if run.try_extend(block) {
                 continue;
             }
             for part in block.as_chunks::<SUBBLOCK>().0 {
-                if !run.goes_on(part) {
+                if !run.try_extend(part) {
                     part.iter().for_each(|&id| self.step(&mut run, id));
                 }
             }
         }
-        rest.iter().for_each(|&id| self.step(&mut run, id));
+        remainder.iter().for_each(|&id| self.step(&mut run, id));
         self.add(run.id, run.pixels);
         self
     }

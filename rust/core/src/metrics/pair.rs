@@ -4,8 +4,7 @@ use std::ops::Range;
 
 use rayon::prelude::*;
 
-use super::extremes::{Extremes, ValueRange};
-use super::lanes::LANES;
+use super::extremes::{Extremes, LANES, ValueRange};
 use super::pixel_rows::{EXTREME_LANES, PixelRows, extend, sum_and_difference, sum_difference_and_extremes};
 use super::plane::{Plane, Region};
 use crate::base::{Real, Result};
@@ -40,21 +39,17 @@ impl<'a, P: PixelRows> Pair<'a, P> {
         extremes: Option<&mut Extremes<P>>,
     ) {
         let Self { reference, test } = self;
-        match (reference.run(row, columns.clone()), test.run(row, columns.clone())) {
-            (Some(x), Some(y)) => match extremes {
-                Some(extremes) if columns.len() >= EXTREME_LANES => {
-                    sum_difference_and_extremes(x, y, levels, s, d, extremes)
-                }
-                extremes => {
-                    sum_and_difference(x, y, levels, s, d);
-                    self.extend_row(row, columns, extremes);
-                }
-            },
-            _ => {
-                self.gather(row, columns.clone(), levels, [s, d]);
-                self.extend_row(row, columns, extremes);
+        if let (Some(x), Some(y)) = (reference.run(row, columns.clone()), test.run(row, columns.clone())) {
+            if columns.len() >= EXTREME_LANES
+                && let Some(extremes) = extremes
+            {
+                return sum_difference_and_extremes(x, y, levels, s, d, extremes);
             }
+            sum_and_difference(x, y, levels, s, d);
+        } else {
+            self.gather(row, columns.clone(), levels, [s, d]);
         }
+        self.extend_row(row, columns, extremes);
     }
 
     /// Extends `extremes`, if given, by the values of both images along a row.

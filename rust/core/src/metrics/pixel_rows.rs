@@ -1,7 +1,7 @@
-//! Kernels over rows of pixels: sums and differences, squared differences.
+//! Kernels over rows of pixels: sums and differences, squared differences. Metrics use fused multiply-add if the machine
+//! has it: half the instructions and one rounding less. Results are otherwise the same on all machines.
 
-use super::extremes::Extremes;
-use super::lanes::LANES;
+use super::extremes::{Extremes, LANES};
 use super::plane::Pixel;
 use crate::base::simd::vectorized;
 
@@ -85,11 +85,7 @@ fn real_squares<P: Copy + Into<f64>>(x: &[P], y: &[P]) -> f64 {
         let difference = x.into() - y.into();
         sums[i] += difference * difference;
     }
-    let mut total = 0.0;
-    for sum in sums {
-        total += sum;
-    }
-    total
+    sums.iter().sum()
 }
 
 #[inline(always)]

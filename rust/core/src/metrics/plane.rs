@@ -18,30 +18,30 @@ pub trait Pixel: Copy + PartialOrd + Send + Sync {
 pub trait RoundingLimits: Real {
     /// Maximum change of either factor of the measure, in roundings of a pixel minus its level: 1e-6 in float32 and
     /// 5e-13 in float64. It is that small for the mean, because uniform areas all round alike.
-    const REACH: f64;
+    const MAX_CHANGE: f64;
     /// Maximum distance of a window from the level, in units of √c₁ or √c₂.
-    const FARTHEST: f64;
+    const MAX_DISTANCE: f64;
     /// Maximum level: its square, and the product of two such squares, are finite.
     const MAX_LEVEL: f64;
     /// Maximum divisor, far below overflow.
-    const DIVISOR: f64;
+    const MAX_DIVISOR: f64;
     /// Minimum constant: the product of both keeps all digits.
     const MIN_CONSTANT: f64;
 }
 
 impl RoundingLimits for f32 {
-    const REACH: f64 = 20.0;
-    const FARTHEST: f64 = 1e4;
+    const MAX_CHANGE: f64 = 20.0;
+    const MAX_DISTANCE: f64 = 1e4;
     const MAX_LEVEL: f64 = 1e8;
-    const DIVISOR: f64 = 1e37;
+    const MAX_DIVISOR: f64 = 1e37;
     const MIN_CONSTANT: f64 = 1e-15;
 }
 
 impl RoundingLimits for f64 {
-    const REACH: f64 = 5e3;
-    const FARTHEST: f64 = 1e7;
+    const MAX_CHANGE: f64 = 5e3;
+    const MAX_DISTANCE: f64 = 1e7;
     const MAX_LEVEL: f64 = 1e75;
-    const DIVISOR: f64 = 1e305;
+    const MAX_DIVISOR: f64 = 1e305;
     const MIN_CONSTANT: f64 = 1e-140;
 }
 
@@ -141,16 +141,15 @@ impl<'a, P: Pixel> Plane<'a, P> {
     /// Returns an approximate mean of a region, from a few of its pixels that are finite. With a mask it uses only
     /// masked pixels, or the first one if the few contain none, so that the level depends on no other pixel.
     pub(super) fn level(&self, part: &Region, mask: Option<&Plane<'_, u8>>) -> f64 {
-        let is_asked = |&(row, column): &(usize, usize)| mask.is_none_or(|mask| mask.names(row, column));
-        let mut few = part.samples().filter(is_asked).peekable();
-        let first = if few.peek().is_none() { mask.and_then(|mask| mask.first(part)) } else { None };
+        let is_masked = |&(row, column): &(usize, usize)| mask.is_none_or(|mask| mask.contains(row, column));
+        let mut samples = part.samples().filter(is_masked).peekable();
+        let first = if samples.peek().is_none() { mask.and_then(|mask| mask.first(part)) } else { None };
         let values =
-            few.chain(first).map(|(row, column)| self.value(row, column).wide()).filter(|value| value.is_finite());
+            samples.chain(first).map(|(row, column)| self.value(row, column).wide()).filter(|value| value.is_finite());
         let (sum, count) = values.fold((0.0, 0.0), |(sum, count), value| (sum + value, count + 1.0));
         if count > 0.0 { sum / count } else { 0.0 }
     }
 
-    /// Fails if the size differs.
     pub(super) fn expect_size(&self, argument: &'static str, [height, width]: [usize; 2]) -> Result<()> {
         if [height, width] == [self.height, self.width] {
             return Ok(());
@@ -163,13 +162,13 @@ impl<'a, P: Pixel> Plane<'a, P> {
 impl Plane<'_, u8> {
     /// Returns whether a mask contains a pixel.
     #[inline(always)]
-    pub(super) fn names(&self, row: usize, column: usize) -> bool {
-        self.values[row * self.row_step + column * self.column_step] != 0
+    pub(super) fn contains(&self, row: usize, column: usize) -> bool {
+        self.pixel(row, column) != 0
     }
 
     /// Returns the number of pixels in a mask.
     pub(super) fn count(&self) -> usize {
-        let row = |row| (0..self.width).filter(|&column| self.names(row, column)).count();
+        let row = |row| (0..self.width).filter(|&column| self.contains(row, column)).count();
         (0..self.height).map(row).sum()
     }
 
@@ -183,8 +182,8 @@ impl Plane<'_, u8> {
             let first = run.iter().position(|&value| value != 0)?;
             return Some((from + first, from + run.iter().rposition(|&value| value != 0)?));
         }
-        let first = (from..end).find(|&column| self.names(row, column))?;
-        Some((first, (first..end).rfind(|&column| self.names(row, column))?))
+        let first = (from..end).find(|&column| self.contains(row, column))?;
+        Some((first, (first..end).rfind(|&column| self.contains(row, column))?))
     }
 
     /// Returns the row and column of the first masked pixel of a region.
@@ -223,16 +222,16 @@ impl Region {
         (self.rows[0]..self.rows[1]).contains(&row)
     }
 
-    /// Returns whether the region contains a pixel.
     pub fn holds(&self, row: usize, column: usize) -> bool {
         self.holds_row(row) && (self.columns[0]..self.columns[1]).contains(&column)
     }
 
     /// Returns a few of its pixels, evenly spaced.
     fn samples(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
-        const EACH: usize = 4;
-        let pick = |[from, to]: [usize; 2], i: usize| from + (2 * i + 1) * (to - from) / (2 * EACH);
-        (0..EACH * EACH).map(move |i| (pick(self.rows, i / EACH), pick(self.columns, i % EACH)))
+        const SAMPLES_PER_SIDE: usize = 4;
+        let pick = |[from, to]: [usize; 2], i: usize| from + (2 * i + 1) * (to - from) / (2 * SAMPLES_PER_SIDE);
+        (0..SAMPLES_PER_SIDE * SAMPLES_PER_SIDE)
+            .map(move |i| (pick(self.rows, i / SAMPLES_PER_SIDE), pick(self.columns, i % SAMPLES_PER_SIDE)))
     }
 
     /// Clips the region to rows.
@@ -244,8 +243,8 @@ impl Region {
 /// Mirrors an index at the ends of a line: d c b a | a b c d | d c b a.
 pub(super) fn mirror(i: i64, length: usize) -> usize {
     let length = length as i64;
-    let there = i.rem_euclid(2 * length);
-    (if there < length { there } else { 2 * length - 1 - there }) as usize
+    let offset = i.rem_euclid(2 * length);
+    (if offset < length { offset } else { 2 * length - 1 - offset }) as usize
 }
 
 #[cfg(test)]

@@ -5,7 +5,7 @@ use glam::{DQuat, DVec3};
 
 use super::frame::{Channels, Frame};
 use super::limits::Limits;
-use super::tiles::{Picture, Pixels, RenderView, check_reach, draw};
+use super::tiles::{Pixels, RenderView, check_reach, draw};
 use super::truth::Truth;
 use crate::base::{Error, Progress, Result};
 use crate::camera::{Camera, Projection};
@@ -52,7 +52,6 @@ impl Bake {
         Camera::new(self.center, DQuat::IDENTITY, Projection::CubeFace(face), self.size, self.size)
     }
 
-    /// Returns the view of a face.
     pub(super) fn view<'a>(&self, scene: &Scene, camera: &'a Camera) -> RenderView<'a> {
         let (channels, samples) = (self.channels(), self.samples);
         RenderView { camera, origin: scene.origin, channels, samples, limits: Limits::NONE, pixels: Pixels::default() }
@@ -73,27 +72,22 @@ impl Bake {
 /// traced in place, without copies.
 pub fn bake(scene: &Scene, settings: &Bake, progress: &Progress) -> Result<Frame> {
     settings.check(scene)?;
-    let standing = standing_only(scene, progress)?;
-    let beyond = BeyondRadius { scene: &standing, radius: settings.radius, two_texels: settings.two_texels() };
-    faces(scene, settings, &Truth { scene: &standing, filter: &AlphaFilter::new(&standing, beyond) }, progress)
+    let static_scene = without_moving(scene, progress)?;
+    let beyond = BeyondRadius { scene: &static_scene, radius: settings.radius, two_texels: settings.two_texels() };
+    let picture = Truth { scene: &static_scene, filter: &AlphaFilter::new(&static_scene, beyond) };
+    settings.channels().check_room(6 * settings.texels() as u64)?;
+    let mut faces = Frame::default();
+    for face in 0..6 {
+        faces.append(&draw(&settings.view(scene, &settings.camera(face)?), &picture, progress)?);
+    }
+    Ok(faces)
 }
 
 /// Returns the scene without its moving instances, built.
-pub(super) fn standing_only(scene: &Scene, progress: &Progress) -> Result<Scene> {
-    let standing = Scene { moving: Default::default(), ..scene.clone() };
-    standing.build(progress)?;
-    Ok(standing)
-}
-
-/// Renders six faces of a picture, one after the other.
-fn faces(scene: &Scene, settings: &Bake, picture: &impl Picture, progress: &Progress) -> Result<Frame> {
-    let channels = settings.channels();
-    channels.check_room(6 * settings.texels() as u64)?;
-    let mut whole = Frame::default();
-    for face in 0..6 {
-        whole.append(&draw(&settings.view(scene, &settings.camera(face)?), picture, progress)?);
-    }
-    Ok(whole)
+pub(super) fn without_moving(scene: &Scene, progress: &Progress) -> Result<Scene> {
+    let static_scene = Scene { moving: Default::default(), ..scene.clone() };
+    static_scene.build(progress)?;
+    Ok(static_scene)
 }
 
 /// Returns the number of rays that a bake traces.
@@ -128,15 +122,15 @@ impl HitFilter for BeyondRadius<'_> {
 impl BeyondRadius<'_> {
     /// Returns the growth of ρ along the surface when the direction turns by two texels. Turning the direction d by δ
     /// moves the point by t (δ − d (n·δ)/(n·d)) and ρ by the component of this along r. Here n is the surface normal,
-    /// t the distance, and r the horizontal unit vector away from the axis.
+    /// t the distance, and r the outward horizontal unit vector.
     #[cold]
     fn reach(&self, hit: &Hit, direction: DVec3, horizontal: DVec3, t: f64) -> f64 {
         let [a, b, c] = self.scene.instance(hit.instance).corners(hit.face).map(|corner| corner.as_dvec3());
         let normal = (b - a).cross(c - a);
-        let away = horizontal.normalize_or_zero();
-        let slant = away.dot(direction) / normal.dot(direction);
+        let outward = horizontal.normalize_or_zero();
+        let slant = outward.dot(direction) / normal.dot(direction);
         // A surface seen edge-on has no footprint: 0 × ∞ is NaN, and the comparison treats it as outside.
-        (away - normal * slant).length() * t * self.two_texels
+        (outward - normal * slant).length() * t * self.two_texels
     }
 }
 
@@ -154,14 +148,8 @@ mod tests {
         let faces =
             (0..quads.len() as u32).flat_map(|q| [[4 * q, 4 * q + 1, 4 * q + 2], [4 * q, 4 * q + 2, 4 * q + 3]]);
         let objects = (0..quads.len() as i32).flat_map(|q| [q, q]).collect::<Vec<_>>();
-        let mesh = Mesh::new(
-            positions.into(),
-            faces.collect(),
-            None,
-            None,
-            FaceMap::PerFace(objects.into()),
-            FaceMap::Uniform(-1),
-        );
+        let (objects, materials) = (FaceMap::PerFace(objects.into()), FaceMap::Uniform(-1));
+        let mesh = Mesh::new(positions.into(), faces.collect(), None, None, objects, materials);
         let instance = Instance::new(Arc::new(mesh.unwrap()), DAffine3::IDENTITY, None).unwrap();
         Scene::new(DVec3::ZERO, vec![instance], vec![], Arc::default(), Arc::default()).unwrap()
     }
@@ -203,21 +191,21 @@ mod tests {
         let size = 256;
         let map = baked(&scene(&[ground]), 10.0, size);
         let range = map.range.unwrap();
-        let mut least = f64::INFINITY;
+        let mut least_rho = f64::INFINITY;
         for texel in 0..6 * size * size {
             let d = crate::cubemap::direction_from_texel(texel, size).normalize();
             let expected = -1.7 / d.y;
             let rho = expected * d.x.hypot(d.z);
-            let found = f64::from(range[texel as usize]);
+            let range_found = f64::from(range[texel as usize]);
             if d.y < 0.0 && rho > 10.0 {
                 // Sheared corners 1,400 m away are rounded by 6e-8 of that: 5e-5 of the 1.7 m by which the ray
                 // descends.
-                assert!((found - expected).abs() < 1e-4 * expected, "{d} {found} {expected}");
-            } else if found.is_finite() {
-                least = least.min(rho);
+                assert!((range_found - expected).abs() < 1e-4 * expected, "{d} {range_found} {expected}");
+            } else if range_found.is_finite() {
+                least_rho = least_rho.min(rho);
             }
         }
-        assert!((8.5..9.8).contains(&least), "{least}");
+        assert!((8.5..9.8).contains(&least_rho), "{least_rho}");
     }
 
     #[test]

@@ -4,7 +4,7 @@
 //! then through the objects of the last ring up to the hit found so far, and so on. The hit after a ring's objects
 //! belongs to the map before that ring. Each hit is shaded once for all maps that show it.
 
-use super::bake::{Bake, standing_only};
+use super::bake::{Bake, without_moving};
 use super::frame::{Band, Channels, Frame};
 use super::ring_layers::RingLayers;
 use super::tiles::{CENTER, Caster, ImageTile, NO_RAYS, PIXELS, Picture, TILE};
@@ -40,7 +40,7 @@ pub fn bake_rings(scene: &Scene, settings: &Bake, rings: &[u16], count: u16, pro
         return Err(Error::value("rings", "a ring for faces without an object", "none"));
     }
     settings.channels().check_room(6 * settings.texels() as u64)?;
-    let scene = &standing_only(scene, progress)?;
+    let scene = &without_moving(scene, progress)?;
     let layers = RingLayers::new(scene, rings, count, progress)?;
     let layers = &layers.layers();
     let mut maps = RingMaps { first: Frame::default(), changes: vec![] };
@@ -80,7 +80,7 @@ struct TileMap {
     /// Sums of the samples' colours.
     sums: [[f32; 3]; PIXELS],
     /// Bit mask of the pixels with a sample or centre that shows the layer's own objects.
-    own: u64,
+    own_pixels: u64,
 }
 
 impl Baker<'_> {
@@ -91,7 +91,7 @@ impl Baker<'_> {
         let mut rays = NO_RAYS;
         let rays = &mut rays[..tile.count];
         let mut hits = vec![LayerHits::default(); self.layers.len()];
-        let mut maps = vec![TileMap { sums: [[0.0; 3]; PIXELS], own: 0 }; self.layers.len()];
+        let mut maps = vec![TileMap { sums: [[0.0; 3]; PIXELS], own_pixels: 0 }; self.layers.len()];
         for &offset in &self.caster.offsets {
             self.trace(tile, offset, rays, &mut hits, &mut maps);
             self.add_colors(tile, offset, rays, &hits, &mut maps);
@@ -99,15 +99,15 @@ impl Baker<'_> {
         if self.channels.any_surface() && self.caster.offsets.len() > 1 {
             self.trace(tile, CENTER, rays, &mut hits, &mut maps);
         }
-        let mut shown = &MISSES;
-        for (layer, found) in hits.iter().enumerate() {
-            if found.changed != 0 {
-                shown = &found.hits;
+        let mut shown_hits = &MISSES;
+        for (layer, layer_hits) in hits.iter().enumerate() {
+            if layer_hits.changed != 0 {
+                shown_hits = &layer_hits.hits;
             }
             let pixel = |n: usize| {
-                let color = maps[layer].sums[n].map(|sum| sum * self.caster.share());
+                let color = maps[layer].sums[n].map(|sum| sum * self.caster.sample_weight());
                 let footprint = || self.caster.footprint(tile, n, CENTER, 1.0);
-                (color, self.truth.sample(&rays[n], &shown[n], footprint, self.channels))
+                (color, self.truth.sample(&rays[n], &shown_hits[n], footprint, self.channels))
             };
             let Some(next) = maps.get(layer + 1) else {
                 for n in 0..tile.count {
@@ -118,9 +118,9 @@ impl Baker<'_> {
                 break;
             };
             let rows = &mut rows[(count - layer - 1) * TILE..];
-            for n in ones(next.own) {
+            for n in ones(next.own_pixels) {
                 let (color, sample) = pixel(n);
-                let row = &mut rows[tile.place(n).1];
+                let row = &mut rows[tile.offset_in_tile(n).1];
                 row.texels.push(tile.index(n) as i64);
                 row.frame.push(self.channels, color, COVERAGE, &sample);
             }
@@ -137,29 +137,29 @@ impl Baker<'_> {
     ) {
         self.caster.aim(tile, offset, rays);
         closest_hits_by_layer(self.truth.scene, rays, self.layers, hits);
-        maps.iter_mut().zip(hits).for_each(|(map, hits)| map.own |= hits.changed);
+        maps.iter_mut().zip(hits).for_each(|(map, hits)| map.own_pixels |= hits.changed);
     }
 
     /// Adds the colours of traced rays to the sums of all maps.
     fn add_colors(&self, tile: &ImageTile, offset: [f64; 2], rays: &[Ray], hits: &[LayerHits], maps: &mut [TileMap]) {
         let mut colors = [[0.0; 3]; PIXELS];
         let (mut new_rays, mut new_hits) = (NO_RAYS, MISSES);
-        for (layer, (found, map)) in hits.iter().zip(maps).enumerate() {
+        for (layer, (layer_hits, map)) in hits.iter().zip(maps).enumerate() {
             if layer == 0 {
                 // Rays without a hit show the sky, which has a colour too.
-                let shown = if found.changed == 0 { &MISSES } else { &found.hits };
-                let footprint = |n: usize| self.caster.of_sample(tile, n, offset);
-                self.truth.add_colors(rays, &shown[..rays.len()], footprint, &mut colors[..rays.len()]);
-            } else if found.changed != 0 {
-                let (mut new, mut count) = ([0; PIXELS], 0);
-                for n in ones(found.changed) {
-                    (new[count], new_rays[count], new_hits[count]) = (n, rays[n], found.hits[n]);
+                let shown_hits = if layer_hits.changed == 0 { &MISSES } else { &layer_hits.hits };
+                let footprint = |n: usize| self.caster.footprint(tile, n, offset, self.caster.scale);
+                self.truth.add_colors(rays, &shown_hits[..rays.len()], footprint, &mut colors[..rays.len()]);
+            } else if layer_hits.changed != 0 {
+                let (mut pixels, mut count) = ([0; PIXELS], 0);
+                for n in ones(layer_hits.changed) {
+                    (pixels[count], new_rays[count], new_hits[count]) = (n, rays[n], layer_hits.hits[n]);
                     count += 1;
                 }
                 let mut new_colors = [[0.0; 3]; PIXELS];
-                let footprint = |at: usize| self.caster.of_sample(tile, new[at], offset);
+                let footprint = |i: usize| self.caster.footprint(tile, pixels[i], offset, self.caster.scale);
                 self.truth.add_colors(&new_rays[..count], &new_hits[..count], footprint, &mut new_colors);
-                new[..count].iter().zip(new_colors).for_each(|(&n, color)| colors[n] = color);
+                pixels[..count].iter().zip(new_colors).for_each(|(&n, color)| colors[n] = color);
             }
             for (sum, color) in map.sums.as_flattened_mut().iter_mut().zip(colors.as_flattened()) {
                 *sum += color;
@@ -232,7 +232,7 @@ mod tests {
         for samples in [1, 5] {
             let settings = Bake { center: DVec3::ZERO, radius: 0.0, size: 28, samples, range: true, object_id: true };
             let maps = bake_rings(&scene, &settings, &rings, 2, &Progress::new()).unwrap();
-            let mut kept = maps.first;
+            let mut map = maps.first;
             let mut changed = 0;
             for after in 0..=2 {
                 let filter = &After(&scene, &rings, after);
@@ -242,16 +242,16 @@ mod tests {
                     let picture = Truth { scene: &scene, filter };
                     drawn.append(&draw(&settings.view(&scene, &camera), &picture, &Progress::new()).unwrap());
                 }
-                assert_eq!(kept.color, drawn.color);
-                assert_eq!(kept.range, drawn.range);
-                assert_eq!(kept.object_id, drawn.object_id);
+                assert_eq!(map.color, drawn.color);
+                assert_eq!(map.range, drawn.range);
+                assert_eq!(map.object_id, drawn.object_id);
                 let Some(change) = maps.changes.get(usize::from(after)) else { continue };
                 assert!(change.texels.is_sorted_by(|a, b| a < b));
                 changed += change.texels.len();
                 for (number, &texel) in change.texels.iter().enumerate() {
-                    kept.color[texel as usize] = change.frame.color[number];
-                    kept.range[texel as usize] = change.frame.range[number];
-                    kept.object_id[texel as usize] = change.frame.object_id[number];
+                    map.color[texel as usize] = change.frame.color[number];
+                    map.range[texel as usize] = change.frame.range[number];
+                    map.object_id[texel as usize] = change.frame.object_id[number];
                 }
             }
             assert!(changed > 100 && changed < 2 * 6 * 28 * 28 * 9 / 10, "{changed}");

@@ -6,12 +6,12 @@ use rayon::prelude::*;
 use crate::base::Aabb;
 use crate::camera::Camera;
 
-/// Level 0 has a flag for each block of 2^FINEST × 2^FINEST pixels.
-const FINEST: usize = 2;
+/// Level 0 has a flag for each block of 2^FINEST_SHIFT × 2^FINEST_SHIFT pixels.
+const FINEST_SHIFT: usize = 2;
 /// Maximum number of blocks that a test reads in each direction.
-const READS: usize = 4;
+const MAX_READ_BLOCKS: usize = 4;
 /// Rows of blocks per task.
-const BANDS: usize = 32;
+const TASK_ROWS: usize = 32;
 
 /// Flags of blocks of pixels. Blocks of each level are twice as wide as those of the previous one, up to a single
 /// block.
@@ -26,12 +26,12 @@ impl MaskPyramid {
     /// Creates the levels of a mask with `width` pixels per row.
     pub fn new(mask: &[bool], width: usize) -> Self {
         let height = mask.len() / width.max(1);
-        let side = 1 << FINEST;
+        let side = 1 << FINEST_SHIFT;
         let across = width.div_ceil(side);
         let mut finest = vec![false; across * height.div_ceil(side)];
         if width > 0 {
             let bands = finest.par_chunks_mut(across).zip(mask.par_chunks(side * width));
-            bands.with_min_len(BANDS).for_each(|(flags, band)| {
+            bands.with_min_len(TASK_ROWS).for_each(|(flags, band)| {
                 band.chunks_exact(width).for_each(|row| mark_blocks(row, flags));
             });
         }
@@ -52,11 +52,13 @@ impl MaskPyramid {
         let column = |x: f64| (x.max(0.0) as usize).min(width - 1);
         let row = |y: f64| (y.max(0.0) as usize).min(height - 1);
         let ([left, right], [top, bottom]) = ([column(low.x), column(high.x)], [row(low.y), row(high.y)]);
-        let fits =
-            |shift: usize| (right >> shift) - (left >> shift) < READS && (bottom >> shift) - (top >> shift) < READS;
-        let level = (0..self.levels.len() - 1).find(|level| fits(FINEST + level)).unwrap_or(self.levels.len() - 1);
+        let fits = |shift: usize| {
+            (right >> shift) - (left >> shift) < MAX_READ_BLOCKS && (bottom >> shift) - (top >> shift) < MAX_READ_BLOCKS
+        };
+        let level =
+            (0..self.levels.len() - 1).find(|level| fits(FINEST_SHIFT + level)).unwrap_or(self.levels.len() - 1);
         let (across, flags) = &self.levels[level];
-        let shift = FINEST + level;
+        let shift = FINEST_SHIFT + level;
         (top >> shift..=bottom >> shift)
             .any(|y| flags[y * across + (left >> shift)..=y * across + (right >> shift)].contains(&true))
     }
@@ -69,8 +71,8 @@ impl MaskPyramid {
         for n in 0..8 {
             let corner = glam::DVec3::new(ends[n & 1].x, ends[n >> 1 & 1].y, ends[n >> 2].z);
             // A box around the camera may appear anywhere.
-            let Some(at) = camera.project(corner) else { return true };
-            (low, high) = (low.min(at.truncate()), high.max(at.truncate()));
+            let Some(position) = camera.project(corner) else { return true };
+            (low, high) = (low.min(position.truncate()), high.max(position.truncate()));
         }
         self.touches(low - 1.0, high + 1.0)
     }
@@ -79,26 +81,26 @@ impl MaskPyramid {
 /// Marks the blocks in which a row of pixels has a drawn one.
 fn mark_blocks(row: &[bool], flags: &mut [bool]) {
     // Tests a block's four pixels as one word.
-    let (blocks, rest) = row.as_chunks::<{ 1 << FINEST }>();
+    let (blocks, last_pixels) = row.as_chunks::<{ 1 << FINEST_SHIFT }>();
     for (flag, block) in flags.iter_mut().zip(blocks) {
         *flag |= u32::from_ne_bytes(block.map(u8::from)) != 0;
     }
     if let Some(last) = flags.get_mut(blocks.len()) {
-        *last |= rest.contains(&true);
+        *last |= last_pixels.contains(&true);
     }
 }
 
 /// Builds the next level: a block is drawn if one of its four children is.
 fn coarser(across: usize, flags: &[bool]) -> (usize, Vec<bool>) {
-    let wide = across.div_ceil(2);
-    let mut next = Vec::with_capacity(wide * (flags.len() / across).div_ceil(2));
+    let next_across = across.div_ceil(2);
+    let mut next = Vec::with_capacity(next_across * (flags.len() / across).div_ceil(2));
     for pair in flags.chunks(2 * across) {
         let (upper, lower) = pair.split_at(across);
         let lower = if lower.is_empty() { upper } else { lower };
-        let twos = upper.chunks(2).zip(lower.chunks(2));
-        next.extend(twos.map(|(upper, lower)| upper.contains(&true) || lower.contains(&true)));
+        let children = upper.chunks(2).zip(lower.chunks(2));
+        next.extend(children.map(|(upper, lower)| upper.contains(&true) || lower.contains(&true)));
     }
-    (wide, next)
+    (next_across, next)
 }
 
 #[cfg(test)]
@@ -142,9 +144,9 @@ mod tests {
         mask[10 * 64 + 50] = true;
         let pyramid = MaskPyramid::new(&mask, 64);
         let spot = |x: f64, y: f64, depth: f64, size: f32| {
-            let (_, way) = camera.ray(x, y);
-            let at = (way * (depth / -way.z)).as_vec3();
-            pyramid.sees(&camera, &Aabb { min: at - size, max: at + size })
+            let (_, direction) = camera.ray(x, y);
+            let center = (direction * (depth / -direction.z)).as_vec3();
+            pyramid.sees(&camera, &Aabb { min: center - size, max: center + size })
         };
         assert!(spot(50.5, 10.5, 5.0, 0.1) && spot(50.5, 10.5, 500.0, 0.1));
         assert!(!spot(20.5, 40.5, 5.0, 0.1) && !spot(50.5, 40.5, 5.0, 0.1));

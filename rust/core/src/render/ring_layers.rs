@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::ops::RangeInclusive;
 use std::sync::Arc;
 
-use crate::base::{Progress, Result};
+use crate::base::{Progress, Result, by_object};
 use crate::scene::{Instance, Scene};
 use crate::trace::{AlphaFilter, FaceHits, HitFilter, Layer, LayerTree};
 
@@ -14,7 +14,7 @@ pub(super) struct RingLayers<'a> {
     scene: &'a Scene,
     rings: &'a [u16],
     /// Whether each instance has faces of several layers.
-    mixed: Vec<bool>,
+    is_mixed: Vec<bool>,
     trees: Vec<(LayerTree, RangeInclusive<u16>)>,
 }
 
@@ -24,32 +24,29 @@ impl<'a> RingLayers<'a> {
     pub(super) fn new(scene: &'a Scene, rings: &'a [u16], count: u16, progress: &Progress) -> Result<Self> {
         let instances = scene.standing.instances();
         // Meshes with many faces may be placed many times.
-        let mut of_meshes = HashMap::new();
-        let classes: Vec<Arc<[u16]>> = instances
-            .iter()
-            .map(|instance| {
-                let mesh = instance.object.is_none().then_some(Arc::as_ptr(&instance.mesh));
-                Arc::clone(
-                    of_meshes.entry((mesh, instance.object)).or_insert_with(|| layers_of(instance, rings, count)),
-                )
-            })
-            .collect();
-        let beyond = count.saturating_add(1);
+        let mut known_layers: HashMap<_, Arc<[u16]>> = HashMap::new();
+        let instance_layers = instances.iter().map(|instance| {
+            let mesh = instance.object.is_none().then_some(Arc::as_ptr(&instance.mesh));
+            let layers = known_layers.entry((mesh, instance.object));
+            Arc::clone(layers.or_insert_with(|| layers_of(instance, rings, count)))
+        });
+        let instance_layers: Vec<Arc<[u16]>> = instance_layers.collect();
+        let last_layer = count.saturating_add(1);
         let tree = |number: u16| {
-            let tree = LayerTree::new(scene, |instance| classes[instance].contains(&number), progress)?;
-            let numbers = number..=if number == beyond { u16::MAX } else { number };
-            Ok((tree, numbers))
+            let tree = LayerTree::new(scene, |instance| instance_layers[instance].contains(&number), progress)?;
+            let ring_range = number..=if number == last_layer { u16::MAX } else { number };
+            Ok((tree, ring_range))
         };
-        let trees = (1..=beyond).rev().map(tree).collect::<Result<_>>()?;
-        Ok(Self { scene, rings, mixed: classes.iter().map(|layers| layers.len() > 1).collect(), trees })
+        let trees = (1..=last_layer).rev().map(tree).collect::<Result<_>>()?;
+        Ok(Self { scene, rings, is_mixed: instance_layers.iter().map(|layers| layers.len() > 1).collect(), trees })
     }
 
     /// Returns the layers, the one beyond all rings first.
     pub(super) fn layers(&'a self) -> Vec<Layer<'a>> {
-        let Self { scene, rings, mixed, trees } = self;
-        let layer = |(tree, numbers): &'a (LayerTree, RangeInclusive<u16>)| {
-            let of_rings = OfRings { scene, rings, mixed, numbers: numbers.clone() };
-            Layer { tree, filter: Box::new(AlphaFilter::new(scene, of_rings)) }
+        let Self { scene, rings, is_mixed, trees } = self;
+        let layer = |(tree, ring_range): &'a (LayerTree, RangeInclusive<u16>)| {
+            let ring_filter = RingFilter { scene, rings, is_mixed, ring_range: ring_range.clone() };
+            Layer { tree, filter: Box::new(AlphaFilter::new(scene, ring_filter)) }
         };
         trees.iter().map(layer).collect()
     }
@@ -57,7 +54,7 @@ impl<'a> RingLayers<'a> {
 
 /// Returns the layers that an instance has faces of, ascending; 0 stands for faces that are in none.
 fn layers_of(instance: &Instance, rings: &[u16], count: u16) -> Arc<[u16]> {
-    let layer = |object: i32| ring_of(rings, object).min(count.saturating_add(1));
+    let layer = |object: i32| by_object(rings, object).min(count.saturating_add(1));
     let mut layers: Vec<u16> = match instance.object {
         Some(object) => vec![layer(object)],
         None => instance.mesh.objects.runs(instance.mesh.faces.len()).map(|(_, object)| layer(object)).collect(),
@@ -67,23 +64,18 @@ fn layers_of(instance: &Instance, rings: &[u16], count: u16) -> Arc<[u16]> {
     layers.into()
 }
 
-fn ring_of(rings: &[u16], object: i32) -> u16 {
-    let last = rings.len() - 1;
-    rings[usize::try_from(object).map_or(last, |object| object.min(last))]
-}
-
 /// Filter for faces of some rings; instances are those of a layer's tree.
-struct OfRings<'a> {
+struct RingFilter<'a> {
     scene: &'a Scene,
     rings: &'a [u16],
-    mixed: &'a [bool],
-    numbers: RangeInclusive<u16>,
+    is_mixed: &'a [bool],
+    ring_range: RangeInclusive<u16>,
 }
 
-impl HitFilter for OfRings<'_> {
+impl HitFilter for RingFilter<'_> {
     fn face_hits(&self, instance: u32, face: u32) -> FaceHits {
-        let is_mixed = self.mixed[instance as usize];
-        let holds = || self.numbers.contains(&ring_of(self.rings, self.scene.instance(instance).object_of(face)));
+        let is_mixed = self.is_mixed[instance as usize];
+        let holds = || self.ring_range.contains(&by_object(self.rings, self.scene.instance(instance).object_of(face)));
         if !is_mixed || holds() { FaceHits::All } else { FaceHits::None }
     }
 }

@@ -22,9 +22,9 @@ pub const BACKGROUND: [[f32; 3]; 3] = [[0.24, 0.25, 0.26], [0.66, 0.74, 0.82], [
 #[inline]
 pub fn background(direction: Vec3) -> [f32; 3] {
     let [nadir, horizon, zenith] = BACKGROUND;
-    let away = direction.y.abs().sqrt();
+    let weight = direction.y.abs().sqrt();
     let end = if direction.y < 0.0 { nadir } else { zenith };
-    std::array::from_fn(|i| horizon[i] + (end[i] - horizon[i]) * away)
+    std::array::from_fn(|i| horizon[i] + (end[i] - horizon[i]) * weight)
 }
 
 /// Returns the linear RGB reflected by a white surface with unit normal `n` towards the viewer.

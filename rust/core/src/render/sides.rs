@@ -20,10 +20,10 @@ use crate::trace::{All, AlphaFilter, Hit, Ray, any_hits, beam_touches, closest_h
 const PACKET: usize = 64;
 /// Number of rows per task, a multiple of every block's height; also the side of a square that is tested for geometry.
 const ROWS: usize = 16;
-/// Triangles per block of pixels, if spread evenly over the picture, above which rays are traced one by one: they
-/// share so few nodes of the tree that a packet is slower. The number was measured on an object that covers a fifth of
-/// its picture.
-const CROWDED: f64 = 150.0;
+/// Maximum number of triangles per block of pixels, if spread evenly over the picture, for which rays are traced as a
+/// packet. With more, rays share so few nodes of the tree that single rays are faster. Measured on an object that covers
+/// a fifth of its picture.
+const MAX_PACKET_TRIANGLES: f64 = 150.0;
 
 /// A scene and cameras around it, all with pictures of one size.
 pub struct Sides<'a> {
@@ -69,67 +69,72 @@ impl<'a> Sides<'a> {
         self.bands(progress, |view, _, first_row, shown| {
             let size = [shown.len() / self.width, self.width];
             let (mut pixels, mut rays) = (Vec::new(), Vec::new());
-            let (mut hits, mut any) = ([Hit::MISS; PACKET], [false; PACKET]);
-            for (part, part_size) in blocks([0, 0], size, [ROWS, ROWS]) {
-                let corners = [[0, 0], [0, part_size[1]], [part_size[0], 0], part_size];
-                let corner =
-                    |[down, right]: [usize; 2]| view.ray((part[1] + right) as f64, (first_row + part[0] + down) as f64);
+            let (mut hits, mut is_hit) = ([Hit::MISS; PACKET], [false; PACKET]);
+            for (square, square_size) in blocks([0, 0], size, [ROWS, ROWS]) {
+                let corners = [[0, 0], [0, square_size[1]], [square_size[0], 0], square_size];
+                let corner = |[down, right]: [usize; 2]| {
+                    view.ray((square[1] + right) as f64, (first_row + square[0] + down) as f64)
+                };
                 if !beam_touches(scene, &corners.map(corner)) {
                     continue;
                 }
-                for (start, size) in blocks(part, part_size, block) {
+                for (start, size) in blocks(square, square_size, block) {
                     pixels.clear();
                     pixels.extend(pixels_of(start, size, &order));
                     rays.clear();
                     let center =
                         |&[row, column]: &[usize; 2]| view.ray(column as f64 + 0.5, (first_row + row) as f64 + 0.5);
                     rays.extend(pixels.iter().map(center));
-                    let (hits, any) = (&mut hits[..rays.len()], &mut any[..rays.len()]);
+                    let (hits, is_hit) = (&mut hits[..rays.len()], &mut is_hit[..rays.len()]);
                     if is_crowded {
-                        any_hits(scene, &rays, filter, any);
+                        any_hits(scene, &rays, filter, is_hit);
                     } else {
                         closest_hits(scene, &rays, filter, hits);
-                        any.iter_mut().zip(hits).for_each(|(any, hit)| *any = !hit.is_miss());
+                        is_hit.iter_mut().zip(hits).for_each(|(is_hit, hit)| *is_hit = !hit.is_miss());
                     }
-                    pixels.iter().zip(any).for_each(|([row, column], any)| shown[row * self.width + column] = *any);
+                    for ([row, column], is_hit) in pixels.iter().zip(is_hit) {
+                        shown[row * self.width + column] = *is_hit;
+                    }
                 }
             }
         })
     }
 
     /// Returns the luma, 0 to 255, of the pixels near those of `shown` (ordered as in `silhouettes`); 0 elsewhere.
-    pub fn luma(&self, shown: &[bool], how: &Luma, progress: &Progress) -> Result<Vec<f64>> {
-        if !(1..=MAX_SAMPLES).contains(&how.samples) {
-            return Err(Error::value("samples", format!("a whole number from 1 to {MAX_SAMPLES}"), how.samples));
+    pub fn luma(&self, shown: &[bool], settings: &Luma, progress: &Progress) -> Result<Vec<f64>> {
+        if !(1..=MAX_SAMPLES).contains(&settings.samples) {
+            return Err(Error::value("samples", format!("a whole number from 1 to {MAX_SAMPLES}"), settings.samples));
         }
-        if shown.len() != self.pixels() {
-            return Err(Error::value("shown", format!("{} pixels", self.pixels()), shown.len()));
+        if shown.len() != self.pixel_count() {
+            return Err(Error::value("shown", format!("{} pixels", self.pixel_count()), shown.len()));
         }
         let filter = &AlphaFilter::new(self.scene, All);
-        let samples = how.samples as usize;
-        let (offsets, block) = (sample_offsets(how.samples), block_of(samples));
-        let (scale, share) = (1.0 / f64::from(how.samples).sqrt(), 1.0 / how.samples as f32);
+        let samples = settings.samples as usize;
+        let (offsets, block) = (sample_offsets(settings.samples), block_of(samples));
+        let (scale, sample_weight) = (1.0 / f64::from(settings.samples).sqrt(), 1.0 / settings.samples as f32);
         let (is_crowded, order) = (self.is_crowded(block), pixel_order(block));
         let picture = Truth { scene: self.scene, filter };
         let size = self.width * self.height;
         self.bands(progress, |view, number, first_row, luma| {
             let rows = luma.len() / self.width;
-            let near = self.near(&shown[number * size..][..size], first_row, rows, how.reach);
-            let (mut pixels, mut places) = (Vec::new(), Vec::new());
+            let is_near = self.near_shown(&shown[number * size..][..size], first_row, rows, settings.reach);
+            let (mut pixels, mut positions) = (Vec::new(), Vec::new());
             let (mut rays, mut hits, mut sums) = (Vec::new(), Vec::new(), Vec::new());
             for (start, size) in blocks([0, 0], [rows, self.width], block) {
                 pixels.clear();
-                pixels.extend(pixels_of(start, size, &order).filter(|[row, column]| near[row * self.width + column]));
+                pixels
+                    .extend(pixels_of(start, size, &order).filter(|[row, column]| is_near[row * self.width + column]));
                 if pixels.is_empty() {
                     continue;
                 }
-                places.clear();
+                positions.clear();
                 for &[row, column] in &pixels {
-                    let place = |offset: &[f64; 2]| (column as f64 + offset[0], (first_row + row) as f64 + offset[1]);
-                    places.extend(offsets.iter().map(place));
+                    let position =
+                        |offset: &[f64; 2]| (column as f64 + offset[0], (first_row + row) as f64 + offset[1]);
+                    positions.extend(offsets.iter().map(position));
                 }
                 rays.clear();
-                rays.extend(places.iter().map(|&(x, y)| view.ray(x, y)));
+                rays.extend(positions.iter().map(|&(x, y)| view.ray(x, y)));
                 hits.clear();
                 hits.resize(rays.len(), Hit::MISS);
                 if is_crowded {
@@ -139,19 +144,19 @@ impl<'a> Sides<'a> {
                 }
                 sums.clear();
                 sums.resize(rays.len(), [0.0f32; 3]);
-                let footprint = |n: usize| view.rays.footprint(places[n].0, places[n].1, scale);
+                let footprint = |n: usize| view.rays.footprint(positions[n].0, positions[n].1, scale);
                 picture.add_colors(&rays, &hits, footprint, &mut sums);
                 for ([row, column], colors) in pixels.iter().zip(sums.chunks(samples)) {
                     let codes: [u8; 3] = std::array::from_fn(|i| {
-                        srgb_from_linear(colors.iter().map(|color| color[i]).sum::<f32>() * share)
+                        srgb_from_linear(colors.iter().map(|color| color[i]).sum::<f32>() * sample_weight)
                     });
-                    luma[row * self.width + column] = (0..3).map(|i| how.weights[i] * f64::from(codes[i])).sum();
+                    luma[row * self.width + column] = (0..3).map(|i| settings.weights[i] * f64::from(codes[i])).sum();
                 }
             }
         })
     }
 
-    fn pixels(&self) -> usize {
+    fn pixel_count(&self) -> usize {
         self.cameras.len() * self.width * self.height
     }
 
@@ -162,9 +167,9 @@ impl<'a> Sides<'a> {
         progress: &Progress,
         paint: impl Fn(&View, usize, usize, &mut [T]) + Sync,
     ) -> Result<Vec<T>> {
-        room_for((self.pixels() * size_of::<T>()) as u64)?;
-        progress.expect(self.pixels() as u64);
-        let mut values = vec![T::default(); self.pixels()];
+        room_for((self.pixel_count() * size_of::<T>()) as u64)?;
+        progress.expect(self.pixel_count() as u64);
+        let mut values = vec![T::default(); self.pixel_count()];
         let size = (self.width * self.height).max(1);
         let pictures = values.par_chunks_mut(size).zip(self.cameras).enumerate();
         pictures.try_for_each(|(number, (picture, camera))| {
@@ -179,26 +184,27 @@ impl<'a> Sides<'a> {
 
     /// Returns true if rays through a block of this height and width should be traced one by one.
     fn is_crowded(&self, block: [usize; 2]) -> bool {
-        let share = (block[0] * block[1]) as f64 / (self.width * self.height).max(1) as f64;
-        self.scene.triangle_count() as f64 * share > CROWDED
+        let fraction = (block[0] * block[1]) as f64 / (self.width * self.height).max(1) as f64;
+        self.scene.triangle_count() as f64 * fraction > MAX_PACKET_TRIANGLES
     }
 
     /// Returns for each pixel of some rows whether it is at most `reach` pixels across and down from a shown one.
-    fn near(&self, shown: &[bool], first_row: usize, rows: usize, reach: usize) -> Vec<bool> {
+    fn near_shown(&self, shown: &[bool], first_row: usize, rows: usize, reach: usize) -> Vec<bool> {
         let width = self.width;
-        let mut near = vec![false; rows * width];
-        let mut line = vec![false; width + 2 * reach];
-        for (row, near) in (first_row..).zip(near.chunks_mut(width)) {
-            let down = &mut line[reach..reach + width];
-            down.fill(false);
-            for other in row.saturating_sub(reach)..self.height.min(row + reach + 1) {
-                down.iter_mut().zip(&shown[other * width..]).for_each(|(down, shown)| *down |= shown);
+        let mut is_near = vec![false; rows * width];
+        // Whether a pixel of the column within reach is shown, with `reach` columns of padding on both sides.
+        let mut padded = vec![false; width + 2 * reach];
+        for (row, is_near) in (first_row..).zip(is_near.chunks_mut(width)) {
+            let columns = &mut padded[reach..reach + width];
+            columns.fill(false);
+            for neighbour in row.saturating_sub(reach)..self.height.min(row + reach + 1) {
+                columns.iter_mut().zip(&shown[neighbour * width..]).for_each(|(column, shown)| *column |= shown);
             }
             for shift in 0..=2 * reach {
-                near.iter_mut().zip(&line[shift..]).for_each(|(near, down)| *near |= down);
+                is_near.iter_mut().zip(&padded[shift..]).for_each(|(is_near, column)| *is_near |= column);
             }
         }
-        near
+        is_near
     }
 }
 
@@ -209,7 +215,6 @@ struct View {
 }
 
 impl View {
-    /// Returns the ray through an image position.
     fn ray(&self, x: f64, y: f64) -> Ray {
         ray_at(&self.rays, self.eye, x, y, &Limits::NONE)
     }

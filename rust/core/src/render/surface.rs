@@ -142,27 +142,28 @@ impl Surface {
     /// Returns the spot on the mesh for a ray that is `width` metres wide at the surface.
     #[inline]
     fn spot<'a>(&self, mesh: &'a Mesh, width: f32) -> Spot<'a> {
-        let footprint = width / self.cosine.max(GRAZING).sqrt();
+        let footprint = width / self.cosine.max(MIN_COSINE).sqrt();
         Spot { mesh, face: self.face, at: self.at, footprint, doubled_area: self.doubled_area }
     }
 
     /// Returns the channels of a pixel that shows this point at a displayed distance, for a ray of `width` metres.
     /// Unwanted channels may keep their values for a miss.
     pub fn sample(&self, scene: &Scene, range: f32, width: impl FnOnce() -> f32, wanted: Channels) -> Sample {
+        let instance = scene.instance(self.instance);
         let mut sample = Sample {
             range,
-            object_id: self.object_id(scene),
-            face_id: self.face_id(scene),
+            object_id: instance.object_of(self.face),
+            face_id: scene.triangle_offset(self.instance) + i64::from(self.face),
             position: self.point.to_array(),
             normal: self.normal.to_array(),
             ..Sample::default()
         };
         if wanted.albedo {
-            let mesh = &scene.instance(self.instance).mesh;
+            let mesh = &instance.mesh;
             sample.albedo = scene.albedo(&scene.material_of(mesh, self.face), &self.spot(mesh, width()));
         }
         if wanted.shading_normal {
-            sample.shading_normal = self.shading_normal(scene.instance(self.instance)).to_array();
+            sample.shading_normal = self.shading_normal(instance).to_array();
         }
         sample
     }
@@ -177,17 +178,7 @@ impl Surface {
             None => self.normal,
         }
     }
-
-    /// Returns the object number of the face.
-    pub fn object_id(&self, scene: &Scene) -> i32 {
-        scene.instance(self.instance).object_of(self.face)
-    }
-
-    /// Returns the triangle number of the face.
-    pub fn face_id(&self, scene: &Scene) -> i64 {
-        scene.triangle_offset(self.instance) + i64::from(self.face)
-    }
 }
 
 /// Minimum cosine by which a footprint is divided; at smaller cosines a texture shows its mean anyway.
-const GRAZING: f32 = 1e-4;
+const MIN_COSINE: f32 = 1e-4;

@@ -23,9 +23,9 @@ pub struct Moving<'a> {
 }
 
 /// Extra growth of the colour box where nothing moves, so that detail missing from one picture is not lost.
-const STILL: f32 = 1.0;
-/// Speed at which the box stops growing, pixels per picture.
-const FAST: f32 = 4.0;
+const STATIC_GROWTH: f32 = 1.0;
+/// Speed from which on the box does not grow, pixels per picture.
+const MAX_GROWTH_SPEED: f32 = 4.0;
 /// Minimum half side of a box, which keeps divisions finite.
 const MIN_HALF_SIDE: f32 = 1e-12;
 
@@ -68,15 +68,14 @@ impl Moving<'_> {
             return None;
         }
         let speed = right.hypot(down);
-        let growth = 1.0 + STILL * (1.0 - (speed / FAST).min(1.0));
-        Some(self.box_around(x, y, growth).hold(cubic(gathered, width, from)))
+        let growth = 1.0 + STATIC_GROWTH * (1.0 - (speed / MAX_GROWTH_SPEED).min(1.0));
+        Some(self.box_around(x, y, growth).clamp(cubic(gathered, width, from)))
     }
 
     /// Returns the pixel with the nearest surface in the 3 × 3 square: both sides of an edge move with its foreground.
     fn nearest_around(&self, x: usize, y: usize) -> usize {
-        let own = y * self.width + x;
-        self.neighbourhood(x, y)
-            .fold(own, |best, pixel| if self.range[pixel] < self.range[best] { pixel } else { best })
+        let nearer = |a: usize, b: usize| if self.range[b] < self.range[a] { b } else { a };
+        self.neighbourhood(x, y).fold(y * self.width + x, nearer)
     }
 
     /// Returns the pixels of the 3 × 3 square around one that lie in the picture.
@@ -97,7 +96,7 @@ impl Moving<'_> {
         }
         ColorBox {
             middle: std::array::from_fn(|i| 0.5 * (low[i] + high[i])),
-            half: std::array::from_fn(|i| (0.5 * growth * (high[i] - low[i])).max(MIN_HALF_SIDE)),
+            half_side: std::array::from_fn(|i| (0.5 * growth * (high[i] - low[i])).max(MIN_HALF_SIDE)),
         }
     }
 }
@@ -105,16 +104,16 @@ impl Moving<'_> {
 /// A box in YCoCg, whose axes fit the colours of pictures better than those of RGB.
 struct ColorBox {
     middle: Color,
-    half: Color,
+    half_side: Color,
 }
 
 impl ColorBox {
     /// Clamps a colour in linear RGB to the box, along the line to the box's middle.
-    fn hold(&self, color: Color) -> Color {
+    fn clamp(&self, color: Color) -> Color {
         let color = luma_chroma(color);
-        let away: Color = std::array::from_fn(|i| color[i] - self.middle[i]);
-        let outside = (0..3).map(|i| away[i].abs() / self.half[i]).fold(1.0, f32::max);
-        rgb(std::array::from_fn(|i| self.middle[i] + away[i] / outside))
+        let offset: Color = std::array::from_fn(|i| color[i] - self.middle[i]);
+        let excess = (0..3).map(|i| offset[i].abs() / self.half_side[i]).fold(1.0, f32::max);
+        rgb(std::array::from_fn(|i| self.middle[i] + offset[i] / excess))
     }
 }
 
@@ -124,8 +123,8 @@ fn luma_chroma([r, g, b]: Color) -> Color {
 }
 
 fn rgb([luma, orange, green]: Color) -> Color {
-    let rest = luma - green;
-    [rest + orange, luma + green, rest - orange]
+    let red_and_blue = luma - green;
+    [red_and_blue + orange, luma + green, red_and_blue - orange]
 }
 
 /// Returns the colour at (x, y), pixels, by cubic interpolation (Catmull and Rom 1974), which blurs less than linear.
@@ -145,9 +144,9 @@ pub(crate) fn cubic(picture: &[Color], width: usize, [x, y]: [f64; 2]) -> Color 
 }
 
 /// Returns the first of the four pixels around a coordinate, and their weights.
-fn cubic_taps(at: f64) -> (i64, [f32; 4]) {
-    let first = (at - 0.5).floor();
-    let t = (at - 0.5 - first) as f32;
+fn cubic_taps(x: f64) -> (i64, [f32; 4]) {
+    let first = (x - 0.5).floor();
+    let t = (x - 0.5 - first) as f32;
     let weights = [
         t * (-0.5 + t * (1.0 - 0.5 * t)),
         1.0 + t * t * (1.5 * t - 2.5),

@@ -59,9 +59,9 @@ impl Spots<'_> {
     /// Returns the position of the n-th ray in the tile, as fractions of the full tile's width and height.
     #[inline]
     pub(super) fn position_in_tile(&self, n: usize) -> [f32; 2] {
-        let (column, row) = self.tile.place(n);
-        let share = |pixel: usize, offset: f64| ((pixel as f64 + offset) / TILE as f64) as f32;
-        [share(column, self.offset[0]), share(row, self.offset[1])]
+        let (column, row) = self.tile.offset_in_tile(n);
+        let fraction = |pixel: usize, offset: f64| ((pixel as f64 + offset) / TILE as f64) as f32;
+        [fraction(column, self.offset[0]), fraction(row, self.offset[1])]
     }
 }
 
@@ -115,8 +115,8 @@ pub fn draw(view: &RenderView<'_>, picture: &impl Picture, progress: &Progress) 
 }
 
 /// Fails for a position relative to the scene's origin from which rays would exceed float32's range.
-pub(super) fn check_reach(argument: &'static str, place: DVec3) -> Result<()> {
-    let farthest = place.abs().max_element();
+pub(super) fn check_reach(argument: &'static str, position: DVec3) -> Result<()> {
+    let farthest = position.abs().max_element();
     if farthest <= REACH {
         return Ok(());
     }
@@ -151,37 +151,28 @@ pub(super) struct ImageTile {
 }
 
 impl ImageTile {
-    fn new(
-        first_row: usize,
-        first_column: usize,
-        rows: usize,
-        columns: usize,
-        width: usize,
-        mask: Option<&[bool]>,
-    ) -> Self {
-        let mut tile = Self { first_row, first_column, rows, columns, width, drawn: [0; PIXELS], count: 0 };
-        for number in 0..rows * columns {
-            let index = (first_row + number / columns) * width + first_column + number % columns;
-            if mask.is_none_or(|mask| mask[index]) {
-                tile.drawn[tile.count] = number as u8;
-                tile.count += 1;
+    fn list_drawn(&mut self, mask: Option<&[bool]>) {
+        for number in 0..self.rows * self.columns {
+            let (row, column) = (self.first_row + number / self.columns, self.first_column + number % self.columns);
+            if mask.is_none_or(|mask| mask[row * self.width + column]) {
+                self.drawn[self.count] = number as u8;
+                self.count += 1;
             }
         }
-        tile
     }
 
     /// Returns the column and row within the tile of the n-th drawn pixel.
     #[inline]
-    pub(super) fn place(&self, n: usize) -> (usize, usize) {
+    pub(super) fn offset_in_tile(&self, n: usize) -> (usize, usize) {
         let number = usize::from(self.drawn[n]);
         (number % self.columns, number / self.columns)
     }
 
-    /// Returns the column and row in the image of the n-th drawn pixel.
+    /// Returns the image position of a point of the n-th drawn pixel; `offset` is relative to the pixel's corner.
     #[inline]
-    fn pixel(&self, n: usize) -> (usize, usize) {
-        let (column, row) = self.place(n);
-        (self.first_column + column, self.first_row + row)
+    fn position(&self, n: usize, offset: [f64; 2]) -> (f64, f64) {
+        let (column, row) = self.offset_in_tile(n);
+        ((self.first_column + column) as f64 + offset[0], (self.first_row + row) as f64 + offset[1])
     }
 
     /// Returns the image index of the n-th drawn pixel.
@@ -193,12 +184,12 @@ impl ImageTile {
     /// Returns the index in the band of the n-th drawn pixel.
     #[inline]
     pub(super) fn slot(&self, n: usize) -> usize {
-        let (column, row) = self.place(n);
+        let (column, row) = self.offset_in_tile(n);
         row * self.width + self.first_column + column
     }
 
     /// Returns the indices in the band of the pixels that are not drawn.
-    fn left_out(&self) -> impl Iterator<Item = usize> {
+    fn undrawn_slots(&self) -> impl Iterator<Item = usize> {
         let drawn = &self.drawn[..self.count];
         (0..self.rows * self.columns)
             .filter(|&number| drawn.binary_search(&(number as u8)).is_err())
@@ -216,7 +207,7 @@ pub(super) struct Caster<'a> {
     /// Positions of a pixel's samples.
     pub(super) offsets: Vec<[f64; 2]>,
     /// Side of the square that a sample represents, pixels.
-    scale: f64,
+    pub(super) scale: f64,
     /// Visible volume relative to the scene's origin.
     limits: Limits,
 }
@@ -259,15 +250,17 @@ impl<'a> Caster<'a> {
         let paint_band = |(index, mut band)| {
             let first_row = index * TILE;
             let rows = TILE.min(self.height - first_row);
-            let mut besides = T::default();
+            let mut value = T::default();
             for first_column in (0..self.width).step_by(TILE) {
                 let columns = TILE.min(self.width - first_column);
-                let tile = ImageTile::new(first_row, first_column, rows, columns, self.width, self.mask);
-                paint(&tile, &mut band, &mut besides);
+                let (width, drawn) = (self.width, [0; PIXELS]);
+                let mut tile = ImageTile { first_row, first_column, rows, columns, width, drawn, count: 0 };
+                tile.list_drawn(self.mask);
+                paint(&tile, &mut band, &mut value);
                 progress.check()?;
             }
             progress.report((rows * self.width) as u64)?;
-            Ok(besides)
+            Ok(value)
         };
         bands.map(paint_band).collect()
     }
@@ -275,24 +268,19 @@ impl<'a> Caster<'a> {
     /// Writes the rays of a tile.
     pub(super) fn aim(&self, tile: &ImageTile, offset: [f64; 2], rays: &mut [Ray]) {
         for (n, ray) in rays.iter_mut().enumerate() {
-            let (x, y) = position(tile, n, offset);
+            let (x, y) = tile.position(n, offset);
             *ray = ray_at(&self.rays, self.eye, x, y, &self.limits);
         }
     }
 
     /// Returns the weight of a sample in its pixel's colour.
-    pub(super) fn share(&self) -> f32 {
+    pub(super) fn sample_weight(&self) -> f32 {
         1.0 / self.offsets.len() as f32
-    }
-
-    /// Returns the footprint of one of a pixel's samples.
-    pub(super) fn of_sample(&self, tile: &ImageTile, n: usize, offset: [f64; 2]) -> Footprint {
-        self.footprint(tile, n, offset, self.scale)
     }
 
     /// Returns the footprint of a ray that represents a square of `scale` pixels.
     pub(super) fn footprint(&self, tile: &ImageTile, n: usize, offset: [f64; 2], scale: f64) -> Footprint {
-        let (x, y) = position(tile, n, offset);
+        let (x, y) = tile.position(n, offset);
         self.rays.footprint(x, y, scale)
     }
 }
@@ -306,7 +294,7 @@ struct Painter<'a, P> {
 
 impl<P: Picture> Painter<'_, P> {
     fn paint(&self, tile: &ImageTile, band: &mut Band<'_>) {
-        tile.left_out().for_each(|slot| band.set_sample(slot, &Sample::default()));
+        tile.undrawn_slots().for_each(|slot| band.set_sample(slot, &Sample::default()));
         if tile.count == 0 {
             return;
         }
@@ -324,10 +312,10 @@ impl<P: Picture> Painter<'_, P> {
                 }
                 counts.iter_mut().zip(&*hits).filter(|(_, hit)| !hit.is_miss()).for_each(|(count, _)| *count += 1.0);
             }
-            let share = self.caster.share();
+            let sample_weight = self.caster.sample_weight();
             for (n, (sum, count)) in sums.iter().zip(&counts).enumerate().take(tile.count) {
-                band.color(tile.slot(n), sum.map(|sum| sum * share));
-                band.coverage(tile.slot(n), count * share);
+                band.color(tile.slot(n), sum.map(|sum| sum * sample_weight));
+                band.coverage(tile.slot(n), count * sample_weight);
             }
         }
         if self.channels.any_surface() {
@@ -356,7 +344,7 @@ impl<P: Picture> Painter<'_, P> {
         sums: &mut [[f32; 3]; PIXELS],
     ) {
         let before = *sums;
-        self.picture.add_colors(rays, hits, |n| self.caster.of_sample(tile, n, offset), sums);
+        self.picture.add_colors(rays, hits, |n| self.caster.footprint(tile, n, offset, self.caster.scale), sums);
         if self.pixels.bare {
             (0..hits.len()).filter(|&n| hits[n].is_miss()).for_each(|n| sums[n] = before[n]);
         }
@@ -370,12 +358,6 @@ pub(crate) fn ray_at(rays: &Rays, eye: DVec3, x: f64, y: f64, limits: &Limits) -
     let origin = eye + start;
     let Segment { t_min, t_max } = limits.clip_ray(origin, direction);
     Ray { origin: origin.as_vec3(), direction: direction.as_vec3(), t_min, t_max }
-}
-
-#[inline]
-fn position(tile: &ImageTile, n: usize, offset: [f64; 2]) -> (f64, f64) {
-    let (column, row) = tile.pixel(n);
-    (column as f64 + offset[0], row as f64 + offset[1])
 }
 
 #[cfg(test)]

@@ -5,16 +5,13 @@
 //! (`planes.rs`). The caller compresses the bytes. All arithmetic is exact or rounded by IEEE 754, so every client
 //! predicts the same.
 
-mod faces;
 mod planes;
-mod runs;
 mod scale;
 #[cfg(test)]
 mod tests;
 mod walk;
 
-pub use faces::{Faces, MAX_STEP};
-pub use scale::NOTHING;
+pub use scale::{Faces, MAX_STEP, NOTHING};
 
 use crate::base::{Error, Progress, Result};
 use planes::{Reader, Writer, damaged};
@@ -39,13 +36,12 @@ pub fn encode(
 fn check_changes(codes: &[u16], before: Option<&[u16]>, changed: &[bool], faces: Faces<'_>) -> Result<()> {
     faces.count(codes.len())?;
     let across = faces.size / faces.tile;
-    let is_listed = |place: usize| {
-        let (row, column) = (place / faces.size, place % faces.size);
-        let tile = row / faces.tile * across + column / faces.tile;
-        faces.listed.binary_search_by(|&own| (own as usize).cmp(&tile)).is_ok()
+    let is_listed = |texel: usize| {
+        let (row, column) = (texel / faces.size, texel % faces.size);
+        faces.lists(row / faces.tile * across + column / faces.tile)
     };
-    if let Some(place) = changed.iter().enumerate().position(|(place, &is_changed)| is_changed && !is_listed(place)) {
-        return Err(Error::value("tiles", "the tiles of all changed texels", format!("a change of texel {place}")));
+    if let Some(texel) = changed.iter().enumerate().position(|(texel, &is_changed)| is_changed && !is_listed(texel)) {
+        return Err(Error::value("tiles", "the tiles of all changed texels", format!("a change of texel {texel}")));
     }
     let is_missed = |((code, before), is_changed): ((&u16, &u16), &bool)| code != before && !is_changed;
     if before.is_some_and(|before| codes.iter().zip(before).zip(changed).any(is_missed)) {
@@ -78,7 +74,6 @@ pub fn decode(
     Ok((codes, changed))
 }
 
-/// Visits all texels of all faces.
 fn walk(
     codes: &mut [u16],
     before: Option<&[u16]>,
@@ -94,9 +89,9 @@ fn walk(
     let texels = faces.size * faces.size;
     let mut walk = Walk::new(faces);
     for face in 0..count {
-        let own = face * texels..(face + 1) * texels;
-        let before = before.map(|before| &before[own.clone()]);
-        walk.face(face, &mut codes[own.clone()], before, &mut changed[own], link, progress)?;
+        let range = face * texels..(face + 1) * texels;
+        let before = before.map(|before| &before[range.clone()]);
+        walk.face(face, &mut codes[range.clone()], before, &mut changed[range], link, progress)?;
     }
     Ok(())
 }

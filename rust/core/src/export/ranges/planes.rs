@@ -10,8 +10,7 @@ use crate::base::{Error, Result};
 
 /// Number of planes.
 pub(super) const PLANES: usize = 9;
-const CHANGED: usize = 0;
-const NOTHING: usize = 1;
+/// Plane of the first bits of residuals; the planes before it have the flags.
 const BITS: usize = 2;
 /// Pair planes: after a bit, with some trust, and calm.
 const PAIRS: [usize; 3] = [3, 4, 5];
@@ -41,12 +40,19 @@ impl Trust {
     }
 }
 
+/// Flag of a texel; its number is that of its plane.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Flag {
+    /// The texel changes.
+    Changed,
+    /// The texel has no surface.
+    Nothing,
+}
+
 /// One end of the planes: a writer stores and returns its arguments, a reader returns what it reads.
 pub(super) trait Link {
-    /// Codes whether a texel changes.
-    fn changed(&mut self, predicted: bool, value: bool) -> Result<bool>;
-    /// Codes whether a texel has no surface.
-    fn nothing(&mut self, predicted: bool, value: bool) -> Result<bool>;
+    /// Codes a flag.
+    fn flag(&mut self, flag: Flag, predicted: bool, value: bool) -> Result<bool>;
     /// Codes the difference of a code from its prediction, folded: 0, −1, 1, −2, … as 0, 1, 2, 3, ….
     fn residual(&mut self, trust: Trust, value: u16) -> Result<u16>;
 }
@@ -70,7 +76,6 @@ impl Packed {
     }
 }
 
-/// Writer of planes.
 #[derive(Default)]
 pub(super) struct Writer {
     packed: [Packed; BYTES[0]],
@@ -79,7 +84,6 @@ pub(super) struct Writer {
 }
 
 impl Writer {
-    /// Returns all planes.
     pub fn planes(self) -> Vec<Vec<u8>> {
         let words =
             [8, 0].map(|shift| self.words.iter().map(|word| (word >> shift) as u8).collect::<Vec<_>>()).concat();
@@ -88,37 +92,31 @@ impl Writer {
 }
 
 impl Link for Writer {
-    fn changed(&mut self, predicted: bool, value: bool) -> Result<bool> {
-        self.packed[CHANGED].push((predicted ^ value).into(), 1);
-        Ok(value)
-    }
-
-    fn nothing(&mut self, predicted: bool, value: bool) -> Result<bool> {
-        self.packed[NOTHING].push((predicted ^ value).into(), 1);
+    fn flag(&mut self, flag: Flag, predicted: bool, value: bool) -> Result<bool> {
+        self.packed[flag as usize].push((predicted ^ value).into(), 1);
         Ok(value)
     }
 
     fn residual(&mut self, trust: Trust, value: u16) -> Result<u16> {
         let (bit, pair, byte) = trust.planes();
-        let mut rest = value;
+        let mut remainder = value;
         for (plane, bits) in [(bit, 1), (pair, 2)] {
             let Some(plane) = plane else { continue };
-            let most = (1 << bits) - 1;
-            self.packed[plane].push(rest.min(most) as u8, bits);
-            if rest < most {
+            let max = (1 << bits) - 1;
+            self.packed[plane].push(remainder.min(max) as u8, bits);
+            if remainder < max {
                 return Ok(value);
             }
-            rest -= most;
+            remainder -= max;
         }
-        self.bytes[byte - BYTES[0]].push(rest.min(255) as u8);
-        if rest >= 255 {
-            self.words.push(rest - 255);
+        self.bytes[byte - BYTES[0]].push(remainder.min(255) as u8);
+        if remainder >= 255 {
+            self.words.push(remainder - 255);
         }
         Ok(value)
     }
 }
 
-/// Reader of planes.
 pub(super) struct Reader<'a> {
     planes: [&'a [u8]; PLANES],
     /// Number of bits, pairs, bytes or words read from each plane.
@@ -133,22 +131,20 @@ impl<'a> Reader<'a> {
 
     /// Fails if bytes remain unread.
     pub fn finish(self) -> Result<()> {
-        let whole = |plane: usize| match plane {
+        let read_bytes = |plane: usize| match plane {
             WORDS => 2 * self.read[plane],
             _ if BYTES.contains(&plane) => self.read[plane],
             _ => self.read[plane].div_ceil(8),
         };
-        match (0..PLANES).all(|plane| whole(plane) == self.planes[plane].len()) {
-            true => Ok(()),
-            false => Err(damaged("more bytes")),
-        }
+        let is_finished = (0..PLANES).all(|plane| read_bytes(plane) == self.planes[plane].len());
+        if is_finished { Ok(()) } else { Err(damaged("more bytes")) }
     }
 
     fn bits(&mut self, plane: usize, bits: usize) -> Result<u16> {
-        let place = self.read[plane];
-        let byte = self.planes[plane].get(place / 8).ok_or_else(|| damaged("fewer bytes"))?;
+        let index = self.read[plane];
+        let byte = self.planes[plane].get(index / 8).ok_or_else(|| damaged("fewer bytes"))?;
         self.read[plane] += bits;
-        Ok(u16::from(byte >> (8 - bits - place % 8)) & ((1 << bits) - 1))
+        Ok(u16::from(byte >> (8 - bits - index % 8)) & ((1 << bits) - 1))
     }
 
     fn byte(&mut self, plane: usize) -> Result<u16> {
@@ -159,20 +155,16 @@ impl<'a> Reader<'a> {
 
     fn word(&mut self) -> Result<u16> {
         let (high, low) = self.planes[WORDS].split_at(self.planes[WORDS].len() / 2);
-        let place = self.read[WORDS];
-        let (Some(&high), Some(&low)) = (high.get(place), low.get(place)) else { return Err(damaged("fewer bytes")) };
+        let index = self.read[WORDS];
+        let (Some(&high), Some(&low)) = (high.get(index), low.get(index)) else { return Err(damaged("fewer bytes")) };
         self.read[WORDS] += 1;
         Ok(u16::from_be_bytes([high, low]))
     }
 }
 
 impl Link for Reader<'_> {
-    fn changed(&mut self, predicted: bool, _: bool) -> Result<bool> {
-        Ok(predicted ^ (self.bits(CHANGED, 1)? == 1))
-    }
-
-    fn nothing(&mut self, predicted: bool, _: bool) -> Result<bool> {
-        Ok(predicted ^ (self.bits(NOTHING, 1)? == 1))
+    fn flag(&mut self, flag: Flag, predicted: bool, _: bool) -> Result<bool> {
+        Ok(predicted ^ (self.bits(flag as usize, 1)? == 1))
     }
 
     fn residual(&mut self, trust: Trust, _: u16) -> Result<u16> {

@@ -1,4 +1,46 @@
-//! Ranges of codes, bit-equal on every machine.
+//! Face layout of a range map, and the ranges of its codes, bit-equal on every machine.
+
+use crate::base::{Error, Result, number};
+
+/// Maximum logarithm of the ratio of two consecutive codes' ranges.
+pub const MAX_STEP: f64 = 700.0 / 65535.0;
+
+/// Layout of a map's faces, and its listed tiles.
+#[derive(Clone, Copy, Debug)]
+pub struct Faces<'a> {
+    /// Texels along a face.
+    pub size: usize,
+    /// Texels along a tile; it divides `size`.
+    pub tile: usize,
+    /// Ascending numbers of the tiles in which texels may change, by face, row and column.
+    pub listed: &'a [u32],
+    /// Natural logarithm of the ratio of two consecutive codes' ranges.
+    pub step: f64,
+}
+
+impl Faces<'_> {
+    /// Returns the number of faces for a number of texels.
+    pub(super) fn count(&self, texels: usize) -> Result<usize> {
+        let Self { size, tile, listed, step } = *self;
+        let area = size.checked_mul(size).filter(|&area| area > 0 && texels.is_multiple_of(area));
+        let Some(area) = area.filter(|_| tile > 0 && size.is_multiple_of(tile)) else {
+            return Err(Error::value("tile", "a divisor of the face size, and whole faces", tile));
+        };
+        let tiles = texels / (tile * tile);
+        if !listed.is_sorted_by(|a, b| a < b) || listed.last().is_some_and(|&last| last as usize >= tiles) {
+            return Err(Error::value("tiles", format!("ascending numbers below {tiles}"), "others"));
+        }
+        if !(step > 0.0 && step <= MAX_STEP) {
+            return Err(Error::value("step", format!("a number from 0 to {MAX_STEP}"), number(step)));
+        }
+        Ok(texels / area)
+    }
+
+    /// Returns whether a tile is listed.
+    pub(super) fn lists(&self, tile: usize) -> bool {
+        self.listed.binary_search_by(|&listed| (listed as usize).cmp(&tile)).is_ok()
+    }
+}
 
 /// Code of texels without a surface.
 pub const NOTHING: u16 = u16::MAX;
@@ -38,8 +80,8 @@ impl Scale {
         }
         let range = distance / nearness;
         let (low, high) = (usize::from(guess).saturating_sub(NEARBY), usize::from(guess) + NEARBY);
-        let is_below = |place: usize| place == 0 || self.ends[place - 1] <= range;
-        let is_above = |place: usize| self.ends.get(place).is_none_or(|&end| range < end);
+        let is_below = |code: usize| code == 0 || self.ends[code - 1] <= range;
+        let is_above = |code: usize| self.ends.get(code).is_none_or(|&end| range < end);
         let (from, to) =
             if high < self.ends.len() && is_below(low) && is_above(high) { (low, high) } else { (0, self.ends.len()) };
         (from + self.ends[from..to].partition_point(|&end| end <= range)) as u16

@@ -1,21 +1,55 @@
 //! Prediction of texels from texels visited before.
 
-use super::faces::Faces;
-use super::planes::{Link, Trust, damaged};
-use super::runs::Run;
-use super::scale::{NOTHING, Scale};
+use super::planes::{Flag, Link, Trust, damaged};
+use super::scale::{Faces, NOTHING, Scale};
 use crate::base::{Progress, Result};
 
-/// Texels from which a run predicts, and from which a single run, or two that agree, is trusted.
-const MIN: u32 = 3;
-const LONG: u32 = 8;
-/// Maximum code difference between a texel and its run, and between the first two texels of a run.
-const FIT: u16 = 1;
-const FIRST_FIT: u16 = 64;
+/// Number of texels that a fit remembers.
+const MEMORY: u32 = 128;
+/// Minimum number of texels of a run that predicts.
+const MIN_RUN: u32 = 3;
+/// Number of texels above which a run is trusted; two runs that agree are trusted above twice this number.
+const TRUSTED_RUN: u32 = 8;
+/// Maximum code difference between a texel and its run.
+const MAX_DIFFERENCE: u16 = 1;
+/// Maximum code difference between the first two texels of a run.
+const MAX_FIRST_DIFFERENCE: u16 = 64;
 /// Maximum code difference between the left and the upper neighbour of a calm texel.
-const CALM: u16 = 8;
+const MAX_CALM_DIFFERENCE: u16 = 8;
 
-/// State kept from texel to texel.
+/// Least-squares line through the values of consecutive texels of a row or a column that lie on one plane.
+#[derive(Clone, Copy, Debug, Default)]
+struct Run {
+    value: f64,
+    slope: f64,
+    /// Number of texels on the line; 0 for none.
+    count: u32,
+}
+
+impl Run {
+    /// Extrapolates the line to the next texel.
+    fn next(&self) -> f64 {
+        self.value + self.slope
+    }
+
+    /// Adds the next texel; starts a new line if it does not fit.
+    ///
+    /// Least squares over n texels move the line by (4n − 2)/(n(n + 1)) of the error, and its slope by 6/(n(n + 1)).
+    fn add(&mut self, value: f64, fits: bool) {
+        if !fits || self.count == 0 {
+            *self = Self { value, slope: 0.0, count: 1 };
+            return;
+        }
+        let error = value - self.next();
+        self.count = (self.count + 1).min(MEMORY);
+        let n = f64::from(self.count);
+        let scale = 1.0 / (n * (n + 1.0));
+        self.value = self.next() + (4.0 * n - 2.0) * scale * error;
+        self.slope += 6.0 * scale * error;
+    }
+}
+
+/// State between texels.
 pub(super) struct Walk<'a> {
     faces: Faces<'a>,
     scale: Scale,
@@ -52,11 +86,11 @@ impl<'a> Walk<'a> {
         self.last = 0;
         let mut face = Face { codes, before, changed, link };
         for band in 0..across {
-            let listed = self.listed_tiles(number * across + band);
+            let tiles = (number * across + band) * across..(number * across + band + 1) * across;
+            let listed: Vec<bool> = tiles.map(|tile| self.faces.lists(tile)).collect();
             let visited: Vec<bool> = listed.iter().map(|&is_listed| is_listed || before.is_none()).collect();
-            let starts = band == 0;
             for (run, column) in self.columns.iter_mut().zip(0..) {
-                if starts || !visited[column / tile] {
+                if band == 0 || !visited[column / tile] {
                     *run = Run::default();
                 }
             }
@@ -68,16 +102,9 @@ impl<'a> Walk<'a> {
         Ok(())
     }
 
-    /// Returns, for each tile of a row of tiles, whether it is listed.
-    fn listed_tiles(&self, row: usize) -> Vec<bool> {
-        let across = self.faces.size / self.faces.tile;
-        let is_listed = |tile: usize| self.faces.listed.binary_search_by(|&own| (own as usize).cmp(&tile)).is_ok();
-        (row * across..(row + 1) * across).map(is_listed).collect()
-    }
-
     fn row(&mut self, y: usize, visited: &[bool], listed: &[bool], face: &mut Face<'_, impl Link>) -> Result<()> {
         let Faces { size, tile, .. } = self.faces;
-        let centre = |place: usize| (2 * place + 1) as f64 / size as f64 - 1.0;
+        let centre = |texel: usize| (2 * texel + 1) as f64 / size as f64 - 1.0;
         let v = centre(y);
         let mut run = Run::default();
         for x in 0..size {
@@ -87,56 +114,57 @@ impl<'a> Walk<'a> {
             }
             let around = Around::new(x, y, size);
             if listed[x / tile] {
-                let place = around.place;
-                face.changed[place] = face.link.changed(around.predicted_change(face), face.changed[place])?;
+                let texel = around.texel;
+                face.changed[texel] =
+                    face.link.flag(Flag::Changed, around.predicted_change(face), face.changed[texel])?;
             }
             let u = centre(x);
-            self.texel(&around, (1.0 + u * u + v * v).sqrt(), &mut run, face)?;
+            self.visit(&around, (1.0 + u * u + v * v).sqrt(), &mut run, face)?;
         }
         Ok(())
     }
 
-    /// Codes a texel if it is new, and adds it to its row's and column's runs.
-    fn texel(&mut self, around: &Around, distance: f64, row: &mut Run, face: &mut Face<'_, impl Link>) -> Result<()> {
-        let (place, column) = (around.place, &mut self.columns[around.x]);
-        let is_new = face.before.is_none() || face.changed[place];
-        let mut is_nothing = face.codes[place] == NOTHING;
+    /// Codes a texel if its code changes or there are no previous codes; adds it to its row's and column's runs.
+    fn visit(&mut self, around: &Around, distance: f64, row: &mut Run, face: &mut Face<'_, impl Link>) -> Result<()> {
+        let (texel, column) = (around.texel, &mut self.columns[around.x]);
+        let is_new = face.before.is_none() || face.changed[texel];
+        let mut is_nothing = face.codes[texel] == NOTHING;
         if is_new {
-            is_nothing = face.link.nothing(around.predicted_nothing(face.codes), is_nothing)?;
+            is_nothing = face.link.flag(Flag::Nothing, around.predicted_nothing(face.codes), is_nothing)?;
         }
         if is_nothing {
-            face.codes[place] = NOTHING;
+            face.codes[texel] = NOTHING;
             (*row, *column) = (Run::default(), Run::default());
             return Ok(());
         }
         let neighbour = around.predicted(face.codes, self.last);
-        let along = |run: &Run| (run.count > 0).then(|| self.scale.code(run.next(), distance, neighbour));
-        let (by_row, by_column) = (along(row), along(column));
+        let run_code = |run: &Run| (run.count > 0).then(|| self.scale.code(run.next(), distance, neighbour));
+        let (by_row, by_column) = (run_code(row), run_code(column));
         if is_new {
-            let (guess, trust) = match (by_row.filter(|_| row.count >= MIN), by_column.filter(|_| column.count >= MIN))
-            {
-                (Some(a), Some(b)) if a.abs_diff(b) <= FIT => {
+            let run_codes = (by_row.filter(|_| row.count >= MIN_RUN), by_column.filter(|_| column.count >= MIN_RUN));
+            let (guess, trust) = match run_codes {
+                (Some(a), Some(b)) if a.abs_diff(b) <= MAX_DIFFERENCE => {
                     let (n, m) = (f64::from(row.count), f64::from(column.count));
                     let mean = (row.next() * n + column.next() * m) / (n + m);
-                    let trust = if row.count + column.count > 2 * LONG { Trust::High } else { Trust::Some };
+                    let trust = if row.count + column.count > 2 * TRUSTED_RUN { Trust::High } else { Trust::Some };
                     (self.scale.code(mean, distance, a), trust)
                 }
                 (Some(a), Some(b)) => (if a.abs_diff(neighbour) <= b.abs_diff(neighbour) { a } else { b }, Trust::Some),
-                (Some(code), None) if code.abs_diff(neighbour) <= FIT => (code, trust_in(row)),
-                (None, Some(code)) if code.abs_diff(neighbour) <= FIT => (code, trust_in(column)),
+                (Some(code), None) if code.abs_diff(neighbour) <= MAX_DIFFERENCE => (code, trust_in(row)),
+                (None, Some(code)) if code.abs_diff(neighbour) <= MAX_DIFFERENCE => (code, trust_in(column)),
                 _ => (neighbour, around.trust(face.codes)),
             };
-            let residual = face.link.residual(trust, fold(face.codes[place].wrapping_sub(guess)))?;
-            face.codes[place] = guess.wrapping_add(unfold(residual));
-            if face.codes[place] == NOTHING {
+            let residual = face.link.residual(trust, fold(face.codes[texel].wrapping_sub(guess)))?;
+            face.codes[texel] = guess.wrapping_add(unfold(residual));
+            if face.codes[texel] == NOTHING {
                 return Err(damaged("a surface without range"));
             }
         }
-        let code = face.codes[place];
+        let code = face.codes[texel];
         let nearness = self.scale.nearness(code, distance);
         for (run, guess) in [(row, by_row), (column, by_column)] {
-            let most = if run.count < 2 { FIRST_FIT } else { FIT };
-            run.add(nearness, guess.is_some_and(|guess| guess.abs_diff(code) <= most));
+            let max_difference = if run.count < 2 { MAX_FIRST_DIFFERENCE } else { MAX_DIFFERENCE };
+            run.add(nearness, guess.is_some_and(|guess| guess.abs_diff(code) <= max_difference));
         }
         self.last = code;
         Ok(())
@@ -144,13 +172,13 @@ impl<'a> Walk<'a> {
 }
 
 fn trust_in(run: &Run) -> Trust {
-    if run.count > LONG { Trust::High } else { Trust::Some }
+    if run.count > TRUSTED_RUN { Trust::High } else { Trust::Some }
 }
 
 /// A texel and its neighbours to the left, above, above left and above right, if the face has them.
 struct Around {
     x: usize,
-    place: usize,
+    texel: usize,
     left: Option<usize>,
     above: Option<usize>,
     corner: Option<usize>,
@@ -159,26 +187,26 @@ struct Around {
 
 impl Around {
     fn new(x: usize, y: usize, size: usize) -> Self {
-        let place = y * size + x;
+        let texel = y * size + x;
         Self {
             x,
-            place,
-            left: (x > 0).then(|| place - 1),
-            above: (y > 0).then(|| place - size),
-            corner: (x > 0 && y > 0).then(|| place - size - 1),
-            right: (x + 1 < size && y > 0).then(|| place - size + 1),
+            texel,
+            left: (x > 0).then(|| texel - 1),
+            above: (y > 0).then(|| texel - size),
+            corner: (x > 0 && y > 0).then(|| texel - size - 1),
+            right: (x + 1 < size && y > 0).then(|| texel - size + 1),
         }
     }
 
     /// Predicts the change of the neighbour whose previous range was nearest to the texel's.
     fn predicted_change(&self, face: &Face<'_, impl Link>) -> bool {
-        let changes = |place: usize| face.changed[place];
+        let changes = |texel: usize| face.changed[texel];
         let (Some(left), Some(above)) = (self.left, self.above) else {
             return self.left.or(self.above).is_some_and(changes);
         };
         match face.before {
             Some(before) => {
-                let step = |place: usize| before[place].abs_diff(before[self.place]);
+                let step = |texel: usize| before[texel].abs_diff(before[self.texel]);
                 changes(if step(left) <= step(above) { left } else { above })
             }
             None => median(changes(left), changes(above), self.corner.is_some_and(changes)),
@@ -186,15 +214,14 @@ impl Around {
     }
 
     fn predicted_nothing(&self, codes: &[u16]) -> bool {
-        let is_nothing = |place: Option<usize>| place.is_none_or(|place| codes[place] == NOTHING);
+        let is_nothing = |texel: Option<usize>| texel.is_none_or(|texel| codes[texel] == NOTHING);
         median(is_nothing(self.left), is_nothing(self.above), is_nothing(self.corner))
     }
 
     /// Returns the trust in `predicted`.
     fn trust(&self, codes: &[u16]) -> Trust {
-        let hit = |place: Option<usize>| place.map(|place| codes[place]).filter(|&code| code != NOTHING);
-        match (hit(self.left), hit(self.above)) {
-            (Some(left), Some(above)) if left.abs_diff(above) <= CALM => Trust::Calm,
+        match (surface_code(codes, self.left), surface_code(codes, self.above)) {
+            (Some(left), Some(above)) if left.abs_diff(above) <= MAX_CALM_DIFFERENCE => Trust::Calm,
             _ => Trust::Low,
         }
     }
@@ -202,15 +229,20 @@ impl Around {
     /// Returns the median of left, above and left + above − corner; if one of them is missing, the first available
     /// one, or `last`.
     fn predicted(&self, codes: &[u16], last: u16) -> u16 {
-        let hit = |place: Option<usize>| place.map(|place| codes[place]).filter(|&code| code != NOTHING);
-        let (left, above, corner) = (hit(self.left), hit(self.above), hit(self.corner));
+        let code = |texel| surface_code(codes, texel);
+        let (left, above, corner) = (code(self.left), code(self.above), code(self.corner));
         let (Some(left), Some(above), Some(corner)) = (left, above, corner) else {
-            return left.or(above).or(corner).or(hit(self.right)).unwrap_or(last);
+            return left.or(above).or(corner).or(code(self.right)).unwrap_or(last);
         };
         let (low, high) = (left.min(above), left.max(above));
         let plane = i32::from(left) + i32::from(above) - i32::from(corner);
         plane.clamp(low.into(), high.into()) as u16
     }
+}
+
+/// Returns the code of a texel; `None` outside the face and without a surface.
+fn surface_code(codes: &[u16], texel: Option<usize>) -> Option<u16> {
+    texel.map(|texel| codes[texel]).filter(|&code| code != NOTHING)
 }
 
 /// Returns the median of left, above and left + above − corner for flags: both without the corner's flag, otherwise
@@ -226,4 +258,26 @@ fn fold(difference: u16) -> u16 {
 
 fn unfold(folded: u16) -> u16 {
     (folded >> 1) ^ (folded & 1).wrapping_neg()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_run_is_the_line_of_least_squares() {
+        let values = [3.0, 4.5, 4.0, 7.0, 9.5, 8.0];
+        let mut run = Run::default();
+        for (place, &value) in values.iter().enumerate() {
+            run.add(value, true);
+            let n = place as f64 + 1.0;
+            let (mean_x, mean_y) = ((n - 1.0) / 2.0, values[..=place].iter().sum::<f64>() / n);
+            let pairs = || values[..=place].iter().enumerate().map(|(x, y)| (x as f64 - mean_x, y - mean_y));
+            let spread = pairs().map(|(x, _)| x * x).sum::<f64>();
+            let slope = if spread > 0.0 { pairs().map(|(x, y)| x * y).sum::<f64>() / spread } else { 0.0 };
+            assert!((run.next() - (mean_y + slope * (n - mean_x))).abs() < 1e-12, "{place}");
+        }
+        run.add(1.0, false);
+        assert_eq!((run.next(), run.count), (1.0, 1));
+    }
 }

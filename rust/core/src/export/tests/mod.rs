@@ -138,10 +138,10 @@ fn compressed_arrays_are_the_plain_ones_bit_for_bit() {
         Read::new(&file.bytes, &[])
     });
     let primitives = |file: &Read| file.list("meshes")[0]["primitives"].as_array().unwrap().clone();
-    let (one, other) = (primitives(&plain), primitives(&compressed));
+    let (plain_primitives, compressed_primitives) = (primitives(&plain), primitives(&compressed));
     // No material, the blue one, which needs no texture coordinates, and the textured one.
-    assert_eq!((one.len(), other.len()), (3, 3));
-    for (one, other) in one.iter().zip(&other) {
+    assert_eq!((plain_primitives.len(), compressed_primitives.len()), (3, 3));
+    for (one, other) in plain_primitives.iter().zip(&compressed_primitives) {
         // The codec for triangles may rotate the corners.
         let from_least = |corners: Vec<u32>| -> Vec<[u32; 3]> {
             let turned = |&[a, b, c]: &[u32; 3]| [[a, b, c], [b, c, a], [c, a, b]].into_iter().min();
@@ -162,7 +162,8 @@ fn compressed_arrays_are_the_plain_ones_bit_for_bit() {
             assert!(short.distance(Vec3::from_array(*exact)) < 1e-6);
         }
     }
-    assert_eq!(one.iter().filter(|primitive| primitive["attributes"].get("TEXCOORD_0").is_some()).count(), 1);
+    let textured = plain_primitives.iter().filter(|primitive| primitive["attributes"].get("TEXCOORD_0").is_some());
+    assert_eq!(textured.count(), 1);
     assert!(plain.document.get("extensionsUsed").is_none());
 }
 
@@ -219,12 +220,10 @@ fn mirrored_placements_keep_their_fronts() {
         let file = glb(&export, 0);
         let found = Read::new(&file.bytes, &[]).triangles();
         // A coarse unit with few corners near its edges: this compares the winding, not the error.
+        let normal = |[a, b, c]: &[DVec3; 3]| (b - a).cross(c - a).normalize().to_array();
         let normals = |triangles: &[[DVec3; 3]]| {
-            let mut normals: Vec<[i64; 3]> = triangles
-                .iter()
-                .map(|[a, b, c]| (b - a).cross(c - a).normalize().to_array())
-                .map(|n| n.map(|x| (x * 20.0).round() as i64))
-                .collect();
+            let rounded = triangles.iter().map(|corners| normal(corners).map(|x| (x * 20.0).round() as i64));
+            let mut normals: Vec<[i64; 3]> = rounded.collect();
             normals.sort_unstable();
             normals
         };
@@ -289,10 +288,8 @@ fn normals_and_faces_show_one_side() {
     let none = FaceMap::Uniform(-1);
     let mesh = Mesh::new(positions.into(), faces.into(), None, None, none.clone(), none).unwrap();
     let mesh = Arc::new(mesh.with_normals(Some(normals.into())).unwrap());
-    let file = Read::new(
-        &glb(&export(&scene(vec![instance(&mesh, DAffine3::IDENTITY, 0)], vec![]), &[0, 0], 1, PLAIN), 0).bytes,
-        &[],
-    );
+    let scene = scene(vec![instance(&mesh, DAffine3::IDENTITY, 0)], vec![]);
+    let file = Read::new(&glb(&export(&scene, &[0, 0], 1, PLAIN), 0).bytes, &[]);
     let primitives = file.list("meshes")[0]["primitives"].as_array().unwrap();
     assert_eq!(primitives.len(), 2);
     let lit = primitives.iter().find(|primitive| primitive["attributes"].get("NORMAL").is_some()).unwrap();
@@ -307,11 +304,8 @@ fn bytes_do_not_depend_on_the_number_of_threads() {
     let materials = || FaceMap::PerFace((0..5000).map(|face| face % 3 - 1).collect());
     let mesh = Arc::new(random_mesh(41, 5000, FaceMap::Uniform(-1), materials()));
     let tree = plain_mesh(42, 100);
-    let standing = vec![
-        instance(&mesh, DAffine3::IDENTITY, 0),
-        instance(&tree, pose(1, 9.0), 0),
-        instance(&tree, pose(2, 9.0), 0),
-    ];
+    let trees = [1, 2].map(|seed| instance(&tree, pose(seed, 9.0), 0));
+    let standing = [instance(&mesh, DAffine3::IDENTITY, 0)].into_iter().chain(trees).collect();
     let scene = scene(standing, vec![instance(&plain_mesh(43, 10), pose(3, 9.0), 1)]);
     let files = [1, 2].map(|threads| {
         let pool = ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
@@ -325,14 +319,8 @@ fn bytes_do_not_depend_on_the_number_of_threads() {
 
 #[test]
 fn groups_without_triangles_are_files_without_meshes() {
-    let flat = Mesh::new(
-        vec![[0.0; 3]; 3].into(),
-        vec![[0, 1, 2]].into(),
-        None,
-        None,
-        FaceMap::Uniform(0),
-        FaceMap::Uniform(0),
-    );
+    let zero = FaceMap::Uniform(0);
+    let flat = Mesh::new(vec![[0.0; 3]; 3].into(), vec![[0, 1, 2]].into(), None, None, zero.clone(), zero);
     let flat = Arc::new(flat.unwrap());
     let standing = vec![instance(&flat, DAffine3::IDENTITY, 0), instance(&flat, pose(1, 1.0), 0)];
     let lone = Instance::new(Arc::clone(&plain_mesh(1, 0)), DAffine3::IDENTITY, Some(1)).unwrap();

@@ -4,13 +4,9 @@
 //! - discontinuity, the mean over N_p of |p − q| / |p₀(p) − p₀(q)| − 1. Popescu, Lee, Choi, Fahmy (2022), Eq. 5–6;
 //! - tear: RMS residual of the best affine map from N_p and p in the truth to the picture, in pixels.
 
-mod affine;
 mod discontinuity;
-mod neighbourhood;
-mod pairs;
 mod points;
 mod tear;
 
-pub use discontinuity::discontinuity;
-pub use neighbourhood::Neighbourhood;
+pub use discontinuity::{Neighbourhood, discontinuity};
 pub use tear::{Border, Tears, tear};

@@ -13,8 +13,10 @@ use crate::camera::Camera;
 pub(super) const LANES: usize = 16;
 /// Bands per ε: narrower bands hold fewer points that are too far away, wider bands are fewer.
 pub(super) const BANDS: usize = 4;
+/// Points between two reports of progress.
+pub(super) const REPORTED_POINTS: usize = 1 << 10;
 /// Maximum coordinate in pixels of the truth: float32 has no fractions beyond it, and such points have no neighbours.
-const MAX_PLACE: f64 = 1e7;
+const MAX_COORDINATE: f64 = 1e7;
 
 /// Points by their position in the truth: in bands of y, each sorted by x. A position is the pixel plus a separate
 /// shift, because float32 alone would be off by 1e-4 pixels and lose exact positions. The arrays end with padding for
@@ -34,15 +36,21 @@ pub(super) struct TruthPoints {
 
 /// A point before sorting.
 #[derive(Clone, Copy)]
-struct TruthPlace {
+struct TruthPosition {
     band: i64,
     pixel: u32,
     truth: DVec2,
 }
 
+/// Points of a band that may be neighbours: their x in the truth differs by at most `reach`.
+pub(super) struct Target {
+    pub range: Range<usize>,
+    pub reach: f32,
+}
+
 /// Returns the maximum distance in x between neighbours in bands that are `apart`; `None` if the bands are too far
 /// apart.
-pub(super) fn reach(apart: u64, epsilon: f64) -> Option<f32> {
+fn reach(apart: u64, epsilon: f64) -> Option<f32> {
     if apart > BANDS as u64 {
         return None;
     }
@@ -73,52 +81,66 @@ impl TruthPoints {
         if u32::try_from(position.len()).is_err() || width == 0 {
             return Err(Error::value("frame", "fewer than 2³² pixels", position.len()));
         }
-        let place = |(pixel, at): (usize, &[f32; 3])| {
+        let position_of = |(pixel, position): (usize, &[f32; 3])| {
             progress.check().ok()?;
-            let point = Vec3::from_array(*at).as_dvec3() + origin;
-            let truth = truth.project(point).filter(|there| there.is_finite())?.truncate();
-            let is_near = truth.abs().max_element() < MAX_PLACE;
+            let point = Vec3::from_array(*position).as_dvec3() + origin;
+            let truth = truth.project(point).filter(|position| position.is_finite())?.truncate();
+            let is_near = truth.abs().max_element() < MAX_COORDINATE;
             // The cast saturates.
             let band = (truth.y * BANDS as f64 / epsilon).floor() as i64;
-            is_near.then_some(TruthPlace { band, pixel: pixel as u32, truth })
+            is_near.then_some(TruthPosition { band, pixel: pixel as u32, truth })
         };
-        let mut places: Vec<TruthPlace> = position.par_iter().enumerate().filter_map(place).collect();
-        sort::sort_by_key(&mut places, |place| place.band, progress)?;
+        let mut positions: Vec<TruthPosition> = position.par_iter().enumerate().filter_map(position_of).collect();
+        sort::sort_by_key(&mut positions, |point| point.band, progress)?;
         let mut bands: Vec<(i64, Range<usize>)> = Vec::new();
-        for (n, place) in places.iter().enumerate() {
+        for (n, point) in positions.iter().enumerate() {
             match bands.last_mut() {
-                Some((band, range)) if *band == place.band => range.end = n + 1,
-                _ => bands.push((place.band, n..n + 1)),
+                Some((band, range)) if *band == point.band => range.end = n + 1,
+                _ => bands.push((point.band, n..n + 1)),
             }
         }
-        let mut rest = &mut places[..];
+        let mut remaining = &mut positions[..];
         let mut slices = Vec::with_capacity(bands.len());
         for (_, range) in &bands {
-            let (band, others) = rest.split_at_mut(range.len());
+            let (band, later) = remaining.split_at_mut(range.len());
             slices.push(band);
-            rest = others;
+            remaining = later;
         }
         slices
             .into_par_iter()
-            .try_for_each(|band| sort::sort_by_key(band, |place| Ordered(place.truth.x), progress))?;
-        let here = |place: &TruthPlace| {
-            let (column, row) = (place.pixel as usize % width, place.pixel as usize / width);
+            .try_for_each(|band| sort::sort_by_key(band, |point| Ordered(point.truth.x), progress))?;
+        let pixel_center = |point: &TruthPosition| {
+            let (column, row) = (point.pixel as usize % width, point.pixel as usize / width);
             DVec2::new(column as f64 + 0.5, row as f64 + 0.5)
         };
-        let values = |value: &(dyn Fn(&TruthPlace) -> f64 + Sync)| {
-            let mut values: Vec<f32> = places.par_iter().map(|place| value(place) as f32).collect();
-            values.resize(places.len() + LANES, 0.0);
+        let values = |value: &(dyn Fn(&TruthPosition) -> f64 + Sync)| {
+            let mut values: Vec<f32> = positions.par_iter().map(|point| value(point) as f32).collect();
+            values.resize(positions.len() + LANES, 0.0);
             progress.check().map(|()| values)
         };
         Ok(Self {
-            x: values(&|place| here(place).x)?,
-            y: values(&|place| here(place).y)?,
-            shift_x: values(&|place| place.truth.x - here(place).x)?,
-            shift_y: values(&|place| place.truth.y - here(place).y)?,
-            truth_x: values(&|place| place.truth.x)?,
-            pixel: places.par_iter().map(|place| place.pixel).collect(),
+            x: values(&|point| pixel_center(point).x)?,
+            y: values(&|point| pixel_center(point).y)?,
+            shift_x: values(&|point| point.truth.x - pixel_center(point).x)?,
+            shift_y: values(&|point| point.truth.y - pixel_center(point).y)?,
+            truth_x: values(&|point| point.truth.x)?,
+            pixel: positions.par_iter().map(|point| point.pixel).collect(),
             bands,
         })
+    }
+
+    /// Returns those of some bands that may contain neighbours of a band's points.
+    pub fn targets<'a>(
+        &self,
+        band: usize,
+        others: impl Iterator<Item = &'a (i64, Range<usize>)>,
+        epsilon: f64,
+    ) -> Vec<Target> {
+        let number = self.bands[band].0;
+        let target = |(other, range): &(i64, Range<usize>)| {
+            Some(Target { range: range.clone(), reach: reach(other.abs_diff(number), epsilon)? })
+        };
+        others.filter_map(target).collect()
     }
 
     pub fn len(&self) -> usize {

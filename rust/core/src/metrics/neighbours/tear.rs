@@ -1,21 +1,23 @@
-//! Tear map of a frame.
+//! Tear map of a frame: residuals of the least-squares affine maps of neighbourhoods.
 
 use std::ops::Range;
 
-use glam::DVec3;
+use glam::{DMat2, DVec2, DVec3};
 use rayon::prelude::*;
 
-use super::affine::{LaneMoments, Moments, WIDE};
-use super::points::{BANDS, LANES, TruthPoints, reach};
+use super::points::{BANDS, LANES, REPORTED_POINTS, Target, TruthPoints};
 use crate::base::simd::vectorized;
-use crate::base::{Progress, Result};
+use crate::base::{Progress, Real, Result};
 use crate::camera::Camera;
 
 /// Root-mean-square residual of the best affine map of a disc that is torn by one pixel along a diameter: its x, of
 /// variance ¼, explains (2/3π)² / ¼ of the step's variance ¼, which leaves √(¼ − 4 (2/3π)²).
 const UNIT_STEP: f64 = 0.264_335_868_4;
-/// Points between two reports of progress.
-const REPORTED_POINTS: usize = 1 << 10;
+
+/// Neighbours summed per vector operation.
+const WIDE: usize = 8;
+/// Relative spread across a line below which neighbours count as collinear, up to float32's rounding.
+const COLLINEAR_SPREAD: f64 = 1e-9;
 
 /// Per-pixel flags that select pixels and mark the border.
 #[derive(Clone, Copy, Default)]
@@ -53,23 +55,26 @@ pub fn tear(
         None => vec![0.0; points.len()],
     };
     let sides = [sides, vec![0.0; LANES]].concat();
-    let band = |band: usize| {
+    let band_moments = |band: usize| {
         let own = points.bands[band].1.clone();
-        let targets = targets(&points, band, epsilon);
-        let mut found = Vec::with_capacity(own.len());
+        let (before, behind) = points.bands.split_at(band);
+        let near = before.iter().rev().take(BANDS + 1).chain(behind.iter().take(BANDS + 2));
+        let targets = points.targets(band, near, epsilon);
+        let mut moments = Vec::with_capacity(own.len());
         for from in own.clone().step_by(REPORTED_POINTS) {
             let source = from..own.end.min(from + REPORTED_POINTS);
             progress.report(source.len() as u64)?;
-            gather(&points, &sides, border.wanted, source, &targets, epsilon as f32, &mut found);
+            gather(&points, &sides, border.wanted, source, &targets, epsilon as f32, &mut moments);
         }
-        Ok(found)
+        Ok(moments)
     };
-    let found: Vec<Vec<Moments>> = (0..points.bands.len()).into_par_iter().map(band).collect::<Result<_>>()?;
+    let moments: Vec<Vec<Moments>> =
+        (0..points.bands.len()).into_par_iter().map(band_moments).collect::<Result<_>>()?;
     let mut tears = Tears {
         tear: vec![f32::NAN; position.len()],
         parted: vec![false; if border.side.is_some() { position.len() } else { 0 }],
     };
-    for (n, moments) in found.iter().flatten().enumerate() {
+    for (n, moments) in moments.iter().flatten().enumerate() {
         let pixel = points.pixel[n] as usize;
         if moments.count > 1.0 {
             tears.tear[pixel] = (moments.residual() / UNIT_STEP) as f32;
@@ -81,23 +86,6 @@ pub fn tear(
     Ok(tears)
 }
 
-/// Points of a band that may be neighbours, by their x in the truth.
-struct Target {
-    range: Range<usize>,
-    reach: f32,
-}
-
-/// Returns the bands that may contain neighbours of a band's points: itself and those on both sides.
-fn targets(points: &TruthPoints, band: usize, epsilon: f64) -> Vec<Target> {
-    let number = points.bands[band].0;
-    let (before, behind) = points.bands.split_at(band);
-    let sides = before.iter().rev().take(BANDS + 1).chain(behind.iter().take(BANDS + 2));
-    let sides = sides.filter_map(|(other, range)| {
-        Some(Target { range: range.clone(), reach: reach(other.abs_diff(number), epsilon)? })
-    });
-    sides.collect()
-}
-
 vectorized! {
     fn gather(
         points: &TruthPoints,
@@ -106,40 +94,128 @@ vectorized! {
         source: Range<usize>,
         targets: &[Target],
         epsilon: f32,
-        found: &mut Vec<Moments>,
-    ) = fused moments;
+        moments: &mut Vec<Moments>,
+    ) = fused moments_kernel;
 }
 
 /// Computes the moments of some of a band's points.
 #[inline(always)]
-fn moments<const FUSED: bool>(
+fn moments_kernel<const FUSED: bool>(
     points: &TruthPoints,
     sides: &[f32],
     wanted: Option<&[bool]>,
     source: Range<usize>,
     targets: &[Target],
     epsilon: f32,
-    found: &mut Vec<Moments>,
+    moments: &mut Vec<Moments>,
 ) {
     for n in source {
         if wanted.is_some_and(|wanted| !wanted[points.pixel[n] as usize]) {
-            found.push(Moments::default());
+            moments.push(Moments::default());
             continue;
         }
         let truth = points.truth_x[n];
-        let mut sums = LaneMoments::default();
+        let mut sums = [[0.0; WIDE]; TERMS];
         for target in targets {
             let near = &points.truth_x[target.range.clone()];
             // float32 steps at positions of millions of pixels.
             let reach = target.reach + 1e-6 * truth.abs();
             let from = target.range.start + near.partition_point(|&x| x < truth - reach);
             let to = target.range.start + near.partition_point(|&x| x <= truth + reach);
-            let mut at = from;
-            while at < to {
-                sums.add::<FUSED>(points, sides, [at, to - at, n], epsilon * epsilon);
-                at += WIDE;
+            let mut start = from;
+            while start < to {
+                add_terms::<FUSED>(&mut sums, points, sides, [start, to - start, n], epsilon * epsilon);
+                start += WIDE;
             }
         }
-        found.push(sums.total());
+        moments.push(Moments::new(sums));
+    }
+}
+
+/// Sums over a pixel and its neighbours: positions in the truth, and shifts from there to the picture, both relative
+/// to the pixel's own. An affine fit of the shifts has the same residual as one of the positions in the picture.
+#[derive(Clone, Copy, Debug, Default)]
+struct Moments {
+    count: f64,
+    /// Number of points on the far side of the border.
+    side: f64,
+    position: DVec2,
+    shift: DVec2,
+    /// u², uv, v² of positions.
+    position_squares: [f64; 3],
+    /// |shift|².
+    shift_squares: f64,
+    /// Shifts times u, and times v.
+    mixed: [DVec2; 2],
+}
+
+impl Moments {
+    /// Creates moments from terms summed per lane.
+    fn new(sums: [[f64; WIDE]; TERMS]) -> Self {
+        let [count, side, u, v, x, y, uu, uv, vv, shift_squares, ux, uy, vx, vy] = sums.map(|lanes| lanes.iter().sum());
+        let (position, shift) = (DVec2::new(u, v), DVec2::new(x, y));
+        let mixed = [DVec2::new(ux, uy), DVec2::new(vx, vy)];
+        Self { count, side, position, shift, position_squares: [uu, uv, vv], shift_squares, mixed }
+    }
+
+    /// Returns the root-mean-square residual of the best affine map.
+    fn residual(&self) -> f64 {
+        let (mean, mean_shift) = (self.position / self.count, self.shift / self.count);
+        let [uu, uv, vv] = self.position_squares.map(|sum| sum / self.count);
+        let [uu, uv, vv] = [uu - mean.x * mean.x, uv - mean.x * mean.y, vv - mean.y * mean.y];
+        let covariance = DMat2::from_cols_array(&[uu, uv, uv, vv]);
+        let variance = self.shift_squares / self.count - mean_shift.length_squared();
+        let [by_u, by_v] = [0, 1].map(|axis| self.mixed[axis] / self.count - mean[axis] * mean_shift);
+        let mixed = [DVec2::new(by_u.x, by_v.x), DVec2::new(by_u.y, by_v.y)];
+        let explained: f64 = mixed.map(|mixed| mixed.dot(solve(covariance, mixed))).iter().sum();
+        (variance - explained).max(0.0).sqrt()
+    }
+}
+
+/// Returns the minimum-norm x with S x = c; S is symmetric, and c lies in its range.
+fn solve(covariance: DMat2, mixed: DVec2) -> DVec2 {
+    let (trace, determinant) = (covariance.x_axis.x + covariance.y_axis.y, covariance.determinant());
+    if trace <= 0.0 {
+        return DVec2::ZERO;
+    }
+    if determinant > COLLINEAR_SPREAD * trace * trace {
+        return covariance.inverse() * mixed;
+    }
+    // All points are collinear: S = trace · e eᵀ.
+    mixed / trace
+}
+
+/// Number of terms of moments: count, side, u, v, x, y, u², uv, v², x² + y², ux, uy, vx, vy, with (u, v) a position and
+/// (x, y) a shift.
+const TERMS: usize = 14;
+
+/// Adds the terms of `length` points from `start` on; only of those whose squared distance from point `n` is below
+/// `max_squared`.
+#[inline(always)]
+fn add_terms<const FUSED: bool>(
+    sums: &mut [[f64; WIDE]; TERMS],
+    points: &TruthPoints,
+    sides: &[f32],
+    [start, length, n]: [usize; 3],
+    max_squared: f32,
+) {
+    let lanes =
+        [&points.x, &points.y, &points.shift_x, &points.shift_y].map(|values| values[start..].first_chunk::<WIDE>());
+    let ([Some(x), Some(y), Some(shift_x), Some(shift_y)], Some(side)) = (lanes, sides[start..].first_chunk::<WIDE>())
+    else {
+        return;
+    };
+    let (own_x, own_y, own_shift) = (points.x[n], points.y[n], [points.shift_x[n], points.shift_y[n]]);
+    for lane in 0..WIDE {
+        let (dx, dy) = (shift_x[lane] - own_shift[0], shift_y[lane] - own_shift[1]);
+        let (u, v) = ((x[lane] - own_x) + dx, (y[lane] - own_y) + dy);
+        let counts = (f32::fuse::<FUSED>(u, u, v * v) < max_squared) & (lane < length);
+        let weight = if counts { 1.0 } else { 0.0 };
+        let [u, v, x, y] = [u, v, dx, dy].map(|value| if counts { f64::from(value) } else { 0.0 });
+        let side = weight * f64::from(side[lane]);
+        let terms = [weight, side, u, v, x, y, u * u, u * v, v * v, x * x + y * y, u * x, u * y, v * x, v * y];
+        for (sum, term) in sums.iter_mut().zip(terms) {
+            sum[lane] += term;
+        }
     }
 }

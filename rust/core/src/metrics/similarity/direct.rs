@@ -48,19 +48,19 @@ impl<'a> Patch<'a> {
                 let across = (part.columns[0] + column) as i64 - before;
                 let [at_row, at_column] = [mirror(down, size[0]), mirror(across, size[1])];
                 let within = down == at_row as i64 && across == at_column as i64;
-                if mask.is_none_or(|mask| within && mask.names(at_row, at_column)) {
-                    let at = row * width + column;
-                    patch.values[0][at] = pair.reference.value(at_row, at_column).wide();
-                    patch.values[1][at] = pair.test.value(at_row, at_column).wide();
-                    patch.seen[at] = 1.0;
+                if mask.is_none_or(|mask| within && mask.contains(at_row, at_column)) {
+                    let index = row * width + column;
+                    patch.values[0][index] = pair.reference.value(at_row, at_column).wide();
+                    patch.values[1][index] = pair.test.value(at_row, at_column).wide();
+                    patch.seen[index] = 1.0;
                 }
             }
         }
         patch
     }
 
-    /// Calls `found` with the number, similarity and contrast factor of each wanted window of a row.
-    pub fn measure_row(&self, row: usize, wanted: impl Fn(usize) -> bool, mut found: impl FnMut(usize, f64, f64)) {
+    /// Calls `report` with the number, similarity and contrast factor of each wanted window of a row.
+    pub fn measure_row(&self, row: usize, wanted: impl Fn(usize) -> bool, mut report: impl FnMut(usize, f64, f64)) {
         let columns = self.width + 1 - self.weights.len();
         for first in (0..columns).step_by(LANES) {
             if !(first..first + LANES).any(&wanted) {
@@ -69,7 +69,7 @@ impl<'a> Patch<'a> {
             let factors = measure_block(self, row * self.width + first);
             for (lane, &[similarity, contrast]) in factors.iter().enumerate() {
                 if wanted(first + lane) {
-                    found(first + lane, similarity, contrast);
+                    report(first + lane, similarity, contrast);
                 }
             }
         }
@@ -93,13 +93,14 @@ fn block(patch: &Patch<'_>, from: usize) -> [[f64; 2]; LANES] {
     let (mut total, mut x_mean, mut y_mean) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
     for (down, &down_weight) in weights.iter().enumerate() {
         for (across, &across_weight) in weights.iter().enumerate() {
-            let (at, weight) = (from + down * patch.width + across, down_weight * across_weight);
-            let (x, y, seen) = (&xs[at..at + LANES], &ys[at..at + LANES], &patch.seen[at..at + LANES]);
+            let (index, weight) = (from + down * patch.width + across, down_weight * across_weight);
+            let (x, y, seen) =
+                (&xs[index..index + LANES], &ys[index..index + LANES], &patch.seen[index..index + LANES]);
             for i in 0..LANES {
-                let share = weight * seen[i];
-                total[i] += share;
-                x_mean[i] += share * (x[i] - x_level[i]);
-                y_mean[i] += share * (y[i] - y_level[i]);
+                let tap_weight = weight * seen[i];
+                total[i] += tap_weight;
+                x_mean[i] += tap_weight * (x[i] - x_level[i]);
+                y_mean[i] += tap_weight * (y[i] - y_level[i]);
             }
         }
     }
@@ -107,16 +108,17 @@ fn block(patch: &Patch<'_>, from: usize) -> [[f64; 2]; LANES] {
         x_mean[i] /= total[i];
         y_mean[i] /= total[i];
     }
-    let (mut variances, mut apart) = ([0.0; LANES], [0.0; LANES]);
+    let (mut variances, mut difference_variances) = ([0.0; LANES], [0.0; LANES]);
     for (down, &down_weight) in weights.iter().enumerate() {
         for (across, &across_weight) in weights.iter().enumerate() {
-            let (at, weight) = (from + down * patch.width + across, down_weight * across_weight);
-            let (xs, ys, seen) = (&xs[at..at + LANES], &ys[at..at + LANES], &patch.seen[at..at + LANES]);
+            let (index, weight) = (from + down * patch.width + across, down_weight * across_weight);
+            let (xs, ys, seen) =
+                (&xs[index..index + LANES], &ys[index..index + LANES], &patch.seen[index..index + LANES]);
             for i in 0..LANES {
-                let share = weight * seen[i];
+                let tap_weight = weight * seen[i];
                 let (x, y) = ((xs[i] - x_level[i]) - x_mean[i], (ys[i] - y_level[i]) - y_mean[i]);
-                variances[i] += share * (x * x + y * y);
-                apart[i] += share * ((x - y) * (x - y));
+                variances[i] += tap_weight * (x * x + y * y);
+                difference_variances[i] += tap_weight * ((x - y) * (x - y));
             }
         }
     }
@@ -126,7 +128,7 @@ fn block(patch: &Patch<'_>, from: usize) -> [[f64; 2]; LANES] {
         let difference = (x_level[i] - y_level[i]) + (x_mean[i] - y_mean[i]);
         let means = [x * x + y * y + patch.constants[0], difference * difference];
         let (similarity, contrast) =
-            measured(means, [variances[i] / total[i] + patch.constants[1], apart[i] / total[i]]);
+            measured(means, [variances[i] / total[i] + patch.constants[1], difference_variances[i] / total[i]]);
         factors[i] = [similarity, contrast];
     }
     factors
@@ -136,7 +138,7 @@ fn block(patch: &Patch<'_>, from: usize) -> [[f64; 2]; LANES] {
 /// Arguments: the sum of both squared means and c₁, the square of their difference, the sum of both variances and c₂,
 /// and the variance of the difference.
 #[inline(always)]
-pub(super) fn measured([means, difference]: [f64; 2], [variances, apart]: [f64; 2]) -> (f64, f64) {
-    let contrast = (variances - apart) / variances;
+pub(super) fn measured([means, difference]: [f64; 2], [variances, difference_variance]: [f64; 2]) -> (f64, f64) {
+    let contrast = (variances - difference_variance) / variances;
     ((means - difference) / means * contrast, contrast)
 }

@@ -8,7 +8,7 @@ use super::super::pixel_rows::PixelRows;
 use super::super::plane::{Plane, Region};
 use super::direct::measured;
 use super::measure::power_sums;
-use super::window_sums::{Counted, Mask, SimilaritySums};
+use super::window::{Counted, Mask, SimilaritySums};
 use crate::base::Real;
 
 /// Number of pixels per task and per row segment: fixed, so that sums do not depend on the number of threads.
@@ -65,8 +65,8 @@ pub(super) fn global<P: PixelRows>(
     SimilaritySums { similarity: similarity * count, contrast: contrast * count, pixels: count, range }
 }
 
-fn add(sums: [f64; 5], addend: [f64; 5]) -> [f64; 5] {
-    std::array::from_fn(|i| sums[i] + addend[i])
+fn add(sums: [f64; 5], terms: [f64; 5]) -> [f64; 5] {
+    std::array::from_fn(|i| sums[i] + terms[i])
 }
 
 /// Returns the number of a row's pixels in the window, and their sums of s, d, s² and d².
@@ -88,7 +88,7 @@ fn row_sums<P: PixelRows>(
         if let Some(mask) = window_mask {
             for values in [&mut s, &mut d] {
                 let mut columns = columns.clone();
-                values.retain(|_| columns.next().is_some_and(|column| mask.names(row, column)));
+                values.retain(|_| columns.next().is_some_and(|column| mask.contains(row, column)));
             }
         }
         let [sum_s, sum_d, sum_ss, sum_dd] = power_sums(&s, &d);

@@ -1,16 +1,13 @@
 //! Similarity restricted to a mask: other pixels have weight 0, and the remaining weights of a window are scaled to
 //! sum to 1. Knutsson, Westin: Normalized and differential convolution, 1993.
 
-use rayon::prelude::*;
-
-use super::super::extremes::ValueRange;
-use super::super::lanes::{LANES, lanes};
+use super::super::extremes::{LANES, ValueRange, lanes};
 use super::super::pair::Pair;
 use super::super::pixel_rows::PixelRows;
 use super::super::plane::{Plane, Region};
 use super::direct::Patch;
 use super::measure::{Measure, Measurement};
-use super::window_sums::SimilaritySums;
+use super::window::{MapRows, SimilaritySums, sum_bands};
 use crate::base::simd::vectorized;
 use crate::base::{Progress, Real};
 
@@ -37,88 +34,80 @@ type Fields = [Vec<f64>; FIELDS];
 
 impl<P: PixelRows> Masked<'_, P> {
     /// Returns sums over the masked pixels. Other pixels of the map are NaN.
-    pub(super) fn sums(&self, map: Option<&mut [P::Real]>) -> SimilaritySums {
+    pub(super) fn sums(&self, mut map: Option<&mut [P::Real]>) -> SimilaritySums {
+        if let Some(map) = &mut map {
+            map.fill(P::Real::narrow(f64::NAN));
+        }
         let (height, width) = (self.mask.height, self.mask.width);
         let named = self.mask.bounds(Region { rows: [0, height], columns: [0, width] });
-        let rows = |band: usize| [band * ROWS, height.min((band + 1) * ROWS)];
-        let each: Vec<SimilaritySums> = match map {
-            Some(map) => {
-                map.fill(P::Real::narrow(f64::NAN));
-                let bands = map.par_chunks_mut(ROWS * width).enumerate();
-                bands.map(|(band, map)| self.band(named.within_rows(rows(band)), Some((map, band * ROWS)))).collect()
-            }
-            None => {
-                let bands = (0..height.div_ceil(ROWS)).into_par_iter();
-                bands.map(|band| self.band(named.within_rows(rows(band)), None)).collect()
-            }
-        };
-        each.into_iter().fold(SimilaritySums::default(), SimilaritySums::and)
+        sum_bands([height, width], ROWS, map, |rows, map| self.band(named.within_rows(rows), map))
     }
 
-    fn band(&self, part: Region, mut map: Option<(&mut [P::Real], usize)>) -> SimilaritySums {
+    fn band(&self, region: Region, mut map: Option<MapRows<'_, P::Real>>) -> SimilaritySums {
         let mut sums = SimilaritySums::default();
-        let [first, end] = part.columns;
-        if part.is_empty() || self.progress.check().is_err() {
+        let [first, end] = region.columns;
+        if region.is_empty() || self.progress.check().is_err() {
             return sums;
         }
         let (taps, columns) = (self.weights.len(), end - first);
         let (before, after) = (taps / 2, taps - 1 - taps / 2);
-        let levels = self.pair.levels(&part, Some(&self.mask));
+        let levels = self.pair.levels(&region, Some(&self.mask));
         let measure = Measure { levels, constants: self.constants };
         // Similarity, contrast factor and validity of a row's windows; the others are for windows that need
         // recomputation.
-        let (mut results, mut patch, mut again) = (vec![[0.0; 3]; columns], None, Vec::new());
+        let (mut results, mut patch, mut recomputed) = (vec![[0.0; 3]; columns], None, Vec::new());
         // Whole vectors are summed; the last lanes may lie outside the region.
         let padded = columns.next_multiple_of(LANES);
         let fields = |length: usize| -> Fields { std::array::from_fn(|_| vec![0.0; length]) };
         let (mut line, mut window) = (fields(padded + taps - 1), fields(padded));
         let mut ring: Vec<Fields> = (0..taps).map(|_| fields(padded)).collect();
-        for read in 0..part.rows[1] - part.rows[0] + taps - 1 {
+        for read in 0..region.rows[1] - region.rows[0] + taps - 1 {
             // Rows outside the image, and pixels outside the mask, are zeros.
-            let row = (part.rows[0] + read).checked_sub(before).filter(|&row| row < self.mask.height);
-            self.load(row, part, levels, before, &mut line, &mut sums.range);
+            let row = (region.rows[0] + read).checked_sub(before).filter(|&row| row < self.mask.height);
+            self.load(row, region, levels, before, &mut line, &mut sums.range);
             for (line, sums) in line.iter().zip(&mut ring[read % taps]) {
                 sum_along(line, self.weights, sums);
             }
-            let Some(row) = (part.rows[0] + read).checked_sub(before + after).filter(|&row| row >= part.rows[0]) else {
+            let Some(row) = (region.rows[0] + read).checked_sub(before + after).filter(|&row| row >= region.rows[0])
+            else {
                 continue;
             };
             for (field, sums) in window.iter_mut().enumerate() {
                 sum_down(&ring, field, (read + 1) % taps, self.weights, sums);
             }
-            let mut lost = false;
-            for column in (first..end).filter(|&column| self.mask.names(row, column)) {
-                let at = column - first;
-                let share = 1.0 / window[0][at];
-                let (s, ss) = (window[1][at] * share, window[2][at] * share);
-                let (d, dd) = (window[3][at] * share, window[4][at] * share);
+            let mut failed = false;
+            for column in (first..end).filter(|&column| self.mask.contains(row, column)) {
+                let index = column - first;
+                let scale = 1.0 / window[0][index];
+                let (s, ss) = (window[1][index] * scale, window[2][index] * scale);
+                let (d, dd) = (window[3][index] * scale, window[4][index] * scale);
                 let Measurement { similarity, contrast, .. } =
                     measure.similarity::<true, false>([s, ss - s * s], [d, dd - d * d]);
                 // Squares about one level for all windows of a band lose precision in windows far from it.
                 let contrasts = 0.5 * (ss - s * s + dd - d * d) + self.constants[1];
                 let holds = s * s + d * d <= MAX_DISTANCE * MAX_DISTANCE * contrasts && similarity.is_finite();
-                lost |= !holds;
-                results[at] = [similarity, contrast, if holds { 1.0 } else { 0.0 }];
+                failed |= !holds;
+                results[index] = [similarity, contrast, if holds { 1.0 } else { 0.0 }];
             }
-            if lost {
+            if failed {
                 let patch = patch.get_or_insert_with(|| {
-                    Patch::new(&self.pair, self.weights, self.constants, &part, Some(&self.mask))
+                    Patch::new(&self.pair, self.weights, self.constants, &region, Some(&self.mask))
                 });
-                let named = |n: usize| first + n < end && self.mask.names(row, first + n);
+                let named = |n: usize| first + n < end && self.mask.contains(row, first + n);
                 patch.measure_row(
-                    row - part.rows[0],
+                    row - region.rows[0],
                     |n| named(n) && results[n][2] == 0.0,
-                    |n, similarity, contrast| again.push((n, [similarity, contrast, 1.0])),
+                    |n, similarity, contrast| recomputed.push((n, [similarity, contrast, 1.0])),
                 );
-                again.drain(..).for_each(|(n, result)| results[n] = result);
+                recomputed.drain(..).for_each(|(n, result)| results[n] = result);
             }
-            for column in (first..end).filter(|&column| self.mask.names(row, column)) {
+            for column in (first..end).filter(|&column| self.mask.contains(row, column)) {
                 let [similarity, contrast, _] = results[column - first];
                 sums.similarity += similarity;
                 sums.contrast += if self.contrast { contrast } else { 0.0 };
                 sums.pixels += 1.0;
-                if let Some((map, top)) = &mut map {
-                    map[(row - *top) * self.mask.width + column] = P::Real::narrow(similarity);
+                if let Some(map) = &mut map {
+                    map.write(row, column, &[similarity]);
                 }
             }
         }
@@ -129,7 +118,7 @@ impl<P: PixelRows> Masked<'_, P> {
     fn load(
         &self,
         row: Option<usize>,
-        part: Region,
+        region: Region,
         levels: [f64; 2],
         before: usize,
         line: &mut Fields,
@@ -137,33 +126,33 @@ impl<P: PixelRows> Masked<'_, P> {
     ) {
         line.iter_mut().for_each(|field| field.fill(0.0));
         let Some(row) = row else { return };
-        for column in (part.columns[0]..part.columns[1]).filter(|&column| self.mask.names(row, column)) {
+        for column in (region.columns[0]..region.columns[1]).filter(|&column| self.mask.contains(row, column)) {
             let [x, y] = [&self.pair.reference, &self.pair.test].map(|image| image.value(row, column).wide());
             range.include(x);
             range.include(y);
             let [x, y] = [x - levels[0], y - levels[1]];
             let (s, d) = (x + y, x - y);
             for (field, value) in line.iter_mut().zip([1.0, s, s * s, d, d * d]) {
-                field[column - part.columns[0] + before] = value;
+                field[column - region.columns[0] + before] = value;
             }
         }
     }
 }
 
 vectorized! {
-    fn sum_along(line: &[f64], weights: &[f64], sums: &mut [f64]) = fused filter_row<_>;
+    fn sum_along(line: &[f64], weights: &[f64], sums: &mut [f64]) = fused along;
     fn sum_down(ring: &[Fields], field: usize, first: usize, weights: &[f64], sums: &mut [f64]) = fused down;
 }
 
 /// Writes weighted sums of a line's values; the nth sum begins at the nth value.
 #[inline(always)]
-fn filter_row<R: Real, const FUSED: bool>(line: &[R], weights: &[R], sums: &mut [R]) {
+fn along<const FUSED: bool>(line: &[f64], weights: &[f64], sums: &mut [f64]) {
     for (block, sums) in sums.as_chunks_mut::<LANES>().0.iter_mut().enumerate() {
-        let mut sum = [R::default(); LANES];
+        let mut sum = [0.0; LANES];
         for (k, &weight) in weights.iter().enumerate() {
-            let values: &[R; LANES] = lanes(&line[block * LANES + k..]);
+            let values: &[f64; LANES] = lanes(&line[block * LANES + k..]);
             for i in 0..LANES {
-                sum[i] = R::fuse::<FUSED>(weight, values[i], sum[i]);
+                sum[i] = f64::fuse::<FUSED>(weight, values[i], sum[i]);
             }
         }
         *sums = sum;

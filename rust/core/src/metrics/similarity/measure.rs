@@ -1,13 +1,11 @@
 //! Similarity measure from means and variances of the sum and difference of both images.
 
-use super::super::lanes::LANES;
+use super::super::extremes::LANES;
 use super::super::plane::RoundingLimits;
 use super::moments::{COLUMNS, Moments};
-use crate::base::Real;
 use crate::base::simd::vectorized;
 
 /// Levels and constants that turn moments into similarity.
-#[derive(Clone, Copy, Debug)]
 pub struct Measure<R> {
     /// Value subtracted from each image.
     pub levels: [R; 2],
@@ -31,28 +29,27 @@ impl<R: RoundingLimits> Measure<R> {
         let d2 = if d2 < zero { zero } else { d2 };
         let sum = (self.levels[0] + self.levels[1]) + s;
         let difference = (self.levels[0] - self.levels[1]) + d;
-        let apart = difference * difference;
-        let means = R::fuse::<FUSED>(half, R::fuse::<FUSED>(sum, sum, apart), self.constants[0]);
+        let difference_squared = difference * difference;
+        let means = R::fuse::<FUSED>(half, R::fuse::<FUSED>(sum, sum, difference_squared), self.constants[0]);
         let variances = R::fuse::<FUSED>(half, s2 + d2, self.constants[1]);
-        let shared = variances - d2;
+        let contrast_numerator = variances - d2;
         // One division serves both factors.
         let divisor = means * variances;
-        let similarity = (means - apart) * shared / divisor;
+        let similarity = (means - difference_squared) * contrast_numerator / divisor;
         // If e is the rounding error of subtracting levels, proportional to |s| + |d|, the contrast factor changes by
         // e √σd² / σ² and the first factor by e |D| / (S² + D²), where the rounding of means counts as well.
-        let away = R::fuse::<FUSED>(s, s, d * d);
+        let distance_squared = R::fuse::<FUSED>(s, s, d * d);
         let square = |factor: f64| R::narrow(factor * factor);
-        let smaller = if means < variances { means } else { variances };
-        let holds = ((away + (s2 + d2)) * apart <= square(R::REACH) * (means * means))
-            & (away * d2 <= square(R::REACH) * (variances * variances))
-            & (away <= square(R::FARTHEST) * smaller)
-            & (divisor <= R::narrow(R::DIVISOR));
-        Measurement { similarity, contrast: if CONTRAST { shared / variances } else { zero }, holds }
+        let smaller_divisor = if means < variances { means } else { variances };
+        let holds = ((distance_squared + (s2 + d2)) * difference_squared <= square(R::MAX_CHANGE) * (means * means))
+            & (distance_squared * d2 <= square(R::MAX_CHANGE) * (variances * variances))
+            & (distance_squared <= square(R::MAX_DISTANCE) * smaller_divisor)
+            & (divisor <= R::narrow(R::MAX_DIVISOR));
+        Measurement { similarity, contrast: if CONTRAST { contrast_numerator / variances } else { zero }, holds }
     }
 }
 
 /// Similarity of one window.
-#[derive(Clone, Copy, Debug)]
 pub struct Measurement<R> {
     /// Similarity.
     pub similarity: R,
@@ -63,7 +60,6 @@ pub struct Measurement<R> {
 }
 
 /// A row of windows.
-#[derive(Clone, Debug)]
 #[repr(align(64))]
 pub struct WindowRow<R> {
     /// 1 for windows that count, 0 for others.
@@ -75,7 +71,7 @@ pub struct WindowRow<R> {
     /// Whether to compute the contrast factor.
     pub contrast: bool,
     /// Whether windows that do not count must be valid as well.
-    pub all: bool,
+    pub must_all_hold: bool,
     /// Whether all required windows of the last row were valid.
     pub holds: bool,
     /// Sums of similarity and contrast factor over all rows since the last reset, per lane.
@@ -117,7 +113,7 @@ fn measure_row_kernel<R: RoundingLimits, const CONTRAST: bool, const FUSED: bool
     row: &mut WindowRow<R>,
 ) {
     let mut sums = row.sums;
-    let (mut lost, all) = ([0u32; LANES], row.all);
+    let (mut failed, must_all_hold) = ([0u32; LANES], row.must_all_hold);
     let (s_mean, s_variance) = (s.mean.as_chunks::<LANES>().0, s.variance.as_chunks::<LANES>().0);
     let (d_mean, d_variance) = (d.mean.as_chunks::<LANES>().0, d.variance.as_chunks::<LANES>().0);
     let similarity = row.similarity.as_chunks_mut::<LANES>().0;
@@ -125,10 +121,10 @@ fn measure_row_kernel<R: RoundingLimits, const CONTRAST: bool, const FUSED: bool
         let mut contrast = [R::default(); LANES];
         for i in 0..LANES {
             let (s, d) = ([s_mean[block][i], s_variance[block][i]], [d_mean[block][i], d_variance[block][i]]);
-            let found = measure.similarity::<CONTRAST, FUSED>(s, d);
-            (similarity[block][i], contrast[i]) = (found.similarity, found.contrast);
-            let must = all | (counts[i] > R::default());
-            lost[i] |= u32::from(must & !found.holds);
+            let measured = measure.similarity::<CONTRAST, FUSED>(s, d);
+            (similarity[block][i], contrast[i]) = (measured.similarity, measured.contrast);
+            let must_hold = must_all_hold | (counts[i] > R::default());
+            failed[i] |= u32::from(must_hold & !measured.holds);
         }
         // Selected, not multiplied, because uncounted values may be NaN.
         for i in 0..LANES {
@@ -140,36 +136,28 @@ fn measure_row_kernel<R: RoundingLimits, const CONTRAST: bool, const FUSED: bool
         }
     }
     row.sums = sums;
-    row.holds = lost.iter().fold(0, |any, lane| any | lane) == 0;
+    row.holds = failed.iter().fold(0, |any, lane| any | lane) == 0;
 }
 
 #[inline(always)]
-fn power_sums_kernel<R: Real>(s: &[R], d: &[R]) -> [f64; 4] {
+fn power_sums_kernel(s: &[f64], d: &[f64]) -> [f64; 4] {
     const WIDE: usize = 8;
     let mut sums = [[0.0; WIDE]; 4];
     let (s, s_rest) = s.as_chunks::<WIDE>();
     let (d, d_rest) = d.as_chunks::<WIDE>();
     for (s, d) in s.iter().zip(d) {
         for i in 0..WIDE {
-            let (s, d) = (s[i].wide(), d[i].wide());
-            sums[0][i] += s;
-            sums[1][i] += d;
-            sums[2][i] += s * s;
-            sums[3][i] += d * d;
+            sums[0][i] += s[i];
+            sums[1][i] += d[i];
+            sums[2][i] += s[i] * s[i];
+            sums[3][i] += d[i] * d[i];
         }
     }
     for (s, d) in s_rest.iter().zip(d_rest) {
-        let (s, d) = (s.wide(), d.wide());
         sums[0][0] += s;
         sums[1][0] += d;
         sums[2][0] += s * s;
         sums[3][0] += d * d;
     }
-    let mut totals = [0.0; 4];
-    for (total, lanes) in totals.iter_mut().zip(&sums) {
-        for lane in lanes {
-            *total += lane;
-        }
-    }
-    totals
+    sums.map(|lanes| lanes.iter().sum())
 }

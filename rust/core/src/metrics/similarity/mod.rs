@@ -4,20 +4,16 @@
 //! With s = x + y and d = x − y, σx² + σy² = (σs² + σd²)/2 and 2 σxy = (σs² − σd²)/2: four moments instead of five.
 //! Both factors of the measure are 1 minus a non-negative term that is 0 for equal images.
 
-mod window_sums;
 mod direct;
 mod global;
 mod masked;
 mod measure;
 mod moments;
 mod scales;
-mod ssim;
 #[cfg(test)]
 mod tests;
 mod window;
 mod tiles;
 
-pub use scales::{Scales, Shrunk, multiscale};
-pub use ssim::similarity;
-pub use window::{Similarity, Window};
-pub use window_sums::{Counted, Mask, SimilaritySums};
+pub use scales::{Scales, Shrunk, multiscale, similarity};
+pub use window::{Counted, Mask, Similarity, SimilaritySums, Window};

@@ -5,7 +5,7 @@
 //! remains to be subtracted is at most the variance divided by the middle's weight (the middle is one of the averaged
 //! values), so the relative error is a few roundings over that weight, at any level.
 
-use super::super::lanes::{LANES, lanes};
+use super::super::extremes::{LANES, lanes};
 use crate::base::Real;
 use crate::base::simd::vectorized;
 
@@ -22,12 +22,12 @@ pub struct Moments<R> {
     pub variance: [R; COLUMNS],
     /// Padding: rows a power of two apart would share few sets of the first-level cache, because narrow tiles fill
     /// only the beginning of each array.
-    _apart: [u8; 64],
+    _padding: [u8; 64],
 }
 
 impl<R: Real> Default for Moments<R> {
     fn default() -> Self {
-        Self { mean: [R::default(); COLUMNS], variance: [R::default(); COLUMNS], _apart: [0; 64] }
+        Self { mean: [R::default(); COLUMNS], variance: [R::default(); COLUMNS], _padding: [0; 64] }
     }
 }
 
@@ -62,9 +62,9 @@ pub(super) fn across_kernel<R: Real, const FUSED: bool>(
         for (k, &weight) in weights[..weights.len() / 2].iter().enumerate() {
             let values: [&[R; LANES]; 2] = [lanes(&line[k..]), lanes(&line[weights.len() - 1 - k..])];
             for i in 0..LANES {
-                let away = [values[0][i] - center[i], values[1][i] - center[i]];
-                first[i] = R::fuse::<FUSED>(weight, away[0] + away[1], first[i]);
-                second[i] = R::fuse::<FUSED>(weight, R::fuse::<FUSED>(away[0], away[0], away[1] * away[1]), second[i]);
+                let (a, b) = (values[0][i] - center[i], values[1][i] - center[i]);
+                first[i] = R::fuse::<FUSED>(weight, a + b, first[i]);
+                second[i] = R::fuse::<FUSED>(weight, R::fuse::<FUSED>(a, a, b * b), second[i]);
             }
         }
         for i in 0..LANES {
@@ -96,14 +96,14 @@ pub(super) fn down_kernel<R: Real, const FUSED: bool>(
             }
         }
         for (k, &weight) in weights[..taps / 2].iter().enumerate() {
-            let (one, other) = (&rows[order[k]], &rows[order[taps - 1 - k]]);
-            let values = [block_values(&one.mean, block), block_values(&other.mean, block)];
-            let spreads = [block_values(&one.variance, block), block_values(&other.variance, block)];
+            let (upper, lower) = (&rows[order[k]], &rows[order[taps - 1 - k]]);
+            let values = [block_values(&upper.mean, block), block_values(&lower.mean, block)];
+            let spreads = [block_values(&upper.variance, block), block_values(&lower.variance, block)];
             for i in 0..LANES {
-                let away = [values[0][i] - center[i], values[1][i] - center[i]];
-                first[i] = R::fuse::<FUSED>(weight, away[0] + away[1], first[i]);
-                let spread = R::fuse::<FUSED>(away[0], away[0], spreads[0][i] + spreads[1][i]);
-                second[i] = R::fuse::<FUSED>(weight, R::fuse::<FUSED>(away[1], away[1], spread), second[i]);
+                let (a, b) = (values[0][i] - center[i], values[1][i] - center[i]);
+                first[i] = R::fuse::<FUSED>(weight, a + b, first[i]);
+                let spread = R::fuse::<FUSED>(a, a, spreads[0][i] + spreads[1][i]);
+                second[i] = R::fuse::<FUSED>(weight, R::fuse::<FUSED>(b, b, spread), second[i]);
             }
         }
         for i in 0..LANES {
@@ -113,7 +113,6 @@ pub(super) fn down_kernel<R: Real, const FUSED: bool>(
     }
 }
 
-/// Returns a block of values.
 #[inline(always)]
 fn block_values<R>(values: &[R; COLUMNS], block: usize) -> &[R; LANES] {
     &values.as_chunks::<LANES>().0[block]

@@ -1,5 +1,5 @@
-//! Image reduction, and similarity at several scales. Wang, Simoncelli, Bovik: Multiscale structural similarity for
-//! image quality assessment, 2003.
+//! Similarity of a pair, image reduction, and similarity at several scales. Wang, Simoncelli, Bovik: Multiscale
+//! structural similarity for image quality assessment, 2003.
 
 use rayon::prelude::*;
 
@@ -7,10 +7,39 @@ use super::super::extremes::ValueRange;
 use super::super::pair::Pair;
 use super::super::pixel_rows::PixelRows;
 use super::super::plane::{Pixel, Plane, mirror};
-use super::ssim::similarity;
-use super::window::{Similarity, Window};
-use super::window_sums::{Counted, SimilaritySums};
+use super::global::global;
+use super::masked::Masked;
+use super::tiles::Windows;
+use super::window::{Counted, Mask, Similarity, SimilaritySums, Window};
 use crate::base::{Error, Progress, Real, Result};
+
+/// Returns the summed similarity of windows and, if requested, writes its map: rows of the image's width. Images are
+/// mirrored at their borders. Without a map only windows that count are computed.
+pub fn similarity<P: PixelRows>(
+    pair: &Pair<'_, P>,
+    window: &Window,
+    constants: Similarity,
+    counted: Counted<'_>,
+    map: Option<&mut [P::Real]>,
+) -> Result<SimilaritySums> {
+    let size = [pair.reference.height, pair.reference.width];
+    if let Some(mask) = counted.mask {
+        pair.reference.expect_size("mask", [mask.plane().height, mask.plane().width])?;
+    }
+    if let Some(map) = map.as_ref().filter(|map| map.len() != size[0] * size[1]) {
+        return Err(Error::value("map", format!("{} × {} values", size[0], size[1]), map.len()));
+    }
+    let constants = [constants.c1, constants.c2];
+    let sums = match (window, counted.mask) {
+        (Window::Global, _) => global(pair, constants, counted, map),
+        (Window::Weights(weights), Some(Mask::Windows(mask))) => {
+            let Counted { contrast, progress, .. } = counted;
+            Masked { pair: *pair, weights, constants, mask, contrast, progress }.sums(map)
+        }
+        (Window::Weights(weights), _) => Windows::new(*pair, weights, constants, counted).sums(map),
+    };
+    counted.progress.check().map(|()| sums)
+}
 
 /// A pair of images reduced in size.
 pub struct Shrunk<R> {
@@ -27,7 +56,6 @@ impl<R: Pixel> Shrunk<R> {
         Ok(Self { images, size })
     }
 
-    /// Returns the images as a pair.
     pub fn pair(&self) -> Result<Pair<'_, R>>
     where
         R: PixelRows,
@@ -41,36 +69,36 @@ impl<R: Pixel> Shrunk<R> {
 fn shrunk<P: Pixel>(image: &Plane<'_, P>, factor: usize, progress: &Progress) -> Result<Vec<P::Real>> {
     let reach = (factor - 1) / 2;
     let [height, width] = [image.height, image.width].map(|length| length.div_ceil(factor));
-    let place = |n: usize, length: usize| mirror(n as i64 - reach as i64, length);
+    let mirrored = |n: usize, length: usize| mirror(n as i64 - reach as i64, length);
     // Boxes that do not cross a border; the first begins at `reach`.
-    let whole = usize::from(reach > 0)..((image.width + reach) / factor).max(usize::from(reach > 0));
-    let share = 1.0 / (factor * factor) as f64;
-    let mut out = vec![P::Real::default(); height * width];
-    out.par_chunks_mut(width).enumerate().try_for_each(|(row, out)| {
+    let unmirrored = usize::from(reach > 0)..((image.width + reach) / factor).max(usize::from(reach > 0));
+    let weight = 1.0 / (factor * factor) as f64;
+    let mut means = vec![P::Real::default(); height * width];
+    means.par_chunks_mut(width).enumerate().try_for_each(|(row, means)| {
         let mut sums = vec![0.0; width];
-        for row in (row * factor..(row + 1) * factor).map(|row| place(row, image.height)) {
+        for row in (row * factor..(row + 1) * factor).map(|row| mirrored(row, image.height)) {
             let run = image.run(row, 0..image.width);
             for (n, sum) in sums.iter_mut().enumerate() {
                 match run {
-                    Some(run) if whole.contains(&n) => {
+                    Some(run) if unmirrored.contains(&n) => {
                         for value in &run[n * factor - reach..][..factor] {
                             *sum += value.real().wide();
                         }
                     }
                     _ => {
                         for k in 0..factor {
-                            *sum += image.value(row, place(n * factor + k, image.width)).wide();
+                            *sum += image.value(row, mirrored(n * factor + k, image.width)).wide();
                         }
                     }
                 }
             }
         }
-        for (out, sum) in out.iter_mut().zip(sums) {
-            *out = P::Real::narrow(sum * share);
+        for (mean, sum) in means.iter_mut().zip(sums) {
+            *mean = P::Real::narrow(sum * weight);
         }
         progress.check()
     })?;
-    Ok(out)
+    Ok(means)
 }
 
 /// Means of similarity and contrast factor at each scale.

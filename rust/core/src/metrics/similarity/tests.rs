@@ -4,10 +4,10 @@
 use super::moments::{COLUMNS, Moments, across, across_kernel, down, down_kernel};
 use super::*;
 use crate::base::Progress;
-use crate::metrics::Stacks;
-use crate::metrics::lanes::LANES;
+use crate::metrics::extremes::LANES;
 use crate::metrics::pair::Pair;
 use crate::metrics::plane::{self, Plane};
+use crate::metrics::{Stacks, ValueRange};
 use proptest::prelude::*;
 
 const CONSTANTS: Similarity = Similarity { c1: 1e-4, c2: 9e-4 };
@@ -21,8 +21,8 @@ fn images() -> impl Strategy<Value = (Vec<f64>, Vec<f64>, [usize; 2], usize, Vec
     })
 }
 
-/// Evaluates Eq. 13 at a pixel; `seen` gives the weights of the pixels around it, `at` the border extension.
-fn slowly(
+/// Evaluates Eq. 13 at a pixel from the weights and values of the pixels around it; images are mirrored at their border.
+fn by_definition(
     [a, b]: [&[f64]; 2],
     [height, width]: [usize; 2],
     weights: &[f64],
@@ -30,19 +30,19 @@ fn slowly(
     mask: Option<&[u8]>,
 ) -> f64 {
     let before = weights.len() as i64 / 2;
-    let mut seen = Vec::new();
+    let mut weighted = Vec::new();
     for (i, down) in weights.iter().enumerate() {
         for (j, across) in weights.iter().enumerate() {
-            let place = [row as i64 + i as i64 - before, column as i64 + j as i64 - before];
-            let within = (0..height as i64).contains(&place[0]) && (0..width as i64).contains(&place[1]);
-            let at = plane::mirror(place[0], height) * width + plane::mirror(place[1], width);
-            if mask.is_none_or(|mask| within && mask[at] != 0) {
-                seen.push((down * across, a[at], b[at]));
+            let position = [row as i64 + i as i64 - before, column as i64 + j as i64 - before];
+            let within = (0..height as i64).contains(&position[0]) && (0..width as i64).contains(&position[1]);
+            let index = plane::mirror(position[0], height) * width + plane::mirror(position[1], width);
+            if mask.is_none_or(|mask| within && mask[index] != 0) {
+                weighted.push((down * across, a[index], b[index]));
             }
         }
     }
-    let total: f64 = seen.iter().map(|(weight, ..)| weight).sum();
-    let mean = |value: &dyn Fn(f64, f64) -> f64| seen.iter().map(|&(w, x, y)| w * value(x, y)).sum::<f64>() / total;
+    let total: f64 = weighted.iter().map(|(weight, ..)| weight).sum();
+    let mean = |value: &dyn Fn(f64, f64) -> f64| weighted.iter().map(|&(w, x, y)| w * value(x, y)).sum::<f64>() / total;
     let (mx, my) = (mean(&|x, _| x), mean(&|_, y| y));
     let (vx, vy) = (mean(&|x, _| (x - mx).powi(2)), mean(&|_, y| (y - my).powi(2)));
     let covariance = mean(&|x, y| (x - mx) * (y - my));
@@ -68,7 +68,7 @@ proptest! {
         similarity(&pair32, &window, CONSTANTS, counted, Some(&mut map32)).unwrap();
         let mut total = 0.0;
         for n in (0..height * width).filter(|&n| !hidden || mask[n] != 0) {
-            let expected = slowly([&a, &b], size, weights, (n / width, n % width), hidden.then_some(&mask));
+            let expected = by_definition([&a, &b], size, weights, (n / width, n % width), hidden.then_some(&mask));
             prop_assert!((map[n] - expected).abs() < 1e-11, "{} {expected}", map[n]);
             prop_assert!((f64::from(map32[n]) - expected).abs() < 1e-5 * f64::from(map32[n]).abs().max(1.0));
             total += expected;
@@ -104,5 +104,28 @@ proptest! {
                 prop_assert!((fast.variance[i] - slow.variance[i]).abs() < 1e-12);
             }
         }
+    }
+}
+
+#[test]
+fn equal_images_are_exactly_alike_and_order_does_not_matter() {
+    let a: Vec<f64> = (0..35).map(|i| f64::from(i * i % 17) / 16.0).collect();
+    let b: Vec<f64> = (0..35).map(|i| f64::from(i * 7 % 13) / 12.0).collect();
+    for window in [Window::gaussian(11, 1.5), Window::uniform(4), Window::Global] {
+        let of = |a: &[f64], b: &[f64]| {
+            let mut map = vec![0.0; 35];
+            let [a, b] = [a, b].map(|values| Plane::new(values, [5, 7], [7, 1]).unwrap());
+            let pair = Pair::new(a, b).unwrap();
+            let counted = Counted { all: true, mask: None, contrast: true, range: true, progress: &Progress::new() };
+            let sums = similarity(&pair, &window, CONSTANTS, counted, Some(&mut map)).unwrap();
+            assert_eq!(sums, similarity(&pair, &window, CONSTANTS, counted, None).unwrap());
+            (sums, map)
+        };
+        assert!(of(&a, &a).1.iter().all(|&value| value == 1.0));
+        let SimilaritySums { similarity, contrast, pixels, range } = of(&a, &a).0;
+        assert_eq!([similarity, contrast, pixels], [35.0; 3]);
+        assert_eq!(range, ValueRange { least: 0.0, greatest: 1.0 });
+        assert_eq!(of(&a, &b), of(&b, &a));
+        assert!(of(&a, &b).1.iter().all(|&value| value < 1.0));
     }
 }

@@ -1,16 +1,13 @@
 //! Windowed similarity over tiles that stay in the caches, with one pass over each tile's rows.
 
-use rayon::prelude::*;
-
-use super::super::extremes::Extremes;
-use super::super::lanes::LANES;
+use super::super::extremes::{Extremes, LANES};
 use super::super::pair::Pair;
 use super::super::pixel_rows::PixelRows;
 use super::super::plane::{Region, RoundingLimits, mirror};
 use super::direct::Patch;
 use super::measure::{Measure, WindowRow, measure_row};
 use super::moments::{COLUMNS, Moments, across, down};
-use super::window_sums::{Counted, Mask, SimilaritySums};
+use super::window::{Counted, MapRows, Mask, SimilaritySums, sum_bands};
 use crate::base::Real;
 use crate::base::simd::prefetch;
 
@@ -25,105 +22,92 @@ const PREFETCHED_ROWS: usize = 4;
 pub(super) struct Windows<'a, P: PixelRows> {
     pair: Pair<'a, P>,
     weights: &'a [f64],
-    narrow: Vec<P::Real>,
+    narrow_weights: Vec<P::Real>,
     constants: [f64; 2],
     counted: Counted<'a>,
+    /// Region of the windows that count, before any mask.
+    inside: Region,
 }
 
 impl<'a, P: PixelRows> Windows<'a, P> {
     pub(super) fn new(pair: Pair<'a, P>, weights: &'a [f64], constants: [f64; 2], counted: Counted<'a>) -> Self {
-        Self { pair, weights, narrow: weights.iter().map(|&w| P::Real::narrow(w)).collect(), constants, counted }
+        let narrow_weights = weights.iter().map(|&w| P::Real::narrow(w)).collect();
+        let (height, width, taps) = (pair.reference.height, pair.reference.width, weights.len());
+        let (before, after) = (taps / 2, taps - 1 - taps / 2);
+        let inside = if counted.all || height < taps || width < taps {
+            Region { rows: [0, height], columns: [0, width] }
+        } else {
+            Region { rows: [before, height - after], columns: [before, width - after] }
+        };
+        Self { pair, weights, narrow_weights, constants, counted, inside }
     }
 
-    /// Returns sums over the windows that count.
     pub(super) fn sums(&self, map: Option<&mut [P::Real]>) -> SimilaritySums {
         let (height, width) = (self.pair.reference.height, self.pair.reference.width);
-        let inside = self.inner_region();
-        let band = |rows: [usize; 2], mut map: Option<&mut [P::Real]>| {
-            let wanted = if map.is_some() { Region { rows, columns: [0, width] } } else { inside.within_rows(rows) };
-            let mut bench = Bench::new(self.weights.len(), self.counted.contrast);
+        let inside = self.inside;
+        sum_bands([height, width], ROWS, map, |rows, mut map| {
+            let computed = if map.is_some() { Region { rows, columns: [0, width] } } else { inside.within_rows(rows) };
+            let mut buffers = TileBuffers::new(self.weights.len(), self.counted.contrast);
             let mut sums = SimilaritySums::default();
-            let mut start = wanted.columns[0];
-            while start < wanted.columns[1] && !wanted.is_empty() && self.counted.progress.check().is_ok() {
-                let end = wanted.columns[1].min(start + TILE_BYTES / size_of::<P::Real>());
-                let mut part = Region { rows: wanted.rows, columns: [start, end] };
+            let mut start = computed.columns[0];
+            while start < computed.columns[1] && !computed.is_empty() && self.counted.progress.check().is_ok() {
+                let end = computed.columns[1].min(start + TILE_BYTES / size_of::<P::Real>());
+                let mut region = Region { rows: computed.rows, columns: [start, end] };
                 start = end;
                 if let (None, Some(mask)) = (&map, &self.counted.mask) {
-                    part = mask.plane().bounds(part);
+                    region = mask.plane().bounds(region);
                 }
-                if !part.is_empty() {
-                    let map = map.as_deref_mut().map(|values| MapRows { values, width, top: rows[0] });
-                    sums = sums.and(self.tile(&part, inside, &mut bench, map));
+                if !region.is_empty() {
+                    sums = sums.and(self.tile(&region, &mut buffers, map.as_mut()));
                 }
             }
             sums
-        };
-        let bands = height.div_ceil(ROWS);
-        let rows = |band: usize| [band * ROWS, height.min((band + 1) * ROWS)];
-        let each: Vec<SimilaritySums> = match map {
-            Some(map) => {
-                map.par_chunks_mut(ROWS * width).enumerate().map(|(n, map)| band(rows(n), Some(map))).collect()
-            }
-            None => (0..bands).into_par_iter().map(|n| band(rows(n), None)).collect(),
-        };
-        each.into_iter().fold(SimilaritySums::default(), SimilaritySums::and)
-    }
-
-    /// Returns the region of the windows that count, before any mask.
-    fn inner_region(&self) -> Region {
-        let (height, width) = (self.pair.reference.height, self.pair.reference.width);
-        let taps = self.weights.len();
-        let (before, after) = (taps / 2, taps - 1 - taps / 2);
-        if self.counted.all || height < taps || width < taps {
-            return Region { rows: [0, height], columns: [0, width] };
-        }
-        Region { rows: [before, height - after], columns: [before, width - after] }
+        })
     }
 
     /// Computes a tile in the pixels' own precision; if that loses digits, in float64, or else window by window.
     fn tile(
         &self,
-        part: &Region,
-        inside: Region,
-        bench: &mut Bench<P::Real>,
-        mut map: Option<MapRows<'_, P::Real>>,
+        region: &Region,
+        buffers: &mut TileBuffers<P::Real>,
+        mut map: Option<&mut MapRows<'_, P::Real>>,
     ) -> SimilaritySums {
-        let levels = self.pair.levels(part, self.counted.mask.as_ref().map(Mask::plane));
-        bench.row.all = map.is_some();
-        let own = self.own(part, inside);
+        let levels = self.pair.levels(region, self.counted.mask.as_ref().map(Mask::plane));
+        buffers.row.must_all_hold = map.is_some();
+        let range_region = self.range_region(region);
         let mut extremes = self.counted.range.then(Extremes::default);
-        let narrow = |row: usize, places: &[usize], lines: [&mut [P::Real]; 2]| {
-            self.load(row, places, own, levels.map(P::Real::narrow), lines, extremes.as_mut())
+        let load_narrow = |row: usize, positions: &[usize], lines: [&mut [P::Real]; 2]| {
+            self.load(row, positions, range_region, levels.map(P::Real::narrow), lines, extremes.as_mut())
         };
-        if let Some(sums) = self.pass(part, inside, (levels, &self.narrow), bench, map.as_mut(), narrow) {
+        if let Some(sums) = self.pass(region, (levels, &self.narrow_weights), buffers, map.as_deref_mut(), load_narrow)
+        {
             return SimilaritySums { range: extremes.unwrap_or_default().range(), ..sums };
         }
         let mut extremes = Extremes::default();
         if self.counted.range {
-            self.pair.extend(&own, &mut extremes);
+            self.pair.extend(&range_region, &mut extremes);
         }
         let range = extremes.range();
-        let wide = |row: usize, places: &[usize], lines: [&mut [f64]; 2]| {
-            self.pair.gather(row, places.iter().copied(), levels, lines)
+        let load_wide = |row: usize, positions: &[usize], lines: [&mut [f64]; 2]| {
+            self.pair.gather(row, positions.iter().copied(), levels, lines)
         };
         // The pixels' own precision may already be float64.
         if size_of::<P::Real>() < size_of::<f64>() {
-            let mut bench = Bench::new(self.weights.len(), self.counted.contrast);
-            bench.row.all = map.is_some();
-            if let Some(sums) = self.pass(part, inside, (levels, self.weights), &mut bench, map.as_mut(), wide) {
+            let mut buffers = TileBuffers::new(self.weights.len(), self.counted.contrast);
+            buffers.row.must_all_hold = map.is_some();
+            if let Some(sums) = self.pass(region, (levels, self.weights), &mut buffers, map.as_deref_mut(), load_wide) {
                 return SimilaritySums { range, ..sums };
             }
         }
-        SimilaritySums { range, ..self.one_by_one(part, inside, map) }
+        SimilaritySums { range, ..self.one_by_one(region, map) }
     }
 
     /// Computes all windows of a region in one precision; `None` if that precision is insufficient.
     fn pass<R: RoundingLimits>(
         &self,
-        part: &Region,
-        inside: Region,
+        region: &Region,
         (levels, weights): ([f64; 2], &[R]),
-        bench: &mut Bench<R>,
+        buffers: &mut TileBuffers<R>,
         mut map: Option<&mut MapRows<'_, P::Real>>,
         mut load: impl FnMut(usize, &[usize], [&mut [R]; 2]),
     ) -> Option<SimilaritySums> {
@@ -132,68 +116,68 @@ impl<'a, P: PixelRows> Windows<'a, P> {
         {
             return None;
         }
-        let ([first, end], taps) = (part.columns, weights.len());
+        let ([first, end], taps) = (region.columns, weights.len());
         let measure = Measure { levels: levels.map(R::narrow), constants: self.constants.map(R::narrow) };
         let blocks = (end - first).div_ceil(LANES);
-        bench.row.blocks = blocks;
-        bench.row.sums = [[0.0; LANES]; 2];
+        buffers.row.blocks = blocks;
+        buffers.row.sums = [[0.0; LANES]; 2];
         // Lanes beyond the region would see values of an earlier one.
-        bench.lines.iter_mut().for_each(|line| line.fill(R::default()));
+        buffers.lines.iter_mut().for_each(|line| line.fill(R::default()));
         let before = taps / 2;
-        let places = |from: usize, to: usize, length: usize| -> Vec<usize> {
-            (from..to + taps - 1).map(|place| mirror(place as i64 - before as i64, length)).collect()
+        let positions = |from: usize, to: usize, length: usize| -> Vec<usize> {
+            (from..to + taps - 1).map(|position| mirror(position as i64 - before as i64, length)).collect()
         };
-        let columns = places(first, end, self.pair.reference.width);
-        let rows = places(part.rows[0], part.rows[1], self.pair.reference.height);
+        let columns = positions(first, end, self.pair.reference.width);
+        let rows = positions(region.rows[0], region.rows[1], self.pair.reference.height);
         let (mut counting, mut pixels) = (false, 0.0);
         // The window of an output row reads `taps` rows, with positions mirrored at the borders.
-        for (read, &place) in rows.iter().enumerate() {
-            let [s, d] = &mut bench.lines;
-            load(place, &columns, [&mut s[..columns.len()], &mut d[..columns.len()]]);
+        for (read, &position) in rows.iter().enumerate() {
+            let [s, d] = &mut buffers.lines;
+            load(position, &columns, [&mut s[..columns.len()], &mut d[..columns.len()]]);
             // The oldest row is replaced.
-            let slot = bench.order[0];
-            bench.order.rotate_left(1);
-            for (line, rows) in bench.lines.iter().zip(&mut bench.rows) {
+            let slot = buffers.order[0];
+            buffers.order.rotate_left(1);
+            for (line, rows) in buffers.lines.iter().zip(&mut buffers.rows) {
                 across(line, weights, &mut rows[slot], blocks);
             }
-            let Some(row) = (part.rows[0] + read + 1).checked_sub(taps).filter(|&row| row >= part.rows[0]) else {
+            let Some(row) = (region.rows[0] + read + 1).checked_sub(taps).filter(|&row| row >= region.rows[0]) else {
                 continue;
             };
-            for (rows, moments) in bench.rows.iter().zip(&mut bench.moments) {
-                down(rows, &bench.order, weights, moments, blocks);
+            for (rows, moments) in buffers.rows.iter().zip(&mut buffers.moments) {
+                down(rows, &buffers.order, weights, moments, blocks);
             }
-            match (inside.holds_row(row), self.counted.mask) {
-                (true, Some(mask)) => bench.mask(mask, row, part, inside),
-                (true, None) if !counting => bench.count(part, inside),
+            match (self.inside.holds_row(row), self.counted.mask) {
+                (true, Some(mask)) => buffers.mask(mask, row, region, self.inside),
+                (true, None) if !counting => buffers.count(region, self.inside),
                 (true, None) => {}
-                (false, _) => bench.count_none(),
+                (false, _) => buffers.count_none(),
             }
-            counting = inside.holds_row(row);
-            let [s, d] = &bench.moments;
-            measure_row(&measure, s, d, &mut bench.row);
-            if !bench.row.holds {
+            counting = self.inside.holds_row(row);
+            let [s, d] = &buffers.moments;
+            measure_row(&measure, s, d, &mut buffers.row);
+            if !buffers.row.holds {
                 return None;
             }
-            pixels += bench.counted;
+            pixels += buffers.counted;
             if let Some(map) = &mut map {
-                map.write(row, first, &bench.row.similarity[..end - first]);
+                map.write(row, first, &buffers.row.similarity[..end - first]);
             }
         }
-        let [similarity, contrast] = bench.row.sums.map(|lanes| lanes.iter().sum());
+        let [similarity, contrast] = buffers.row.sums.map(|lanes| lanes.iter().sum());
         Some(SimilaritySums { similarity, contrast, pixels, ..SimilaritySums::default() })
     }
 
-    fn one_by_one(&self, part: &Region, inside: Region, mut map: Option<MapRows<'_, P::Real>>) -> SimilaritySums {
-        let patch = Patch::new(&self.pair, self.weights, self.constants, part, None);
-        let ([first, end], is_mapped) = (part.columns, map.is_some());
+    fn one_by_one(&self, region: &Region, mut map: Option<&mut MapRows<'_, P::Real>>) -> SimilaritySums {
+        let patch = Patch::new(&self.pair, self.weights, self.constants, region, None);
+        let ([first, end], is_mapped) = (region.columns, map.is_some());
         let mut sums = SimilaritySums::default();
-        for row in part.rows[0]..part.rows[1] {
+        for row in region.rows[0]..region.rows[1] {
             let counts = |n: usize| {
-                let named = |mask: Mask<'_>| mask.plane().names(row, first + n);
-                inside.holds(row, first + n) && self.counted.mask.is_none_or(named)
+                let named = |mask: Mask<'_>| mask.plane().contains(row, first + n);
+                self.inside.holds(row, first + n) && self.counted.mask.is_none_or(named)
             };
             let wanted = |n: usize| first + n < end && (is_mapped || counts(n));
-            patch.measure_row(row - part.rows[0], wanted, |n, similarity, contrast| {
+            patch.measure_row(row - region.rows[0], wanted, |n, similarity, contrast| {
                 if counts(n) {
                     let contrast = if self.counted.contrast { contrast } else { 0.0 };
                     sums = sums.and(SimilaritySums { similarity, contrast, pixels: 1.0, ..SimilaritySums::default() });
@@ -208,7 +192,7 @@ impl<'a, P: PixelRows> Windows<'a, P> {
 
     /// Returns the pixels whose range a region contributes: its own, and those of the image's margin that only its
     /// windows see. With a mask, a region contributes all pixels that its windows see.
-    fn own(&self, part: &Region, inside: Region) -> Region {
+    fn range_region(&self, region: &Region) -> Region {
         let taps = self.weights.len();
         let (before, after) = (taps / 2, taps - 1 - taps / 2);
         let grown = |[from, to]: [usize; 2], inside: [usize; 2], length: usize| match self.counted.mask {
@@ -216,8 +200,8 @@ impl<'a, P: PixelRows> Windows<'a, P> {
             None => [if from <= inside[0] { 0 } else { from }, if to >= inside[1] { length } else { to }],
         };
         Region {
-            rows: grown(part.rows, inside.rows, self.pair.reference.height),
-            columns: grown(part.columns, inside.columns, self.pair.reference.width),
+            rows: grown(region.rows, self.inside.rows, self.pair.reference.height),
+            columns: grown(region.columns, self.inside.columns, self.pair.reference.width),
         }
     }
 
@@ -226,16 +210,16 @@ impl<'a, P: PixelRows> Windows<'a, P> {
     fn load(
         &self,
         row: usize,
-        places: &[usize],
-        own: Region,
+        positions: &[usize],
+        range_region: Region,
         levels: [P::Real; 2],
         lines: [&mut [P::Real]; 2],
         extremes: Option<&mut Extremes<P>>,
     ) {
-        let (start, last) = (places[0], places[places.len() - 1]);
-        if last + 1 != start + places.len() {
-            self.pair.gather(row, places.iter().copied(), levels, lines);
-            return self.pair.extend_row(row, own.columns[0]..own.columns[1], extremes);
+        let (start, last) = (positions[0], positions[positions.len() - 1]);
+        if last + 1 != start + positions.len() {
+            self.pair.gather(row, positions.iter().copied(), levels, lines);
+            return self.pair.extend_row(row, range_region.columns[0]..range_region.columns[1], extremes);
         }
         self.pair.load(row, start..last + 1, levels, lines, extremes);
         let next = (row + PREFETCHED_ROWS).min(self.pair.reference.height - 1);
@@ -245,24 +229,8 @@ impl<'a, P: PixelRows> Windows<'a, P> {
     }
 }
 
-/// Rows of a map, starting at row `top`.
-struct MapRows<'a, R> {
-    values: &'a mut [R],
-    width: usize,
-    top: usize,
-}
-
-impl<R: Real> MapRows<'_, R> {
-    fn write<S: Real>(&mut self, row: usize, column: usize, values: &[S]) {
-        let at = (row - self.top) * self.width + column;
-        for (slot, value) in self.values[at..].iter_mut().zip(values) {
-            *slot = R::narrow(value.wide());
-        }
-    }
-}
-
 /// Buffers of a band's tiles.
-struct Bench<R> {
+struct TileBuffers<R> {
     /// Values of a row, for s and for d.
     lines: [Vec<R>; 2],
     /// Moments along rows: a ring buffer with one slot per window row.
@@ -275,7 +243,7 @@ struct Bench<R> {
     counted: f64,
 }
 
-impl<R: Real> Bench<R> {
+impl<R: Real> TileBuffers<R> {
     fn new(taps: usize, contrast: bool) -> Self {
         // Whole vectors are read; the last lanes may lie outside the image.
         let line = || vec![R::default(); COLUMNS + taps];
@@ -290,7 +258,7 @@ impl<R: Real> Bench<R> {
                 similarity: [R::default(); COLUMNS],
                 blocks: 0,
                 contrast,
-                all: false,
+                must_all_hold: false,
                 holds: true,
                 sums: [[0.0; LANES]; 2],
             },
@@ -299,25 +267,24 @@ impl<R: Real> Bench<R> {
     }
 
     /// Marks the windows of a region that count.
-    fn count(&mut self, part: &Region, inside: Region) {
-        let [from, to] = columns_inside(part, inside);
+    fn count(&mut self, region: &Region, inside: Region) {
+        let [from, to] = columns_inside(region, inside);
         self.row.counts.fill(R::default());
         self.row.counts[from..to].fill(R::narrow(1.0));
         self.counted = (to - from) as f64;
     }
 
-    /// Marks no window of a row as counting.
     fn count_none(&mut self) {
         self.row.counts.fill(R::default());
         self.counted = 0.0;
     }
 
     /// Marks the windows that a mask's row selects.
-    fn mask(&mut self, mask: Mask<'_>, row: usize, part: &Region, inside: Region) {
-        let [from, to] = columns_inside(part, inside);
+    fn mask(&mut self, mask: Mask<'_>, row: usize, region: &Region, inside: Region) {
+        let [from, to] = columns_inside(region, inside);
         self.count_none();
         for column in from..to {
-            let counts = if mask.plane().names(row, part.columns[0] + column) { 1.0 } else { 0.0 };
+            let counts = if mask.plane().contains(row, region.columns[0] + column) { 1.0 } else { 0.0 };
             self.row.counts[column] = R::narrow(counts);
             self.counted += counts;
         }
@@ -325,8 +292,8 @@ impl<R: Real> Bench<R> {
 }
 
 /// Returns the columns of a region, relative to its first, that lie inside.
-fn columns_inside(part: &Region, inside: Region) -> [usize; 2] {
-    let [first, end] = part.columns;
+fn columns_inside(region: &Region, inside: Region) -> [usize; 2] {
+    let [first, end] = region.columns;
     let from = inside.columns[0].clamp(first, end);
     [from - first, inside.columns[1].clamp(from, end) - first]
 }

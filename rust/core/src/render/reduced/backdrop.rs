@@ -36,18 +36,18 @@ pub(super) struct Backdrop<'a> {
     pub center: DVec3,
     /// Morph that gives the displayed distance of far points; without one it is their distance from O.
     pub morph: Option<Morph>,
-    /// Visible part of the map.
-    pub seen: Seen,
+    /// Volume in which the map is visible.
+    pub visible: VisibleVolume,
 }
 
 /// Volume in which surfaces are visible from an eye; both are relative to the scene's origin.
 #[derive(Clone, Copy)]
-pub(super) struct Seen {
+pub(super) struct VisibleVolume {
     pub limits: Limits,
     pub eye: DVec3,
 }
 
-impl Seen {
+impl VisibleVolume {
     /// Returns the visible segment of the eye's ray in a direction.
     fn clip_direction(&self, direction: Vec3) -> Segment {
         self.limits.clip_ray(self.eye, direction.as_dvec3())
@@ -57,25 +57,31 @@ impl Seen {
 impl Backdrop<'_> {
     pub fn color(&self, direction: Vec3, footprint: impl FnOnce() -> Footprint) -> [f32; 3] {
         match self.far {
-            Far::Nothing => background(direction),
             Far::Map(map) if self.shows(map, direction) => map.color(direction),
-            Far::Map(_) => background(direction),
+            Far::Nothing | Far::Map(_) => background(direction),
             Far::Traced(scene, radius) => {
                 let (ray, hit) = self.cast(scene, radius, direction);
-                if hit.is_miss() {
-                    return background(direction);
-                }
-                Surface::of_hit(scene, &ray, &hit).color(scene, footprint().width_at(hit.t))
+                hit_color(scene, &ray, &hit, footprint)
             }
         }
     }
 
-    /// Returns the channels of a far pixel. The map shows what O sees in this direction; its range gives the point.
-    pub fn sample(&self, direction: Vec3, footprint: impl FnOnce() -> Footprint, wanted: Channels) -> Sample {
+    /// Returns the channels of a ray: of its hit on near geometry or, for a miss, of the far part. The map shows what O
+    /// sees in the ray's direction; its range gives the point.
+    pub fn sample(
+        &self,
+        near: &Scene,
+        ray: &Ray,
+        hit: &Hit,
+        footprint: impl FnOnce() -> Footprint,
+        wanted: Channels,
+    ) -> Sample {
+        if !hit.is_miss() {
+            return Surface::of_hit(near, ray, hit).sample(near, hit.t, || footprint().width_at(hit.t), wanted);
+        }
+        let direction = ray.direction;
         match self.far {
-            Far::Nothing => Sample::default(),
-            Far::Map(map) if !self.shows(map, direction) => Sample::default(),
-            Far::Map(map) => {
+            Far::Map(map) if self.shows(map, direction) => {
                 let (range, object_id) = map.surface(direction);
                 let mut sample = Sample { range: self.displayed(direction, range), object_id, ..Sample::default() };
                 if range.is_finite() {
@@ -83,6 +89,7 @@ impl Backdrop<'_> {
                 }
                 sample
             }
+            Far::Nothing | Far::Map(_) => Sample::default(),
             Far::Traced(scene, radius) => {
                 let (ray, hit) = self.cast(scene, radius, direction);
                 if hit.is_miss() {
@@ -97,26 +104,21 @@ impl Backdrop<'_> {
     /// Returns whether the map is visible: the ray's segment is unbounded, and the map's surface is not nearer than
     /// its start. Maps without ranges are infinitely far.
     fn shows(&self, map: &EnvironmentMap, direction: Vec3) -> bool {
-        let Segment { t_min, t_max } = self.seen.clip_direction(direction);
+        let Segment { t_min, t_max } = self.visible.clip_direction(direction);
         let is_behind = || map.range.is_none() || self.displayed(direction, map.surface(direction).0) >= t_min;
         t_max.is_infinite() && (t_min == 0.0 || is_behind())
     }
 
-    /// Returns the displayed distance beyond which the far part hides other points beyond the near part. Points of the
-    /// near part are not tested: along their bent ray they precede all far points.
-    pub fn hides_beyond(&self, direction: Vec3) -> f32 {
-        self.displayed(direction, self.range_limit(direction))
-    }
-
-    /// Returns the same limit as a distance from O; infinite if the map has no range or its surface is nearer than the
-    /// segment's start.
+    /// Returns the distance from O beyond which the far part hides other points beyond the near part; infinite if the
+    /// map has no range or its surface is nearer than the segment's start. Points of the near part are not tested: along
+    /// their bent ray they precede all far points.
     pub fn range_limit(&self, direction: Vec3) -> f32 {
         let limit = match self.far {
             Far::Map(map) if map.range.is_some() => map.farthest(direction) * (1.0 + BIAS),
             Far::Traced(scene, radius) => self.cast(scene, radius, direction).1.t,
             _ => f32::INFINITY,
         };
-        let t_min = self.seen.clip_direction(direction).t_min;
+        let t_min = self.visible.clip_direction(direction).t_min;
         if t_min > 0.0 && self.displayed(direction, limit) < t_min { f32::INFINITY } else { limit }
     }
 
@@ -132,18 +134,18 @@ impl Backdrop<'_> {
     }
 
     /// Traces the rays without a hit of a tile into the far part, if that is traced; as one packet, because they are
-    /// coherent.
-    pub fn trace_far(&self, rays: &[Ray], hits: &[Hit]) -> Option<Behind> {
+    /// coherent. Returns the rays from the centre, and their hits beyond the near part.
+    pub fn trace_far(&self, rays: &[Ray], hits: &[Hit]) -> Option<([Ray; PIXELS], [Hit; PIXELS])> {
         let Far::Traced(scene, radius) = self.far else { return None };
-        let mut behind = Behind { rays: [self.ray(radius, Vec3::Y); PIXELS], hits: [Hit::MISS; PIXELS] };
-        for (far, (ray, hit)) in behind.rays.iter_mut().zip(rays.iter().zip(hits)) {
-            *far = self.ray(radius, ray.direction);
-            if !hit.is_miss() || !far.t_min.is_finite() {
-                (far.t_min, far.t_max) = (1.0, 0.0);
+        let (mut far_rays, mut far_hits) = ([self.ray(radius, Vec3::Y); PIXELS], [Hit::MISS; PIXELS]);
+        for (far_ray, (ray, hit)) in far_rays.iter_mut().zip(rays.iter().zip(hits)) {
+            *far_ray = self.ray(radius, ray.direction);
+            if !hit.is_miss() || !far_ray.t_min.is_finite() {
+                (far_ray.t_min, far_ray.t_max) = (1.0, 0.0);
             }
         }
-        closest(scene, &behind.rays[..rays.len()], &mut behind.hits[..rays.len()]);
-        Some(behind)
+        closest(scene, &far_rays[..rays.len()], &mut far_hits[..rays.len()]);
+        Some((far_rays, far_hits))
     }
 
     fn cast(&self, scene: &Scene, radius: f64, direction: Vec3) -> (Ray, Hit) {
@@ -157,21 +159,12 @@ impl Backdrop<'_> {
     }
 }
 
-/// Rays from the centre through a tile's pixels, and their hits beyond the near part.
-pub(super) struct Behind {
-    rays: [Ray; PIXELS],
-    hits: [Hit; PIXELS],
-}
-
-impl Behind {
-    /// Returns the linear RGB that the n-th ray sees.
-    pub fn color(&self, n: usize, scene: &Scene, footprint: Footprint) -> [f32; 3] {
-        let (ray, hit) = (&self.rays[n], &self.hits[n]);
-        if hit.is_miss() {
-            return background(ray.direction);
-        }
-        Surface::of_hit(scene, ray, hit).color(scene, footprint.width_at(hit.t))
+/// Returns the linear RGB of a hit; of the sky for a miss.
+pub(super) fn hit_color(scene: &Scene, ray: &Ray, hit: &Hit, footprint: impl FnOnce() -> Footprint) -> [f32; 3] {
+    if hit.is_miss() {
+        return background(ray.direction);
     }
+    Surface::of_hit(scene, ray, hit).color(scene, footprint().width_at(hit.t))
 }
 
 /// Finds the closest opaque points along rays.

@@ -2,17 +2,17 @@
 //! r₂, wherever its triangle extends. Behind these, a moving fragment beyond r₂ is drawn if no far surface hides it.
 
 use super::super::frame::{Channels, Sample};
-use super::super::surface::{Surface, add_colors};
+use super::super::surface::add_colors;
 use super::super::tiles::{PIXELS, Picture, Spots};
 use super::backdrop::Backdrop;
-use super::shown::Shown;
+use super::near_geometry::Morphed;
 use crate::camera::Footprint;
 use crate::scene::Scene;
 use crate::trace::{Hit, HitFilter, Ray, closest_hits};
 
 pub(super) struct Bent<'a> {
     pub scene: &'a Scene,
-    pub shown: Shown,
+    pub near: Morphed,
     pub backdrop: Backdrop<'a>,
     pub radius: f64,
 }
@@ -20,16 +20,16 @@ pub(super) struct Bent<'a> {
 /// Accepts fragments within r₂ or, if `beyond`, moving ones beyond it.
 struct Split<'a> {
     bent: &'a Bent<'a>,
-    standing: u32,
+    static_count: u32,
     cutouts: bool,
     beyond: bool,
 }
 
 impl HitFilter for Split<'_> {
     fn accepts(&self, ray: &Ray, candidate: &Hit) -> bool {
-        let Bent { scene, shown, backdrop, radius } = self.bent;
-        let piece = shown.piece(candidate.instance, candidate.face);
-        if self.beyond && (piece.is_within || piece.instance < self.standing) {
+        let Bent { scene, near, backdrop, radius } = self.bent;
+        let piece = near.piece(candidate.instance, candidate.face);
+        if self.beyond && (piece.is_within || piece.instance < self.static_count) {
             return false;
         }
         if piece.is_within && !self.cutouts {
@@ -41,7 +41,8 @@ impl HitFilter for Split<'_> {
             let point = a + (b - a) * f64::from(u) + (c - a) * f64::from(v);
             let from_axis = point - backdrop.center;
             let is_beyond = from_axis.x.hypot(from_axis.z) > *radius;
-            if is_beyond != self.beyond || is_beyond && candidate.t > backdrop.hides_beyond(ray.direction) {
+            let hidden_from = || backdrop.displayed(ray.direction, backdrop.range_limit(ray.direction));
+            if is_beyond != self.beyond || is_beyond && candidate.t > hidden_from() {
                 return false;
             }
         }
@@ -53,7 +54,7 @@ impl Bent<'_> {
     /// Converts a hit on a piece to a hit on its source face.
     #[inline]
     fn on_scene(&self, hit: &Hit) -> Hit {
-        let piece = self.shown.piece(hit.instance, hit.face);
+        let piece = self.near.piece(hit.instance, hit.face);
         let (u, v) = piece.on_face(hit.u, hit.v);
         Hit { instance: piece.instance, face: piece.face, u, v, ..*hit }
     }
@@ -61,21 +62,21 @@ impl Bent<'_> {
 
 impl Picture for Bent<'_> {
     fn trace(&self, rays: &mut [Ray], hits: &mut [Hit], _spots: &Spots<'_>) {
-        let standing = self.scene.standing.instances().len() as u32;
-        let split = |beyond| Split { bent: self, standing, cutouts: self.scene.has_cutouts(), beyond };
-        closest_hits(&self.shown.scene, rays, &split(false), hits);
-        if self.shown.moving_triangles() == 0 || !hits.iter().any(Hit::is_miss) {
+        let static_count = self.scene.standing.instances().len() as u32;
+        let split = |beyond| Split { bent: self, static_count, cutouts: self.scene.has_cutouts(), beyond };
+        closest_hits(&self.near.scene, rays, &split(false), hits);
+        if self.near.moving_triangles() == 0 || !hits.iter().any(Hit::is_miss) {
             return;
         }
         // Surfaces within r₂ hide all surfaces beyond it: they come first along the bent ray, though not always by
         // displayed distance.
-        let (mut others, mut found) = ([rays[0]; PIXELS], [Hit::MISS; PIXELS]);
-        for (other, (ray, hit)) in others.iter_mut().zip(rays.iter().zip(hits.iter())) {
-            *other = if hit.is_miss() { *ray } else { Ray { t_max: -1.0, ..*ray } };
+        let (mut far_rays, mut far_hits) = ([rays[0]; PIXELS], [Hit::MISS; PIXELS]);
+        for (far_ray, (ray, hit)) in far_rays.iter_mut().zip(rays.iter().zip(hits.iter())) {
+            *far_ray = if hit.is_miss() { *ray } else { Ray { t_max: -1.0, ..*ray } };
         }
-        closest_hits(&self.shown.scene, &others[..rays.len()], &split(true), &mut found[..rays.len()]);
-        for (hit, found) in hits.iter_mut().zip(found).filter(|(hit, _)| hit.is_miss()) {
-            *hit = found;
+        closest_hits(&self.near.scene, &far_rays[..rays.len()], &split(true), &mut far_hits[..rays.len()]);
+        for (hit, far_hit) in hits.iter_mut().zip(far_hits).filter(|(hit, _)| hit.is_miss()) {
+            *hit = far_hit;
         }
     }
 
@@ -85,10 +86,7 @@ impl Picture for Bent<'_> {
     }
 
     fn sample(&self, ray: &Ray, hit: &Hit, footprint: impl FnOnce() -> Footprint, wanted: Channels) -> Sample {
-        if hit.is_miss() {
-            return self.backdrop.sample(ray.direction, footprint, wanted);
-        }
-        let surface = Surface::of_hit(self.scene, ray, &self.on_scene(hit));
-        surface.sample(self.scene, hit.t, || footprint().width_at(hit.t), wanted)
+        let hit = if hit.is_miss() { *hit } else { self.on_scene(hit) };
+        self.backdrop.sample(self.scene, ray, &hit, footprint, wanted)
     }
 }

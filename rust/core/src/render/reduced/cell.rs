@@ -74,16 +74,16 @@ impl<'a> Cell<'a> {
     /// row 0 or 1.
     pub fn quadratic(corners: [&'a Corner; 9], first: [usize; 2], user: Vec3) -> Self {
         let legs = legs_of(&corners);
-        let at = first[1] * 3 + first[0];
-        let own = [corners[at], corners[at + 1], corners[at + 3], corners[at + 4]];
-        Self { part: TilePart::WHOLE, corners: Corners::Nine(corners, first), legs, boxes: hulls(own, legs, user) }
+        let index = first[1] * 3 + first[0];
+        let boxes = hulls([0, 1, 3, 4].map(|offset| corners[index + offset]), legs, user);
+        Self { part: TilePart::WHOLE, corners: Corners::Nine(corners, first), legs, boxes }
     }
 
     /// Converts a position in the tile to one in this part; `None` outside of it.
     #[inline]
-    pub fn to_part(&self, spot: [f32; 2]) -> Option<[f32; 2]> {
+    pub fn to_part(&self, position: [f32; 2]) -> Option<[f32; 2]> {
         let TilePart { parts, x, y } = self.part;
-        let [u, v] = spot.map(|share| share * parts as f32);
+        let [u, v] = position.map(|fraction| fraction * parts as f32);
         // Positions in a tile are below 1, so each lies in exactly one part.
         ((u as usize, v as usize) == (x, y)).then_some([u - x as f32, v - y as f32])
     }
@@ -111,12 +111,7 @@ impl<'a> Cell<'a> {
 
     /// Returns the bounding box of the tile's rays between two bends.
     pub fn region(&self, from: usize, to: usize) -> Aabb {
-        let mut region = Aabb::EMPTY;
-        for bends in &self.boxes[from..=to] {
-            region.extend(bends.min);
-            region.extend(bends.max);
-        }
-        region
+        self.boxes[from..=to].iter().fold(Aabb::EMPTY, |region, bends| region.union(bends))
     }
 }
 
@@ -133,37 +128,34 @@ fn parabola([a, b, c]: [Vec4; 3], first: usize) -> [Vec4; 3] {
     }
 }
 
-/// Returns the bounding box of each bend of all rays between four corners.
+/// Returns the bounding box of each bend of all rays between the four corners of a tile, given in row order.
 fn hulls(corners: [&Corner; 4], legs: usize, user: Vec3) -> Vec<Aabb> {
-    let place = |n: usize, k: usize| {
-        let bend = corners[n].bend(k, legs);
-        user + corners[n].direction * bend.w + bend.xyz()
+    let hull = |k: usize| {
+        let points = corners.map(|corner| {
+            let bend = corner.bend(k, legs);
+            user + corner.direction * bend.w + bend.xyz()
+        });
+        let mut hull = Aabb::EMPTY;
+        points.into_iter().for_each(|point| hull.extend(point));
+        widened(hull, (points[3] - points[0]).abs().max((points[2] - points[1]).abs()))
     };
-    (0..=legs).map(|k| bounding_box([place(0, k), place(1, k), place(2, k), place(3, k)])).collect()
+    (0..=legs).map(hull).collect()
 }
 
 /// Returns the bounding box of all rays between four corners, wherever they bend.
 pub(super) fn bounds(corners: [&Corner; 4], user: Vec3) -> Aabb {
-    let mut bounds = Aabb::EMPTY;
-    for corner in corners {
-        bounds.extend(user + corner.bounds.min);
-        bounds.extend(user + corner.bounds.max);
-    }
+    let placed = |bounds: &Aabb| Aabb { min: user + bounds.min, max: user + bounds.max };
+    let bounds = corners.iter().fold(Aabb::EMPTY, |all, corner| all.union(&placed(&corner.bounds)));
     // Rays of a tile are farthest apart at one of their ends.
     let ends = corners.map(Corner::ends);
-    let apart = |one: usize, other: usize, end: usize| (ends[other][end] - ends[one][end]).abs();
-    let widest = apart(0, 3, 0).max(apart(1, 2, 0)).max(apart(0, 3, 1)).max(apart(1, 2, 1)).max_element();
-    let margin = Vec3::splat(BULGE * widest);
-    Aabb { min: bounds.min - margin, max: bounds.max + margin }
+    let diagonal = |a: usize, b: usize, end: usize| (ends[b][end] - ends[a][end]).abs();
+    widened(bounds, diagonal(0, 3, 0).max(diagonal(1, 2, 0)).max(diagonal(0, 3, 1)).max(diagonal(1, 2, 1)))
 }
 
-/// Returns the bounding box of the rays between the four corners of a tile, given in row order.
-fn bounding_box(points: [Vec3; 4]) -> Aabb {
-    let mut region = Aabb::EMPTY;
-    points.into_iter().for_each(|point| region.extend(point));
-    let widest = (points[3] - points[0]).abs().max((points[2] - points[1]).abs()).max_element();
-    let margin = Vec3::splat(BULGE * widest);
-    Aabb { min: region.min - margin, max: region.max + margin }
+/// Widens the bounding box of corner rays for the rays between them; `diagonal` is the distance of the corner rays.
+fn widened(bounds: Aabb, diagonal: Vec3) -> Aabb {
+    let margin = Vec3::splat(BULGE * diagonal.max_element());
+    Aabb { min: bounds.min - margin, max: bounds.max + margin }
 }
 
 #[cfg(test)]

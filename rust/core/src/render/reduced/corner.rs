@@ -30,7 +30,11 @@ impl Corner {
     /// Bends the ray; `None` for users outside r₁, for vertical rays, and if the maximum number of legs misses the
     /// tolerance, in radians.
     pub fn new(curve: &RayCurve<'_>, tolerance: f64) -> Option<Self> {
-        let stretch = between_radii(curve)?;
+        // A ray of a user inside r₁ is straight up to there, and bends up to r₂.
+        let [inside, stretch] = curve.stretches()[..] else { return None };
+        if !inside.straight || stretch.straight || curve.end().is_none() {
+            return None;
+        }
         let (mut beside, mut legs) = ([0.0; MAX_LEGS + 1], 1);
         beside[1] = curve.beside;
         while legs < MIN_LEGS || misses(curve, &stretch, &beside[..=legs], tolerance) {
@@ -51,19 +55,19 @@ impl Corner {
             bounds: Aabb::EMPTY,
         };
         for k in 0..=legs {
-            corner.bounds.extend(corner.place(k));
+            corner.bounds.extend(corner.bend_position(k));
         }
         Some(corner)
     }
 
     /// Returns the position of this corner's k-th bend, relative to the user.
-    fn place(&self, k: usize) -> Vec3 {
+    fn bend_position(&self, k: usize) -> Vec3 {
         self.direction * (self.from + self.step * k as f32) + self.across * self.beside[k]
     }
 
     /// Returns the positions of the first and the last bend, relative to the user.
     pub fn ends(&self) -> [Vec3; 2] {
-        [self.place(0), self.place(self.legs)]
+        [self.bend_position(0), self.bend_position(self.legs)]
     }
 
     /// Returns the k-th of `legs` + 1 bends, with `legs` at least the corner's own number: the offset from the ray to
@@ -72,29 +76,20 @@ impl Corner {
     pub fn bend(&self, k: usize, legs: usize) -> Vec4 {
         // Both are powers of two.
         let finer = legs.trailing_zeros() - self.legs.trailing_zeros();
-        let whole = k >> finer;
-        let before = self.beside[whole];
-        let rest = k - (whole << finer);
-        if rest == 0 {
-            return (self.across * before).extend(self.from + self.step * whole as f32);
+        let own = k >> finer;
+        let before = self.beside[own];
+        let remainder = k - (own << finer);
+        if remainder == 0 {
+            return (self.across * before).extend(self.from + self.step * own as f32);
         }
-        let part = rest as f32 / (1u32 << finer) as f32;
-        let y = before + (self.beside[whole + 1] - before) * part;
-        (self.across * y).extend(self.from + self.step * (whole as f32 + part))
+        let fraction = remainder as f32 / (1u32 << finer) as f32;
+        let y = before + (self.beside[own + 1] - before) * fraction;
+        (self.across * y).extend(self.from + self.step * (own as f32 + fraction))
     }
 }
 
-/// Returns the stretch between the radii of a ray from a user inside r₁; `None` for other users and vertical rays.
-fn between_radii(curve: &RayCurve<'_>) -> Option<Stretch> {
-    match curve.stretches()[..] {
-        [within, between] if within.straight && !between.straight => Some(between),
-        _ => None,
-    }
-    .filter(|_| curve.end().is_some())
-}
-
-/// Returns the position of the k-th of `legs` equal steps; k may be fractional.
-fn place(stretch: &Stretch, k: f64, legs: usize) -> f64 {
+/// Returns the distance along the ray of the k-th of `legs` equal steps; k may be fractional.
+fn along(stretch: &Stretch, k: f64, legs: usize) -> f64 {
     stretch.from + (stretch.to - stretch.from) * k / legs as f64
 }
 
@@ -103,7 +98,7 @@ fn place(stretch: &Stretch, k: f64, legs: usize) -> f64 {
 fn misses(curve: &RayCurve<'_>, stretch: &Stretch, beside: &[f64], tolerance: f64) -> bool {
     let legs = beside.len() - 1;
     let miss = |k: usize, t: f64| {
-        curve.miss(place(stretch, k as f64 + t, legs), beside[k] + (beside[k + 1] - beside[k]) * t) > tolerance
+        curve.miss(along(stretch, k as f64 + t, legs), beside[k] + (beside[k + 1] - beside[k]) * t) > tolerance
     };
     [0.5, 0.2, 0.8].into_iter().any(|t| (0..legs).any(|k| miss(k, t)))
 }
@@ -117,6 +112,6 @@ fn halve(curve: &RayCurve<'_>, stretch: &Stretch, beside: &mut [f64; MAX_LEGS + 
         let inner = k > 0 && k + 1 < legs;
         let bulge = if inner { (a + b - beside[k - 1] - beside[k + 2]) / 16.0 } else { 0.0 };
         beside[2 * k + 2] = b;
-        beside[2 * k + 1] = curve.search(place(stretch, k as f64 + 0.5, legs), 0.5 * (a + b) + bulge, OFFSET_PRECISION);
+        beside[2 * k + 1] = curve.search(along(stretch, k as f64 + 0.5, legs), 0.5 * (a + b) + bulge, OFFSET_PRECISION);
     }
 }

@@ -5,9 +5,9 @@ use glam::{DVec3, Vec2, Vec3, Vec3Swizzles};
 
 use super::super::frame::{Channels, Sample};
 use super::super::limits::Segment;
-use super::super::surface::{Surface, add_colors};
+use super::super::surface::add_colors;
 use super::super::tiles::{PIXELS, Picture, Spots};
-use super::backdrop::{Backdrop, closest};
+use super::backdrop::{Backdrop, closest, hit_color};
 use super::cell::Cell;
 use super::lattice::Lattice;
 use super::moving::Moving;
@@ -32,7 +32,7 @@ pub(super) struct Exact<'a> {
     /// Data for the point where rays of a user inside r₁ begin to bend; `None` if they bend from the start.
     inside: Option<Inside>,
     backdrop: Backdrop<'a>,
-    moving: Option<Moving>,
+    pub moving: Option<Moving>,
     lattice: Lattice,
     /// Angular tolerance of bent rays, radians.
     tolerance: f64,
@@ -56,11 +56,6 @@ impl<'a> Exact<'a> {
         Ok(Self { scene, morph, boundary, inside, backdrop, moving, lattice, tolerance })
     }
 
-    /// Returns the number of moving triangles that each ray is tested against.
-    pub fn moving_triangles(&self) -> u64 {
-        self.moving.as_ref().map_or(0, Moving::triangles)
-    }
-
     /// Traces all rays of a tile together while any of them is a miss: first their straight parts, then their legs.
     /// Returns false if the remaining rays cannot be bent together.
     fn trace_tile(&self, inside: &Inside, rays: &mut [Ray], hits: &mut [Hit], spots: &Spots<'_>) -> bool {
@@ -71,23 +66,22 @@ impl<'a> Exact<'a> {
             *end = ray.direction * leave;
         }
         closest(self.scene, rays, hits);
-        let mut open: [usize; PIXELS] = std::array::from_fn(|n| n);
-        let count = only_misses(&mut open, rays.len(), hits);
+        let mut missing: [usize; PIXELS] = std::array::from_fn(|n| n);
+        let count = only_misses(&mut missing, rays.len(), hits);
         if count == 0 {
             return true;
         }
         let is_near = |bounds: &Aabb| touches(self.scene, bounds);
         self.lattice.for_each_cell(spots.tile(), is_near, |cell| {
-            let mut spot = [[0.0; 2]; PIXELS];
-            let mut within: [usize; PIXELS] = [0; PIXELS];
-            let mut inner = 0;
-            for &n in &open[..count] {
-                if let Some(place) = cell.to_part(spots.position_in_tile(n)) {
-                    (spot[n], within[inner]) = (place, n);
-                    inner += 1;
+            let mut positions = [[0.0; 2]; PIXELS];
+            let (mut in_part, mut part_count) = ([0; PIXELS], 0);
+            for &n in &missing[..count] {
+                if let Some(position) = cell.to_part(spots.position_in_tile(n)) {
+                    (positions[n], in_part[part_count]) = (position, n);
+                    part_count += 1;
                 }
             }
-            self.trace_legs(cell, &mut within[..inner], &spot, &mut ends, rays, hits);
+            self.trace_legs(cell, &mut in_part[..part_count], &positions, &mut ends, rays, hits);
         })
     }
 
@@ -95,20 +89,21 @@ impl<'a> Exact<'a> {
     fn trace_legs(
         &self,
         cell: &Cell<'_>,
-        open: &mut [usize],
-        spot: &[[f32; 2]; PIXELS],
+        missing: &mut [usize],
+        positions: &[[f32; 2]; PIXELS],
         ends: &mut [Vec3; PIXELS],
         rays: &mut [Ray],
         hits: &mut [Hit],
     ) {
-        if open.is_empty() || !touches(self.scene, &cell.region(0, cell.legs)) {
+        if missing.is_empty() || !touches(self.scene, &cell.region(0, cell.legs)) {
             return;
         }
-        let mut count = open.len();
+        let mut count = missing.len();
         let user = self.morph.user.as_vec3();
         let mut legs = [Ray { origin: user, direction: Vec3::NEG_Z, t_min: 0.0, t_max: 1.0 + OVERLAP }; PIXELS];
-        let mut found = [Hit::MISS; PIXELS];
-        let mut known = 0;
+        let mut leg_hits = [Hit::MISS; PIXELS];
+        // `ends` holds the bend of number `ends_at`.
+        let mut ends_at = 0;
         let mut next = 1;
         while next <= cell.legs && count > 0 {
             let k = next;
@@ -121,21 +116,21 @@ impl<'a> Exact<'a> {
             if !touches(self.scene, &cell.region(k - 1, k)) {
                 continue;
             }
-            let before = (known < k - 1).then(|| cell.bend(k - 1));
-            let behind = cell.bend(k);
-            for (leg, &n) in legs.iter_mut().zip(&open[..count]) {
+            let before = (ends_at < k - 1).then(|| cell.bend(k - 1));
+            let after = cell.bend(k);
+            for (leg, &n) in legs.iter_mut().zip(&missing[..count]) {
                 let direction = rays[n].direction;
-                let start = before.as_ref().map_or(ends[n], |bend| bend.evaluate(direction, spot[n]));
-                ends[n] = behind.evaluate(direction, spot[n]);
+                let start = before.as_ref().map_or(ends[n], |bend| bend.evaluate(direction, positions[n]));
+                ends[n] = after.evaluate(direction, positions[n]);
                 leg.origin = user + start;
                 leg.direction = ends[n] - start;
             }
-            known = k;
-            closest(self.scene, &legs[..count], &mut found[..count]);
+            ends_at = k;
+            closest(self.scene, &legs[..count], &mut leg_hits[..count]);
             for i in 0..count {
-                self.accept(&legs[i], &found[i], &mut rays[open[i]], &mut hits[open[i]]);
+                self.accept(&legs[i], &leg_hits[i], &mut rays[missing[i]], &mut hits[missing[i]]);
             }
-            count = only_misses(open, count, hits);
+            count = only_misses(missing, count, hits);
         }
     }
 
@@ -145,24 +140,19 @@ impl<'a> Exact<'a> {
         let points = curve.polyline(self.tolerance);
         let end = curve.end().map(|(s, _)| s);
         // The curve of a user outside r₂ begins there, where the morph shows no point of it.
-        let within = |from: DVec3, way: DVec3| {
-            within_cylinder(
-                on_ground(from - self.morph.center),
-                on_ground(way),
-                self.morph.r2 * (1.0 + f64::from(OVERLAP)),
-            )
-        };
+        let radius = self.morph.r2 * (1.0 + f64::from(OVERLAP));
         let mut trace = |from: DVec3, to: DVec3, t_max: f32| {
-            let Some((enter, leave)) = within(from, to - from) else { return false };
+            let inside = within_cylinder(on_ground(from - self.morph.center), on_ground(to - from), radius);
+            let Some((enter, leave)) = inside else { return false };
             let (t_min, t_max) = (enter as f32, t_max.min(leave as f32));
             let leg = Ray { origin: from.as_vec3(), direction: (to - from).as_vec3(), t_min, t_max };
             if leg.direction == Vec3::ZERO || t_min > t_max {
                 return false;
             }
-            let mut found = [Hit::MISS];
-            closest(self.scene, &[leg], &mut found);
-            self.accept(&leg, &found[0], ray, hit);
-            !found[0].is_miss()
+            let mut leg_hit = [Hit::MISS];
+            closest(self.scene, &[leg], &mut leg_hit);
+            self.accept(&leg, &leg_hit[0], ray, hit);
+            !leg_hit[0].is_miss()
         };
         for leg in points.windows(2) {
             if trace(leg[0], leg[1], 1.0 + OVERLAP) {
@@ -183,27 +173,27 @@ impl<'a> Exact<'a> {
     /// Traces the rays without a hit between the morph's r₂ and the end of the near part, as the centre sees it.
     fn trace_outside(&self, rays: &mut [Ray], hits: &mut [Hit]) {
         let (from, to) = (self.morph.r2, self.boundary);
-        let nothing = Ray { origin: Vec3::ZERO, direction: Vec3::Y, t_min: 1.0, t_max: 0.0 };
-        let (mut legs, mut found) = ([nothing; PIXELS], [Hit::MISS; PIXELS]);
+        let nowhere = Ray { origin: Vec3::ZERO, direction: Vec3::Y, t_min: 1.0, t_max: 0.0 };
+        let (mut legs, mut leg_hits) = ([nowhere; PIXELS], [Hit::MISS; PIXELS]);
         for (leg, (ray, _)) in legs.iter_mut().zip(rays.iter().zip(&*hits)).filter(|(_, (_, hit))| hit.is_miss()) {
             let ray =
                 Ray { t_max: self.backdrop.ray(to, ray.direction).t_min, ..self.backdrop.ray(from, ray.direction) };
             *leg = Ray { t_min: if from > 0.0 { ray.t_min } else { 0.0 }, t_max: ray.t_max * (1.0 + OVERLAP), ..ray };
         }
-        legs[..rays.len()].iter_mut().filter(|leg| !leg.t_min.is_finite()).for_each(|leg| *leg = nothing);
-        closest(self.scene, &legs[..rays.len()], &mut found[..rays.len()]);
+        legs[..rays.len()].iter_mut().filter(|leg| !leg.t_min.is_finite()).for_each(|leg| *leg = nowhere);
+        closest(self.scene, &legs[..rays.len()], &mut leg_hits[..rays.len()]);
         for (n, (ray, hit)) in rays.iter_mut().zip(hits).enumerate() {
-            self.accept(&legs[n], &found[n], ray, hit);
+            self.accept(&legs[n], &leg_hits[n], ray, hit);
         }
     }
 
     /// Converts a hit on a leg to a hit on the displayed ray, at the displayed distance and seen along the leg.
-    fn accept(&self, leg: &Ray, found: &Hit, ray: &mut Ray, hit: &mut Hit) {
-        if found.is_miss() {
+    fn accept(&self, leg: &Ray, leg_hit: &Hit, ray: &mut Ray, hit: &mut Hit) {
+        if leg_hit.is_miss() {
             return;
         }
-        let point = leg.origin + leg.direction * found.t;
-        *hit = Hit { t: self.distance(point), ..*found };
+        let point = leg.origin + leg.direction * leg_hit.t;
+        *hit = Hit { t: self.distance(point), ..*leg_hit };
         ray.direction = leg.direction.normalize();
     }
 
@@ -221,10 +211,10 @@ impl<'a> Exact<'a> {
 impl Picture for Exact<'_> {
     fn trace(&self, rays: &mut [Ray], hits: &mut [Hit], spots: &Spots<'_>) {
         hits.fill(Hit::MISS);
-        let together = self.inside.as_ref().is_some_and(|inside| self.trace_tile(inside, rays, hits, spots));
-        if !together && self.morph.r2 > 0.0 {
-            let open = rays.iter_mut().zip(hits.iter_mut()).filter(|(_, hit)| hit.is_miss());
-            open.for_each(|(ray, hit)| self.trace_alone(ray, hit));
+        let are_traced = self.inside.as_ref().is_some_and(|inside| self.trace_tile(inside, rays, hits, spots));
+        if !are_traced && self.morph.r2 > 0.0 {
+            let missing = rays.iter_mut().zip(hits.iter_mut()).filter(|(_, hit)| hit.is_miss());
+            missing.for_each(|(ray, hit)| self.trace_alone(ray, hit));
         }
         if self.morph.r2 < self.boundary {
             self.trace_outside(rays, hits);
@@ -235,20 +225,16 @@ impl Picture for Exact<'_> {
     }
 
     fn add_colors(&self, rays: &[Ray], hits: &[Hit], footprint: impl Fn(usize) -> Footprint, sums: &mut [[f32; 3]]) {
-        let behind = self.backdrop.trace_far(rays, hits);
-        let missed = |n: usize| match &behind {
-            Some(behind) => behind.color(n, self.scene, footprint(n)),
+        let far = self.backdrop.trace_far(rays, hits);
+        let missed = |n: usize| match &far {
+            Some((rays, hits)) => hit_color(self.scene, &rays[n], &hits[n], || footprint(n)),
             None => self.backdrop.color(rays[n].direction, || footprint(n)),
         };
         add_colors(self.scene, rays, hits, &footprint, |&hit| hit, missed, sums);
     }
 
     fn sample(&self, ray: &Ray, hit: &Hit, footprint: impl FnOnce() -> Footprint, wanted: Channels) -> Sample {
-        if hit.is_miss() {
-            return self.backdrop.sample(ray.direction, footprint, wanted);
-        }
-        let surface = Surface::of_hit(self.scene, ray, hit);
-        surface.sample(self.scene, hit.t, || footprint().width_at(hit.t), wanted)
+        self.backdrop.sample(self.scene, ray, hit, footprint, wanted)
     }
 }
 
@@ -286,12 +272,12 @@ impl Inside {
 
 /// Keeps the indices, among the first `count`, whose rays are misses; returns their number.
 fn only_misses(numbers: &mut [usize], count: usize, hits: &[Hit]) -> usize {
-    let mut kept = 0;
+    let mut misses = 0;
     for i in 0..count {
         if hits[numbers[i]].is_miss() {
-            numbers[kept] = numbers[i];
-            kept += 1;
+            numbers[misses] = numbers[i];
+            misses += 1;
         }
     }
-    kept
+    misses
 }

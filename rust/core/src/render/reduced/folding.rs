@@ -27,19 +27,19 @@ impl Folding {
             return Ok(f64::INFINITY);
         }
         let offset = user - center;
-        let away = DVec2::new(offset.x, offset.z).length();
+        let distance = DVec2::new(offset.x, offset.z).length();
         let step = HEIGHT_STEP * r2;
         let height = (offset.y / step).round() * step;
-        let cause = [height, r1, r2, strength];
+        let key = [height, r1, r2, strength];
         let last = || self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some((known, margin)) = *last()
-            && known == cause
+        if let Some((last_key, margin)) = *last()
+            && last_key == key
         {
-            return Ok(margin - away);
+            return Ok(margin - distance);
         }
         let on_axis = Morph::new(DVec3::Y * height, DVec3::ZERO, r1, r2, kind)?.with_strength(strength)?;
         let margin = bend::margin(&on_axis)?;
-        *last() = Some((cause, margin));
-        Ok(margin - away)
+        *last() = Some((key, margin));
+        Ok(margin - distance)
     }
 }

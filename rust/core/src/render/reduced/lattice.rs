@@ -17,12 +17,13 @@ use crate::bend::RayCurve;
 use crate::camera::{Camera, Rays};
 use crate::morph::Morph;
 
-/// Fractions of the tolerance that the chords and the interpolation may use.
-const CHORD: f64 = 0.6;
-const BETWEEN: f64 = 0.25;
+/// Fraction of the tolerance for the chords between bends.
+const CHORD_SHARE: f64 = 0.6;
+/// Fraction of the tolerance for the interpolation between corners.
+const INTERPOLATION_SHARE: f64 = 0.25;
 /// Maximum error of a quadratic polynomial between the second and the third of its points, relative to the third
 /// difference: the maximum of |t (t² − 1)|/6 is √3/27.
-const THIRD: f64 = 0.064_150_029_909_958_42;
+const QUADRATIC_ERROR: f64 = 0.064_150_029_909_958_42;
 
 /// Bends at the corners of all tiles.
 pub(super) struct Lattice {
@@ -37,8 +38,7 @@ pub(super) struct Lattice {
 impl Lattice {
     /// Creates a lattice. The tolerance is in pixels, with the angular size of a pixel at each ray.
     pub fn new(camera: &Camera, morph: &Morph, tolerance_px: f64) -> Self {
-        let (columns, lines) =
-            ((camera.width as usize).div_ceil(TILE) + 1, (camera.height as usize).div_ceil(TILE) + 1);
+        let [columns, lines] = [camera.width, camera.height].map(|pixels| (pixels as usize).div_ceil(TILE) + 1);
         let corners = std::iter::repeat_with(OnceLock::new).take(columns * lines).collect();
         Self { morph: *morph, rays: camera.rays(), tolerance_px, columns, lines, corners }
     }
@@ -51,31 +51,31 @@ impl Lattice {
         is_near: impl Fn(&Aabb) -> bool,
         mut trace: impl FnMut(&Cell<'_>),
     ) -> bool {
-        let Some(turn) = self.turn(column, row) else { return false };
-        let allowed = BETWEEN * self.tolerance(column, row);
+        let Some(error) = self.linear_error(column, row) else { return false };
+        let allowed = INTERPOLATION_SHARE * self.tolerance(column as f64, row as f64);
         let user = self.morph.user.as_vec3();
-        let at = |x, y| self.corner(column + x, row + y);
-        if let (Some(a), Some(b), Some(c), Some(d)) = (at(0, 0), at(1, 0), at(0, 1), at(1, 1)) {
+        let corner = |x, y| self.corner(column + x, row + y);
+        if let (Some(a), Some(b), Some(c), Some(d)) = (corner(0, 0), corner(1, 0), corner(0, 1), corner(1, 1)) {
             let corners = [a, b, c, d];
             let linear = || Cell::linear(corners, user, TilePart::WHOLE);
-            let nine = if turn <= allowed { None } else { self.nine(column, row, allowed) };
-            if turn <= allowed || nine.is_some() {
+            let quadratic = if error <= allowed { None } else { self.quadratic_corners(column, row, allowed) };
+            if error <= allowed || quadratic.is_some() {
                 if is_near(&bounds(corners, user)) {
-                    trace(&nine.map_or_else(linear, |(corners, first)| Cell::quadratic(corners, first, user)));
+                    trace(&quadratic.map_or_else(linear, |(corners, first)| Cell::quadratic(corners, first, user)));
                 }
                 return true;
             }
         }
         // Second differences are proportional to the square of a part's side.
-        let Some(parts) = [2, 4].into_iter().find(|&parts| turn <= allowed * (parts * parts) as f64) else {
+        let Some(parts) = [2, 4].into_iter().find(|&parts| error <= allowed * (parts * parts) as f64) else {
             return false;
         };
         let across = parts + 1;
-        let at = |i: usize| {
-            let share = |cell: usize, part: usize| cell as f64 + part as f64 / parts as f64;
-            self.bent(share(column, i % across), share(row, i / across))
+        let corner_at = |i: usize| {
+            let position = |cell: usize, part: usize| cell as f64 + part as f64 / parts as f64;
+            self.bent(position(column, i % across), position(row, i / across))
         };
-        let Some(corners) = (0..across * across).map(at).collect::<Option<Vec<Corner>>>() else { return false };
+        let Some(corners) = (0..across * across).map(corner_at).collect::<Option<Vec<Corner>>>() else { return false };
         for part in 0..parts * parts {
             let (x, y) = (part % parts, part / parts);
             let first = y * across + x;
@@ -86,17 +86,13 @@ impl Lattice {
     }
 
     /// Returns the tolerance in radians at a position in units of tiles.
-    fn tolerance_at(&self, column: f64, row: f64) -> f64 {
+    fn tolerance(&self, column: f64, row: f64) -> f64 {
         self.tolerance_px * self.rays.pixel_angle(column * TILE as f64, row * TILE as f64)
-    }
-
-    fn tolerance(&self, column: usize, row: usize) -> f64 {
-        self.tolerance_at(column as f64, row as f64)
     }
 
     fn bent(&self, column: f64, row: f64) -> Option<Corner> {
         let direction = self.rays.ray(column * TILE as f64, row * TILE as f64).1;
-        Corner::new(&RayCurve::new(&self.morph, direction), CHORD * self.tolerance_at(column, row))
+        Corner::new(&RayCurve::new(&self.morph, direction), CHORD_SHARE * self.tolerance(column, row))
     }
 
     fn corner(&self, column: usize, row: usize) -> Option<&Corner> {
@@ -106,17 +102,17 @@ impl Lattice {
     /// Returns the angle by which interpolated rays inside a tile miss their curve. The error of linear interpolation
     /// in each direction is an eighth of the second difference, which follows from the surrounding corners. `None` if
     /// corners cannot be compared.
-    fn turn(&self, column: usize, row: usize) -> Option<f64> {
-        let inner = |i: usize, count: usize| i.clamp(1, count.saturating_sub(2).max(1));
+    fn linear_error(&self, column: usize, row: usize) -> Option<f64> {
+        let interior = |i: usize, count: usize| i.clamp(1, count.saturating_sub(2).max(1));
         if self.columns < 3 || self.lines < 3 {
             return None;
         }
-        let (column, row) = (inner(column, self.columns), inner(row, self.lines));
-        let middle = coarse(self.corner(column, row)?);
+        let (column, row) = (interior(column, self.columns), interior(row, self.lines));
+        let middle = common_bends(self.corner(column, row)?);
         let mut worst = 0.0f64;
         for (x, y) in [(1, 0), (0, 1), (1, 1)] {
-            let before = coarse(self.corner(column - x, row - y)?);
-            let after = coarse(self.corner(column + x, row + y)?);
+            let before = common_bends(self.corner(column - x, row - y)?);
+            let after = common_bends(self.corner(column + x, row + y)?);
             let second = std::array::from_fn(|k| before[k] - 2.0 * middle[k] + after[k]);
             worst = worst.max(angle_of(&second, &before) / 8.0);
         }
@@ -127,19 +123,19 @@ impl Lattice {
     /// Returns nine corners for biquadratic interpolation: a tile's corners and their neighbours on one side, and the
     /// position of the tile's first corner. `None` if bends would miss their curves by more than the allowed angle:
     /// 0.0642, the maximum of |t (t² − 1)|/6, times the third differences, summed over both directions.
-    fn nine(&self, column: usize, row: usize, allowed: f64) -> Option<([&Corner; 9], [usize; 2])> {
+    fn quadratic_corners(&self, column: usize, row: usize, allowed: f64) -> Option<([&Corner; 9], [usize; 2])> {
         if self.columns < 4 || self.lines < 4 {
             return None;
         }
         let first = |i: usize, count: usize| i.clamp(1, count - 3) - 1;
         let (left, top) = (first(column, self.columns), first(row, self.lines));
-        let across = [0, 1, 2, 3].map(|n| self.corner(left + n, row).map(coarse));
-        let upright = [0, 1, 2, 3].map(|n| self.corner(column, top + n).map(coarse));
+        let across = [0, 1, 2, 3].map(|n| self.corner(left + n, row).map(common_bends));
+        let upright = [0, 1, 2, 3].map(|n| self.corner(column, top + n).map(common_bends));
         let mut worst = 0.0;
         for line in [across, upright] {
             let [Some(a), Some(b), Some(c), Some(d)] = line else { return None };
             let third = std::array::from_fn(|k| d[k] - a[k] + 3.0 * (b[k] - c[k]));
-            worst += THIRD * angle_of(&third, &a);
+            worst += QUADRATIC_ERROR * angle_of(&third, &a);
         }
         if worst > allowed {
             return None;
@@ -168,6 +164,6 @@ fn angle_of(errors: &[Vec4; MIN_LEGS + 1], bends: &[Vec4; MIN_LEGS + 1]) -> f64 
 }
 
 /// Returns the bends that all corners have.
-fn coarse(corner: &Corner) -> [Vec4; MIN_LEGS + 1] {
+fn common_bends(corner: &Corner) -> [Vec4; MIN_LEGS + 1] {
     std::array::from_fn(|k| corner.bend(k * corner.legs / MIN_LEGS, corner.legs))
 }

@@ -8,9 +8,9 @@ mod exact;
 mod folding;
 mod lattice;
 mod moving;
+mod near_geometry;
 mod pieces;
 mod reduced_scene;
-mod shown;
 mod straight;
 
 pub use moving::ConventionalDynamic;

@@ -58,48 +58,55 @@ impl Moving {
 
     /// Finds, for rays that are misses, moving objects beyond the near part that no far surface hides. They are shown
     /// in the direction in which the centre sees them (w = 0), so they are traced along the ray from the centre.
-    /// `seen` gives the visible segment of the n-th ray.
+    /// `segment` gives the visible segment of the n-th ray.
     pub fn trace_beyond(
         &self,
         backdrop: &Backdrop<'_>,
         radius: f64,
-        seen: impl Fn(usize) -> Segment,
+        segment: impl Fn(usize) -> Segment,
         rays: &[Ray],
         hits: &mut [Hit],
     ) {
-        let (mut others, mut found) = ([NOWHERE; PIXELS], [Hit::MISS; PIXELS]);
-        let (others, found) = (&mut others[..rays.len()], &mut found[..rays.len()]);
-        for (n, ((other, ray), hit)) in others.iter_mut().zip(rays).zip(hits.iter()).enumerate() {
+        let aim = |n: usize, ray: &Ray| {
             let from_center = backdrop.ray(radius, ray.direction);
-            if hit.is_miss() && from_center.t_min.is_finite() {
-                // Without a morph the displayed distance is the distance from the centre. With bent rays the segment
-                // is the whole ray.
-                let Segment { t_min, t_max } = seen(n);
-                *other = Ray { t_min: from_center.t_min.max(t_min), t_max, ..from_center };
-            }
-        }
-        closest_hits(&self.scene, others, &AlphaFilter::new(&self.scene, Before { backdrop }), found);
-        for ((hit, found), ray) in hits.iter_mut().zip(found).zip(rays) {
-            if !found.is_miss() {
-                let instance = self.first + found.instance;
-                *hit = Hit { t: backdrop.displayed(ray.direction, found.t), instance, ..*found };
-            }
-        }
+            // Without a morph the displayed distance is the distance from the centre. With bent rays the segment is
+            // the whole ray.
+            let Segment { t_min, t_max } = segment(n);
+            let is_finite = from_center.t_min.is_finite();
+            is_finite.then(|| Ray { t_min: from_center.t_min.max(t_min), t_max, ..from_center })
+        };
+        let displayed = |ray: &Ray, t: f32| backdrop.displayed(ray.direction, t);
+        self.trace_misses(aim, Before { backdrop }, displayed, rays, hits);
     }
 
     /// Finds, for rays that are misses, moving objects in front of the far part.
-    pub fn trace_before(&self, seen: impl Fn(usize) -> Segment, rays: &[Ray], hits: &mut [Hit]) {
-        let (mut others, mut found) = ([NOWHERE; PIXELS], [Hit::MISS; PIXELS]);
-        let (others, found) = (&mut others[..rays.len()], &mut found[..rays.len()]);
-        for (n, ((other, ray), hit)) in others.iter_mut().zip(rays).zip(hits.iter()).enumerate() {
-            if hit.is_miss() {
-                let Segment { t_min, t_max } = seen(n);
-                *other = Ray { t_min, t_max, ..*ray };
-            }
+    pub fn trace_before(&self, segment: impl Fn(usize) -> Segment, rays: &[Ray], hits: &mut [Hit]) {
+        let aim = |n: usize, ray: &Ray| {
+            let Segment { t_min, t_max } = segment(n);
+            Some(Ray { t_min, t_max, ..*ray })
+        };
+        self.trace_misses(aim, All, |_, t| t, rays, hits);
+    }
+
+    /// Traces rays that are misses along those that `aim` returns; `displayed` converts the distance of a hit.
+    fn trace_misses(
+        &self,
+        aim: impl Fn(usize, &Ray) -> Option<Ray>,
+        filter: impl HitFilter,
+        displayed: impl Fn(&Ray, f32) -> f32,
+        rays: &[Ray],
+        hits: &mut [Hit],
+    ) {
+        let (mut aimed, mut moving_hits) = ([NOWHERE; PIXELS], [Hit::MISS; PIXELS]);
+        let (aimed, moving_hits) = (&mut aimed[..rays.len()], &mut moving_hits[..rays.len()]);
+        for (n, ray) in rays.iter().enumerate().filter(|&(n, _)| hits[n].is_miss()) {
+            aimed[n] = aim(n, ray).unwrap_or(NOWHERE);
         }
-        closest_hits(&self.scene, others, &AlphaFilter::new(&self.scene, All), found);
-        for (hit, found) in hits.iter_mut().zip(found).filter(|(_, found)| !found.is_miss()) {
-            *hit = Hit { instance: self.first + found.instance, ..*found };
+        closest_hits(&self.scene, aimed, &AlphaFilter::new(&self.scene, filter), moving_hits);
+        for ((hit, moving), ray) in hits.iter_mut().zip(moving_hits).zip(rays) {
+            if !moving.is_miss() {
+                *hit = Hit { t: displayed(ray, moving.t), instance: self.first + moving.instance, ..*moving };
+            }
         }
     }
 }

@@ -16,8 +16,8 @@ use crate::tessellate::{self, Precision, Rule, Settings};
 
 /// Maximum number of pieces that a split may add, about a gigabyte.
 const MAX_PIECES: u64 = 1 << 22;
-/// Tolerance in radians above which triangles are left whole.
-const COARSEST: f64 = 0.5;
+/// Tolerance in radians from which on triangles are not split.
+const MAX_TOLERANCE: f64 = 0.5;
 /// Vertices morphed between two checks for cancellation.
 const TILE: usize = 1 << 14;
 
@@ -72,16 +72,17 @@ fn cut(
     is_within: &(impl Fn(DVec3) -> bool + Sync),
     progress: &Progress,
 ) -> Result<Option<Vec<Vec<Placed>>>> {
-    let made = AtomicU64::new(0);
+    let piece_count = AtomicU64::new(0);
     let count = |pieces: usize| {
-        let all = made.fetch_add(pieces as u64, Ordering::Relaxed) + pieces as u64;
+        let all = piece_count.fetch_add(pieces as u64, Ordering::Relaxed) + pieces as u64;
         if all > MAX_PIECES { Err(Error::Cancelled) } else { progress.check() }
     };
-    let split = |whole: tessellate::Piece| {
-        let Some(rule) = rule else { return Ok(vec![whole]) };
-        let unseen = |corners: &[DVec3; 3]| tessellate::Piece::is_thin(corners) || (!moves && rule.is_beyond(corners));
+    let split = |triangle: tessellate::Piece| {
+        let Some(rule) = rule else { return Ok(vec![triangle]) };
+        let is_invisible =
+            |corners: &[DVec3; 3]| tessellate::Piece::is_thin(corners) || (!moves && rule.is_beyond(corners));
         let counted = Cell::new(0);
-        let pieces = whole.split(rule, Precision::Double, unseen, |pieces| {
+        let pieces = triangle.split(rule, Precision::Double, is_invisible, |pieces| {
             counted.set(counted.get() + pieces);
             count(pieces)
         })?;
@@ -93,17 +94,17 @@ fn cut(
     };
     let triangles = sources.par_iter().map(|&(instance, face)| {
         let corners = scene.instance(instance).corners(face).map(|corner| corner.as_dvec3());
-        let place = |piece: tessellate::Piece| {
+        let place_piece = |piece: tessellate::Piece| {
             let corners = piece.weights.map(|[_, u, v]| [u as f32, v as f32]);
             // The cylinder is convex.
             let is_within = piece.corners.iter().all(|&corner| is_within(corner));
             (NearPiece { instance, face, is_within, corners }, piece.corners)
         };
-        Ok(split(tessellate::Piece::whole(corners))?.into_iter().map(place).collect())
+        Ok(split(tessellate::Piece::whole(corners))?.into_iter().map(place_piece).collect())
     });
     let triangles: Result<Vec<Vec<Placed>>> = triangles.collect();
     // The total does not depend on the number of threads, whichever of them found that it is too large.
-    if made.into_inner() > MAX_PIECES {
+    if piece_count.into_inner() > MAX_PIECES {
         progress.check()?;
         return Ok(None);
     }
@@ -145,16 +146,16 @@ impl Split {
             }
             bounded = false;
             let coarser = |settings: Settings| Settings { tolerance: 2.0 * settings.tolerance, ..settings };
-            settings = settings.map(coarser).filter(|settings| settings.tolerance < COARSEST);
+            settings = settings.map(coarser).filter(|settings| settings.tolerance < MAX_TOLERANCE);
         };
         progress.check()?;
         let (mut pieces, mut faces, mut vertices) = (vec![], vec![], vec![]);
         // The cut of an edge depends on the edge alone, so neighbours have bit-equal vertices.
-        let mut known = HashMap::new();
+        let mut numbers = HashMap::new();
         for (piece, corners) in triangles.into_iter().flatten() {
             pieces.push(piece);
             faces.push(corners.map(|corner| {
-                *known.entry(corner.to_array().map(f64::to_bits)).or_insert_with(|| {
+                *numbers.entry(corner.to_array().map(f64::to_bits)).or_insert_with(|| {
                     vertices.push(corner);
                     vertices.len() as u32 - 1
                 })
@@ -167,8 +168,8 @@ impl Split {
     pub fn morphed(&self, morph: &Morph, progress: &Progress) -> Result<NearPart> {
         let tiles = self.vertices.par_chunks(TILE).map(|tile| {
             progress.check()?;
-            let shown = tile.iter().map(|&vertex| morph.examine(vertex));
-            Ok(shown.map(|shown| (shown.point.as_vec3().to_array(), u64::from(shown.opposed))).unzip())
+            let points = tile.iter().map(|&vertex| morph.examine(vertex));
+            Ok(points.map(|point| (point.point.as_vec3().to_array(), u64::from(point.opposed))).unzip())
         });
         let tiles: Vec<(Vec<[f32; 3]>, Vec<u64>)> = tiles.collect::<Result<_>>()?;
         let opposed = tiles.iter().flat_map(|(_, opposed)| opposed).sum();

@@ -7,10 +7,10 @@ use glam::DVec3;
 use super::super::frame::{Channels, Frame};
 use super::super::limits::{Limits, Segment};
 use super::super::tiles::{Pixels, RenderView, check_reach, draw};
-use super::backdrop::{Backdrop, Far, Seen};
+use super::backdrop::{Backdrop, Far, VisibleVolume};
 use super::folding::Folding;
-use super::moving::ConventionalDynamic;
-use super::shown::NearGeometry;
+use super::moving::{ConventionalDynamic, Moving};
+use super::near_geometry::NearGeometry;
 use super::{bent, exact, straight};
 use crate::base::{Error, Progress, Result};
 use crate::camera::Camera;
@@ -32,7 +32,6 @@ pub enum Join {
 }
 
 impl Join {
-    /// Returns the kind of the morph, if there is one.
     fn kind(self) -> Option<Kind> {
         match self {
             Self::Morph(kind) => Some(kind),
@@ -95,7 +94,7 @@ impl Drawing<'_> {
 /// A scene partitioned at two radii about a centre, with its environment map.
 #[derive(Debug)]
 pub struct Reduced {
-    standing: Scene,
+    static_scene: Scene,
     center: DVec3,
     radii: [f64; 2],
     join: Join,
@@ -129,8 +128,8 @@ impl Reduced {
             Join::Morph(_) => NearGeometry::gather(partition, progress)?,
             Join::Conventional { .. } => NearGeometry::default(),
         };
-        let standing = Scene { moving: Arc::default(), ..scene.clone() };
-        Ok(Self { standing, center: partition.center, radii, join, map, near, folding: Folding::default() })
+        let static_scene = Scene { moving: Arc::default(), ..scene.clone() };
+        Ok(Self { static_scene, center: partition.center, radii, join, map, near, folding: Folding::default() })
     }
 
     /// Returns the join of the near and the far part.
@@ -161,14 +160,16 @@ impl Reduced {
         let view = RenderView { camera, origin: scene.origin, channels, samples, limits, pixels };
         let center = self.center - scene.origin;
         let boundary = if let Join::Conventional { radius } = self.join { radius } else { self.radii[1] };
-        let seen = Seen { limits: limits.relative_to(scene.origin), eye: camera.position - scene.origin };
-        let backdrop = Backdrop { far: self.far(drawing.mapped, boundary, progress)?, center, morph: None, seen };
+        let visible = VisibleVolume { limits: limits.relative_to(scene.origin), eye: camera.position - scene.origin };
+        let backdrop = Backdrop { far: self.far(drawing.mapped, boundary, progress)?, center, morph: None, visible };
         let fold_margin = self.fold_margin(drawing.user(camera), drawing.growth)?;
-        let traced = |moving| FrameCounts { triangles: 0, moving, opposed: 0, bounded: true, fold_margin };
+        let traced = |moving: &Option<Moving>| {
+            let moving = moving.as_ref().map_or(0, Moving::triangles);
+            FrameCounts { triangles: 0, moving, opposed: 0, bounded: true, fold_margin }
+        };
         let Some(kind) = self.morph_kind(camera, drawing) else {
             let picture = straight::Straight::new(scene, backdrop, boundary, drawing.conventional_dynamic, progress)?;
-            let counts = traced(picture.moving_triangles());
-            return Ok((draw(&view, &picture, progress)?, counts));
+            return Ok((draw(&view, &picture, progress)?, traced(&picture.moving)));
         };
         let user = drawing.user(camera);
         let morph = self.morph(user - scene.origin, center, kind, drawing.growth)?;
@@ -177,18 +178,17 @@ impl Reduced {
         if drawing.method == MorphMethod::Exact {
             let picture =
                 exact::Exact::new(scene, camera, (morph, boundary), backdrop, drawing.tolerance_px, progress)?;
-            let counts = traced(picture.moving_triangles());
-            return Ok((draw(&view, &picture, progress)?, counts));
+            return Ok((draw(&view, &picture, progress)?, traced(&picture.moving)));
         }
-        let shown = self.near.morphed(scene, &morph, tolerance.is_finite().then_some(tolerance), progress)?;
+        let near = self.near.morphed(scene, &morph, tolerance.is_finite().then_some(tolerance), progress)?;
         let counts = FrameCounts {
-            triangles: shown.triangle_count(),
-            moving: shown.moving_triangles(),
-            opposed: shown.opposed,
-            bounded: shown.bounded && user == camera.position,
+            triangles: near.triangle_count(),
+            moving: near.moving_triangles(),
+            opposed: near.opposed,
+            bounded: near.bounded && user == camera.position,
             fold_margin,
         };
-        Ok((draw(&view, &bent::Bent { scene, shown, backdrop, radius: boundary }, progress)?, counts))
+        Ok((draw(&view, &bent::Bent { scene, near, backdrop, radius: boundary }, progress)?, counts))
     }
 
     /// Returns the kind of the morph; `None` if user and camera are at the centre, from which no point moves.
@@ -200,8 +200,8 @@ impl Reduced {
     /// Returns the morph for a user and a centre in the same frame of coordinates.
     pub fn morph(&self, user: DVec3, center: DVec3, kind: Kind, growth: Growth) -> Result<Morph> {
         let [r1, r2] = self.radii;
-        let smaller = growth.radius.filter(|&radius| radius < r2);
-        let [near, far] = smaller.map_or(self.radii, |radius| [r1 * (radius / r2), radius]);
+        let reduced_radius = growth.radius.filter(|&radius| radius < r2);
+        let [near, far] = reduced_radius.map_or(self.radii, |radius| [r1 * (radius / r2), radius]);
         Morph::new(user, center, near, far, kind)?.with_strength(growth.strength)
     }
 
@@ -221,15 +221,15 @@ impl Reduced {
             None => Ok(Far::Nothing),
             Some(map) if mapped => Ok(Far::Map(map)),
             Some(_) => {
-                self.standing.build(progress)?;
-                Ok(Far::Traced(&self.standing, radius))
+                self.static_scene.build(progress)?;
+                Ok(Far::Traced(&self.static_scene, radius))
             }
         }
     }
 
     /// Fails for invalid requests: another scene, parallel rays in front of a map, channels that were not baked.
     pub fn check(&self, scene: &Scene, camera: &Camera, drawing: &Drawing<'_>) -> Result<()> {
-        if !Arc::ptr_eq(&scene.standing, &self.standing.standing) {
+        if !Arc::ptr_eq(&scene.standing, &self.static_scene.standing) {
             return Err(Error::value("at", "poses of the scene that was reduced", "another scene"));
         }
         check_reach("position", camera.position - scene.origin)?;

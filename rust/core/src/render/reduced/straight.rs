@@ -3,7 +3,7 @@
 
 use super::super::frame::{Channels, Sample};
 use super::super::limits::Segment;
-use super::super::surface::{Surface, add_colors};
+use super::super::surface::add_colors;
 use super::super::tiles::{PIXELS, Picture, Spots};
 use super::backdrop::{Backdrop, closest};
 use super::moving::{ConventionalDynamic, Moving};
@@ -15,7 +15,7 @@ use crate::trace::{Hit, Ray};
 
 pub(super) struct Straight<'a> {
     scene: &'a Scene,
-    moving: Option<Moving>,
+    pub moving: Option<Moving>,
     backdrop: Backdrop<'a>,
     radius: f64,
     beyond: ConventionalDynamic,
@@ -34,18 +34,13 @@ impl<'a> Straight<'a> {
         let moving = if beyond == ConventionalDynamic::Omit { None } else { Moving::from_scene(scene) };
         Ok(Self { scene, moving, backdrop, radius, beyond })
     }
-
-    /// Returns the number of moving triangles that each ray is tested against.
-    pub fn moving_triangles(&self) -> u64 {
-        self.moving.as_ref().map_or(0, Moving::triangles)
-    }
 }
 
 impl Picture for Straight<'_> {
     fn trace(&self, rays: &mut [Ray], hits: &mut [Hit], _spots: &Spots<'_>) {
-        let mut seen = [Segment::EMPTY; PIXELS];
-        for (ray, seen) in rays.iter_mut().zip(&mut seen) {
-            *seen = Segment { t_min: ray.t_min, t_max: ray.t_max };
+        let mut segments = [Segment::EMPTY; PIXELS];
+        for (ray, segment) in rays.iter_mut().zip(&mut segments) {
+            *segment = Segment { t_min: ray.t_min, t_max: ray.t_max };
             let from_axis = on_ground(ray.origin.as_dvec3() - self.backdrop.center);
             let inside = within_cylinder(from_axis, on_ground(ray.direction.as_dvec3()), self.radius);
             let (enter, leave) = inside.unwrap_or((f64::INFINITY, f64::NEG_INFINITY));
@@ -54,9 +49,9 @@ impl Picture for Straight<'_> {
         closest(self.scene, rays, hits);
         match &self.moving {
             Some(moving) if self.beyond == ConventionalDynamic::User => {
-                moving.trace_before(|n| seen[n], rays, hits);
+                moving.trace_before(|n| segments[n], rays, hits)
             }
-            Some(moving) => moving.trace_beyond(&self.backdrop, self.radius, |n| seen[n], rays, hits),
+            Some(moving) => moving.trace_beyond(&self.backdrop, self.radius, |n| segments[n], rays, hits),
             None => {}
         }
     }
@@ -67,10 +62,6 @@ impl Picture for Straight<'_> {
     }
 
     fn sample(&self, ray: &Ray, hit: &Hit, footprint: impl FnOnce() -> Footprint, wanted: Channels) -> Sample {
-        if hit.is_miss() {
-            return self.backdrop.sample(ray.direction, footprint, wanted);
-        }
-        let surface = Surface::of_hit(self.scene, ray, hit);
-        surface.sample(self.scene, hit.t, || footprint().width_at(hit.t), wanted)
+        self.backdrop.sample(self.scene, ray, hit, footprint, wanted)
     }
 }

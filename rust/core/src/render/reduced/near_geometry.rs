@@ -18,14 +18,14 @@ const MAX_SPLITS: usize = 3;
 /// Cache key of a split: steps of reach and tolerance, radii of the morph, and poses of moving objects (`None` for
 /// static parts).
 #[derive(Clone, Debug, PartialEq)]
-struct Cause {
+struct SplitKey {
     steps: Option<Steps>,
     radii: [f64; 2],
     poses: Option<Vec<DAffine3>>,
 }
 
-/// Cached result of a split: the last morph and its near part.
-type Seen = (Arc<Split>, Morph, NearPart);
+/// A split, the morph that it was last shown with, and the morphed near part.
+type LastMorphed = (Arc<Split>, Morph, NearPart);
 
 /// Near geometry of a reduced scene.
 #[derive(Debug, Default)]
@@ -37,14 +37,14 @@ pub(super) struct NearGeometry {
     /// All other static triangles: instance and face.
     bending: Vec<(u32, u32)>,
     /// Cached splits, the last used at the end.
-    splits: Mutex<Vec<(Cause, Arc<Split>)>>,
+    splits: Mutex<Vec<(SplitKey, Arc<Split>)>>,
     /// Static and moving part that were morphed last. They are cached because a user who stands still may request
     /// frames with other poses.
-    last: Mutex<Vec<Seen>>,
+    last: Mutex<Vec<LastMorphed>>,
 }
 
 /// Near geometry as one user sees it.
-pub(super) struct Shown {
+pub(super) struct Morphed {
     /// Instance 0 holds the fixed pieces, instance 1 the morphed static pieces, instance 2 the moving ones.
     pub scene: Scene,
     pieces: [Arc<Vec<NearPiece>>; 3],
@@ -76,13 +76,19 @@ impl NearGeometry {
 
     /// Returns near geometry as a user sees it, with all moving objects. For a user who stands still, only parts that
     /// moved are morphed again.
-    pub fn morphed(&self, scene: &Scene, morph: &Morph, tolerance: Option<f64>, progress: &Progress) -> Result<Shown> {
-        let moves_all = bent_from(morph) < self.radii[0];
-        let standing = || {
-            let fixed = self.fixed.iter().filter(|_| moves_all).flat_map(|fixed| fixed.pieces.iter());
+    pub fn morphed(
+        &self,
+        scene: &Scene,
+        morph: &Morph,
+        tolerance: Option<f64>,
+        progress: &Progress,
+    ) -> Result<Morphed> {
+        let bends_all = bent_from(morph) < self.radii[0];
+        let static_sources = || {
+            let fixed = self.fixed.iter().filter(|_| bends_all).flat_map(|fixed| fixed.pieces.iter());
             fixed.map(|piece| (piece.instance, piece.face)).chain(self.bending.iter().copied()).collect()
         };
-        let moving = || {
+        let moving_sources = || {
             let first = scene.standing.instances().len();
             let instances = scene.moving.instances().iter().enumerate();
             let faces = instances.flat_map(|(number, instance)| {
@@ -91,20 +97,21 @@ impl NearGeometry {
             faces.collect()
         };
         let fixed = match &self.fixed {
-            Some(fixed) if !moves_all => fixed.clone(),
+            Some(fixed) if !bends_all => fixed.clone(),
             _ => NearPart::fixed(vec![], scene)?,
         };
         let poses = scene.moving.instances().iter().map(|instance| instance.to_scene).collect();
-        let standing = self.split(standing, None, scene, morph, tolerance, progress)?;
-        let moving = self.split(moving, Some(poses), scene, morph, tolerance, progress)?;
-        let (standing, moving) =
-            (self.morphed_part(&standing, morph, progress)?, self.morphed_part(&moving, morph, progress)?);
-        let (opposed, bounded) = (standing.opposed + moving.opposed, standing.bounded && moving.bounded);
-        let parts = [fixed, standing, moving];
+        let static_split = self.split(static_sources, None, scene, morph, tolerance, progress)?;
+        let moving_split = self.split(moving_sources, Some(poses), scene, morph, tolerance, progress)?;
+        let static_part = self.morphed_part(&static_split, morph, progress)?;
+        let moving_part = self.morphed_part(&moving_split, morph, progress)?;
+        let opposed = static_part.opposed + moving_part.opposed;
+        let bounded = static_part.bounded && moving_part.bounded;
+        let parts = [fixed, static_part, moving_part];
         let instances = parts.iter().map(|part| part.instance.clone()).collect();
         let scene = Scene::new(scene.origin, instances, Vec::new(), Arc::default(), Arc::default())?;
         scene.build(progress)?;
-        Ok(Shown { scene, pieces: parts.map(|part| part.pieces), opposed, bounded })
+        Ok(Morphed { scene, pieces: parts.map(|part| part.pieces), opposed, bounded })
     }
 
     /// Returns the split of some triangles, shared by all users at about the same distance from the centre. `poses`
@@ -123,41 +130,37 @@ impl NearGeometry {
             Settings::from_morph(morph, self.radii[1], reach, tolerance).stepped()
         });
         let steps = settings.map(|(steps, _)| steps);
-        let cause = Cause { steps, radii: [bent_from(morph), morph.r2], poses };
-        let known = {
-            let mut splits = self.splits();
-            splits.iter().position(|(other, _)| *other == cause).map(|at| {
-                let found = splits.remove(at);
-                splits.push(found.clone());
-                found.1
-            })
-        };
-        if let Some(split) = known {
-            return Ok(split);
+        let key = SplitKey { steps, radii: [bent_from(morph), morph.r2], poses };
+        let mut splits = self.splits();
+        if let Some(index) = splits.iter().position(|(known, _)| *known == key) {
+            // The last used is at the end.
+            splits[index..].rotate_left(1);
+            return Ok(Arc::clone(&splits[splits.len() - 1].1));
         }
-        let (moves, radius) = (cause.poses.is_some(), self.radii[1]);
+        drop(splits);
+        let (is_moving, radius) = (key.poses.is_some(), self.radii[1]);
         let is_within = |point: DVec3| on_ground(point - morph.center).length() <= radius;
         // Moving objects are drawn beyond the near part, too.
-        let drawn = |settings: Settings| if moves { f64::INFINITY } else { settings.drawn };
+        let drawn = |settings: Settings| if is_moving { f64::INFINITY } else { settings.drawn };
         let settings = settings.map(|(_, settings)| Settings { drawn: drawn(settings), ..settings });
-        let split = Arc::new(Split::new(&sources(), scene, settings, moves, is_within, progress)?);
+        let split = Arc::new(Split::new(&sources(), scene, settings, is_moving, is_within, progress)?);
         let mut splits = self.splits();
         if splits.len() >= 2 * MAX_SPLITS {
             splits.remove(0);
         }
-        splits.push((cause, Arc::clone(&split)));
+        splits.push((key, Arc::clone(&split)));
         Ok(split)
     }
 
     /// Returns a split as a user sees it, from the cache if possible.
     fn morphed_part(&self, split: &Arc<Split>, morph: &Morph, progress: &Progress) -> Result<NearPart> {
-        let is_same = |(other, last, _): &&Seen| Arc::ptr_eq(other, split) && last == morph;
+        let is_same = |(known, known_morph, _): &&LastMorphed| Arc::ptr_eq(known, split) && known_morph == morph;
         if let Some((_, _, part)) = self.last().iter().find(is_same) {
             return Ok(part.clone());
         }
         let part = split.morphed(morph, progress)?;
         let mut last = self.last();
-        last.retain(|(other, ..)| !Arc::ptr_eq(other, split));
+        last.retain(|(known, ..)| !Arc::ptr_eq(known, split));
         if last.len() == 2 {
             last.remove(0);
         }
@@ -165,17 +168,17 @@ impl NearGeometry {
         Ok(part)
     }
 
-    /// No lock is held while work is shared out: a thread that waits inside rayon may run the task of another frame.
-    fn splits(&self) -> MutexGuard<'_, Vec<(Cause, Arc<Split>)>> {
+    /// No lock may be held during parallel work: a thread that waits inside rayon may run the task of another frame.
+    fn splits(&self) -> MutexGuard<'_, Vec<(SplitKey, Arc<Split>)>> {
         self.splits.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    fn last(&self) -> MutexGuard<'_, Vec<Seen>> {
+    fn last(&self) -> MutexGuard<'_, Vec<LastMorphed>> {
         self.last.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
 
-impl Shown {
+impl Morphed {
     /// Returns the piece of a hit on `scene`.
     #[inline]
     pub fn piece(&self, instance: u32, face: u32) -> &NearPiece {
