@@ -111,14 +111,13 @@ class Warping(abc.ABC):
             image = image.require("color")
         picture = _picture(image, len(self._cores))
         height, width = picture.shape[:2]
-        shown = _view(fov, output_fov, lens_radius, width / height)
+        view = _view(fov, output_fov, lens_radius, width / height) | {"distort": distort}
         values = picture if picture.ndim == 3 else picture[..., None]
         result = _core.warp(
             self._cores,
             values,
-            **shown,
+            view,
             size=check.size("size", (width, height) if size is None else size),
-            distort=distort,
             filter=filter,
             fill=_fill(fill, picture.dtype),
         )
@@ -166,16 +165,16 @@ class Warping(abc.ABC):
             camera = size if isinstance(size, Camera) else size.camera
             size, fov = camera.size, _fov_of("size", camera, fov)
         width, height = check.size("size", size)
-        shown = _view(fov, output_fov, lens_radius, width / height)
+        view = _view(fov, output_fov, lens_radius, width / height) | {"distort": distort}
         tolerance = check.positive("tolerance_px", tolerance_px)
 
         def grid(columns: int, rows: int) -> WarpMesh:
-            mesh = _core.warp_mesh(self._cores, **shown, cells=(columns, rows), size=(width, height), distort=distort)
+            mesh = _core.warp_mesh(self._cores, view, cells=(columns, rows), size=(width, height))
             return _compact(*mesh, size=max(width, height))
 
         if cells is not None:
             return grid(*check.pair("cells", cells, 1, 4096))
-        left, right, down, up = shown["to_fov"]
+        left, right, down, up = view["to_fov"]
         aspect = (up - down) / (right - left)
 
         def square_grid(finest: int) -> WarpMesh:

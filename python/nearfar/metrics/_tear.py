@@ -105,10 +105,10 @@ def boundary_tear(
     near = check.in_range("epsilon", epsilon, EPSILONS[0], EPSILONS[1] / 2)
     away = frame.require("position").astype(np.float64) + np.array(frame.origin) - middle
     beyond = np.hypot(away[..., 0], away[..., 2]) > end
-    torn, both = _tears(frame, frame.camera, near, side=beyond, wanted=edge)
+    torn, both = _tears(frame, frame.camera, near, side=beyond, mask=edge)
     defined = edge & ~np.isnan(torn)
     counted = defined & both
-    wide, _ = _tears(frame, frame.camera, 2.0 * near, wanted=counted)
+    wide, _ = _tears(frame, frame.camera, 2.0 * near, mask=counted)
     here, around = (values[counted].astype(np.float64) for values in (torn, wide))
     kink = np.minimum(np.sqrt(np.maximum(around**2 - here**2, 0.0) / 3.0), here)
     return BoundaryTear(
@@ -132,19 +132,18 @@ def _tears(
     epsilon: float,
     *,
     side: NDArray[np.bool_] | None = None,
-    wanted: NDArray[np.bool_] | None = None,
+    mask: NDArray[np.bool_] | None = None,
 ) -> tuple[NDArray[np.float32], NDArray[np.bool_]]:
     """Tears (H, W), and, if `side` tells each pixel's side of a border, whether both sides are in its neighbourhood."""
     position = np.ascontiguousarray(frame.require("position"), np.float32)
     with progress.bar("measuring tears") as report:
         torn, both = _core.tear(
-            position.reshape(-1, 3),
+            position,
             origin=frame.origin,
-            width=position.shape[1],
             camera=truth._core,
             epsilon=epsilon,
             side=None if side is None else side.reshape(-1),
-            wanted=None if wanted is None else wanted.reshape(-1),
+            mask=None if mask is None else mask.reshape(-1),
             report=report,
         )
     shape = position.shape[:2]
