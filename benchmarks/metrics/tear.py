@@ -33,26 +33,26 @@ def measure(kind: str, shear: float, curvature: float, tear: float, direction: f
 def main() -> None:
     arguments = start(__doc__, "--quick", "--plots")
     directions = dict(list(DIRECTIONS.items())[:1]) if arguments.quick else DIRECTIONS
-    found = {
-        name: np.array([[measure(kind, shear, bent, tear, way) for tear in TEARS] for way in directions.values()])
+    readings = {
+        name: np.array([[measure(kind, shear, bent, tear, angle) for tear in TEARS] for angle in directions.values()])
         for name, kind, shear, bent in CASES
     }
-    rows = [[name, *zip(values.min(axis=0), values.max(axis=0), strict=True)] for name, values in found.items()]
+    rows = [[name, *zip(values.min(axis=0), values.max(axis=0), strict=True)] for name, values in readings.items()]
     header = ["picture", *(f"tear of {tear:g} px {{:.3g}} to {{:.3g}}" for tear in TEARS)]
     print(table(f"What tear reads along the line, {', '.join(directions)}", header, rows))
     if arguments.plots is not None:
-        draw(found, arguments.plots / "tear.png")
+        draw(readings, arguments.plots / "tear.png")
 
 
-def draw(found: dict[str, np.ndarray[tuple[int, ...], np.dtype[np.float64]]], path: Path) -> None:
+def draw(readings: dict[str, np.ndarray[tuple[int, ...], np.dtype[np.float64]]], path: Path) -> None:
     """Draw the ratio of read to true tear, with the band of ± 10 %."""
     figure, axes = subplots(figsize=(7.4, 3.6))
     axes.axhspan(0.9, 1.1, color="0.92", label="± 10 %")
-    for n, (name, values) in enumerate(found.items()):
-        at = np.arange(len(TEARS)) + 0.1 * (n - len(found) / 2)
+    for n, (name, values) in enumerate(readings.items()):
+        x = np.arange(len(TEARS)) + 0.1 * (n - len(readings) / 2)
         ratios = values / np.array(TEARS)
-        axes.vlines(at, ratios.min(axis=0), ratios.max(axis=0), color=f"C{n}")
-        axes.plot(np.tile(at, len(ratios)), ratios.ravel(), "o", markersize=4, color=f"C{n}", label=name)
+        axes.vlines(x, ratios.min(axis=0), ratios.max(axis=0), color=f"C{n}")
+        axes.plot(np.tile(x, len(ratios)), ratios.ravel(), "o", markersize=4, color=f"C{n}", label=name)
     axes.set(ylim=(-0.05, 1.2), xlabel="tear, pixels", ylabel="read / true")
     axes.set_xticks(range(len(TEARS)), [f"{tear:g}" for tear in TEARS])
     axes.legend(fontsize=8, loc="center left", bbox_to_anchor=(1.0, 0.5))

@@ -15,12 +15,8 @@ from benchmarks.harness.report import folder_or_temporary
 from benchmarks.harness.timing import ahead_of_others, forget_peak, resident, timed
 from nearfar import _core
 
-ENOUGH = 3.0
+MAX_SECONDS = 3.0
 """Seconds of loading after which no further load is timed."""
-
-
-def _nearfar(path: Path) -> nf.Scene:
-    return nf.Scene.load(path)
 
 
 def _trimesh(path: Path) -> Any:
@@ -73,11 +69,8 @@ def _open3d(path: Path) -> Any:
 
 
 READERS: dict[str, Callable[[Path], Any]] = {
-    "nearfar": _nearfar,
-    "trimesh": _trimesh,
-    "pygltflib": _pygltflib,
-    "Open3D": _open3d,
-}
+    "nearfar": nf.Scene.load, "trimesh": _trimesh, "pygltflib": _pygltflib, "Open3D": _open3d,
+}  # fmt: skip
 
 
 def child(reader: str, path: Path) -> None:
@@ -89,7 +82,7 @@ def child(reader: str, path: Path) -> None:
     seconds: list[float] = []
     loaded = None
     with ahead_of_others():
-        while not seconds or (len(seconds) < 5 and sum(seconds) < ENOUGH):
+        while not seconds or (len(seconds) < 5 and sum(seconds) < MAX_SECONDS):
             loaded = None
             loaded, spent = timed(read, path)
             seconds.append(spent.wall)

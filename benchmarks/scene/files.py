@@ -35,7 +35,7 @@ PACKED = {"quantised": (), "meshopt": ("-c",)}
 
 SECONDS = 900
 """Timeout of a reader, seconds."""
-SMALL = 20e6
+LEAST_SIZE = 20e6
 """Bytes of a scene below which the growth of memory depends more on the reader's code than on the file."""
 
 
@@ -55,8 +55,8 @@ def main() -> None:
     rows = []
     with folder_or_temporary() as folder:
         for name, path in files(folder):
-            found = {reader: _measured(reader, path) for reader in READERS}
-            rows.append([name, path.stat().st_size / 1e6, *_row(found)])
+            readings = {reader: _measured(reader, path) for reader in READERS}
+            rows.append([name, path.stat().st_size / 1e6, *_row(readings)])
             print(rows[-1], file=sys.stderr, flush=True)
             if path.is_relative_to(folder):
                 path.unlink()
@@ -65,12 +65,12 @@ def main() -> None:
     print(table("Loading", ["file", "MB {:.1f}", *times, *columns], rows))
 
 
-def _row(found: dict[str, Reading | None]) -> list[object]:
-    ours, peer = found["nearfar"], found["trimesh"]
+def _row(readings: dict[str, Reading | None]) -> list[object]:
+    ours, peer = readings["nearfar"], readings["trimesh"]
     assert ours is not None
     ratio = "–" if peer is None else peer.seconds / ours.seconds
-    memory = ["–" if r is None or ours.size < SMALL else r.growth / ours.size for r in (ours, peer)]
-    return [*("–" if reading is None else reading.seconds for reading in found.values()), ratio, *memory]
+    memory = ["–" if r is None or ours.size < LEAST_SIZE else r.growth / ours.size for r in (ours, peer)]
+    return [*("–" if reading is None else reading.seconds for reading in readings.values()), ratio, *memory]
 
 
 # files ----------------------------------------------------------------------------------------------------------------
@@ -116,9 +116,8 @@ def _cities(folder: Path) -> Iterator[tuple[str, Path]]:
         yield f"procedural city, {scene.triangle_count:,} triangles, {kind}, GLB", path
     if no_exporters():
         return
-    tokyo = "Tokyo"
     for name, options in PACKED.items():
-        EXPORTERS["gltfpack"]([Case(tokyo, name, "packed.glb", options)], folder)
+        EXPORTERS["gltfpack"]([Case("Tokyo", name, "packed.glb", options)], folder)
         yield f"tokyo_core_lod1, {name} by gltfpack", folder / "packed.glb"
     EXPORTERS["glTF-Transform"]([Case("FlightHelmet", "draco", "packed.glb", [["draco", {}]])], folder)
     yield "FlightHelmet, Draco by glTF-Transform", folder / "packed.glb"

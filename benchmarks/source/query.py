@@ -28,7 +28,6 @@ SIDE = 100
 ROUNDS = 3
 """Number of times that each cell is queried and read; the least time counts."""
 
-
 Floats = NDArray[np.float32]
 Faces = NDArray[np.uint32]
 
@@ -79,7 +78,8 @@ def whole_city(vertices: Floats, faces: Faces, building: NDArray[np.int32], *, s
     report(measured, scene.triangle_count)
     if plots is not None:
         draw(measured, plots / "source_query.png")
-    peers(scene, boxes, measured, listed, vertices, faces)
+    median = int(np.argsort(measured.counts)[len(boxes) // 2])
+    peers(scene, boxes[median], listed[median], vertices, faces, measured.counts[median])
 
 
 def touching(bounds: NDArray[np.float64], side: int, vertices: Floats, faces: Faces) -> list[NDArray[np.int64]]:
@@ -122,16 +122,16 @@ def measure(
     read = reader()
     counts = np.zeros(len(boxes), np.int64)
     seconds = np.full((2, len(boxes)), np.inf)
-    for _, (at, box) in itertools.product(range(ROUNDS), enumerate(boxes)):
+    for _, (cell, box) in itertools.product(range(ROUNDS), enumerate(boxes)):
         part, spent = timed(scene.query, box)
-        seconds[0, at] = min(seconds[0, at], spent.wall)
-        counts[at] = part.triangle_count
-    most = max(map(len, listed))
-    indices, corners = np.zeros((most, 3), np.uint32), np.zeros((most, 3, 3), np.float32)
+        seconds[0, cell] = min(seconds[0, cell], spent.wall)
+        counts[cell] = part.triangle_count
+    greatest = max(map(len, listed))
+    indices, corners = np.zeros((greatest, 3), np.uint32), np.zeros((greatest, 3, 3), np.float32)
     read(listed[0][:0], vertices, faces, indices, corners)
-    for _, (at, rows) in itertools.product(range(ROUNDS), enumerate(listed)):
-        _, spent = timed(read, rows[: counts[at]], vertices, faces, indices, corners)
-        seconds[1, at] = min(seconds[1, at], spent.wall)
+    for _, (cell, rows) in itertools.product(range(ROUNDS), enumerate(listed)):
+        _, spent = timed(read, rows[: counts[cell]], vertices, faces, indices, corners)
+        seconds[1, cell] = min(seconds[1, cell], spent.wall)
     return Measured(counts, *seconds)
 
 
@@ -140,8 +140,8 @@ def line(counts: NDArray[np.int64], seconds: NDArray[np.float64]) -> tuple[float
     weights = 1 / np.sqrt(np.maximum(counts, 100))
     columns = np.column_stack([np.ones(len(counts)), counts])
     (first, slope), *_ = np.linalg.lstsq(columns * weights[:, None], seconds * weights, rcond=None)
-    left = seconds - columns @ (first, slope)
-    return float(first), float(slope), 1 - float(left.var() / seconds.var())
+    residual = seconds - columns @ (first, slope)
+    return float(first), float(slope), 1 - float(residual.var() / seconds.var())
 
 
 def report(measured: Measured, triangles: int) -> None:
@@ -154,21 +154,21 @@ def report(measured: Measured, triangles: int) -> None:
     print(table(title, " | µs a call {:.1f} | ns a triangle {:.1f} | R² {:.3f} | all cells, s {:.2f}", rows))
     rows = []
     for low, high in itertools.pairwise([0, 1, 100, 1000, 3000, 10_000, 30_000, 10**9]):
-        here = (measured.counts >= low) & (measured.counts < high)
-        if here.any():
-            query, read = measured.query[here], measured.read[here]
+        in_range = (measured.counts >= low) & (measured.counts < high)
+        if in_range.any():
+            query, read = measured.query[in_range], measured.read[in_range]
             ratio = query.sum() / read.sum()
-            rows.append([(low, high - 1), here.sum(), np.median(query) * 1e6, np.median(read) * 1e6, ratio])
+            rows.append([(low, high - 1), in_range.sum(), np.median(query) * 1e6, np.median(read) * 1e6, ratio])
     header = "triangles {:,} to {:,} | cells {:,} | query, µs {:.0f} | reading, µs {:.0f} | ratio of sums {:.2f}"
     print(table("Medians by size", header, rows))
 
 
 def draw(measured: Measured, path: Path) -> None:
     figure, axes = subplots(figsize=(7, 4.5))
-    some = measured.counts > 0
-    counts = measured.counts[some]
+    filled = measured.counts > 0
+    counts = measured.counts[filled]
     for name, seconds, color in (("query", measured.query, "#c8102e"), ("reading", measured.read, "#888888")):
-        axes.scatter(counts, seconds[some] * 1e6, s=3, color=color, alpha=0.3, linewidths=0)
+        axes.scatter(counts, seconds[filled] * 1e6, s=3, color=color, alpha=0.3, linewidths=0)
         first, slope, _ = line(measured.counts, seconds)
         along = np.geomspace(1, counts.max(), 200)
         label = f"{name}: {first * 1e6:.0f} µs + {slope * 1e9:.0f} ns · triangles"
@@ -181,16 +181,9 @@ def draw(measured: Measured, path: Path) -> None:
 
 
 def peers(
-    scene: nf.Scene,
-    boxes: list[NDArray[np.float64]],
-    measured: Measured,
-    listed: list[NDArray[np.int64]],
-    vertices: Floats,
-    faces: Faces,
+    scene: nf.Scene, box: NDArray[np.float64], rows: NDArray[np.int64], vertices: Floats, faces: Faces, count: int
 ) -> None:
-    """Time other methods of finding the same triangles for the cell with the median number of them."""
-    at = int(np.argsort(measured.counts)[len(boxes) // 2])
-    box = boxes[at]
+    """Time other methods of finding the same triangles for a cell with the faces `rows`, `count` of which touch it."""
 
     def mask() -> NDArray[np.bool_]:
         corners = vertices[faces]
@@ -201,11 +194,11 @@ def peers(
     jobs: dict[str, Callable[[], Any]] = {
         "Scene.query": lambda: scene.query(box),
         "Scene.subset, mask at hand": lambda: scene.subset(triangles=chosen),
-        "NumPy: triangles gathered, numbers at hand": lambda: vertices[faces[listed[at]]],
+        "NumPy: triangles gathered, numbers at hand": lambda: vertices[faces[rows]],
         "NumPy: mask of boxes, then gathered": lambda: vertices[faces[mask()]],
     }
-    rows = [(name, best(job, repeat=2).ms) for name, job in jobs.items()]
-    print(table(f"One cell of the whole of Tokyo, {measured.counts[at]:,} triangles", "way | ms {:,.3f}", rows))
+    times = [(name, best(job, repeat=2).ms) for name, job in jobs.items()]
+    print(table(f"One cell of the whole of Tokyo, {count:,} triangles", "way | ms {:,.3f}", times))
 
 
 def centre() -> None:
@@ -214,8 +207,8 @@ def centre() -> None:
     if scene is None:
         print(f"{scenes.FILES['Tokyo core']} is not there\n")
         return
-    mesh = trimesh.Trimesh(scene.triangles().reshape(-1, 3), np.arange(3 * scene.triangle_count).reshape(-1, 3),
-                           process=False)  # fmt: skip
+    numbers = np.arange(3 * scene.triangle_count).reshape(-1, 3)
+    mesh = trimesh.Trimesh(scene.triangles().reshape(-1, 3), numbers, process=False)
     boxes = cells_of(scene.bounds, 30)
     _, ours = timed(scene.query, np.zeros((2, 3)))
     tree, theirs = timed(lambda: mesh.triangles_tree)

@@ -81,7 +81,7 @@ def sent_by_ring(bundle: nf.stream.Bundle) -> list[int]:
 
 def map_bytes(maps: nf.stream.RingMaps, size: int) -> int:
     """Bytes of the last map as a whole, with range."""
-    env = nf.stream.bake_maps(maps.rings, face_size=size).map(maps.rings.count)
+    env = nf.stream.bake_maps(maps.rings, face_size=size, samples=1).map(maps.rings.count)
     assert env.range is not None
     scale = scale_of(maps, 2.0**-11)
     ranges = sum(len(whole_range(face, scale.step)) for face in scale.codes(env.range))
@@ -109,7 +109,7 @@ def main() -> None:
         bundle = nf.stream.export(scene, folder / "bundle", center=center, radii=PUBLISHED)
         sent = sent_by_ring(bundle)
     rings = nf.stream.assign(scene, center=center, radii=PUBLISHED)
-    maps = nf.stream.bake_maps(rings, face_size=TEXELS * size, object_id=True)
+    maps = nf.stream.bake_maps(rings, face_size=TEXELS * size, samples=1, object_id=True)
     last = map_bytes(maps, 1024)
     results = {}
     for distance in (1.0, 2.0):

@@ -12,11 +12,10 @@ from numpy.typing import NDArray
 import nearfar as nf
 from benchmarks.harness.report import start, table
 from benchmarks.harness.timing import best
-from benchmarks.tessellate.tessellate import PIXEL, VIEW, plane
+from benchmarks.tessellate.tessellate import CENTER, PIXEL, VIEW, morph_errors, plane
 
 NEAR, REACH, TOLERANCE = 0.7, 1.0, 4.0
 """r₁ as a share of R; distance of users from the centre, metres; tolerance in pixels of the other benchmark's view."""
-CENTER = np.array([0.3, 1.7, 0.2])
 STAGES = {"10 m, all strengths": (10.0, 10.0, 0.0), "10 to 14 m": (10.0, 14.0, 1.0), "22 to 32 m": (22.0, 32.0, 1.0)}
 """Least and greatest R, least strength."""
 EXEMPT = 2.6 * REACH
@@ -44,21 +43,15 @@ def greatest_error(triangles: Array, stages: tuple[float, float, float]) -> floa
     least, greatest, weakest = stages
     random = np.random.default_rng(1)
     weights = np.concatenate([(1 - np.eye(3)) / 2, np.full((1, 3), 1 / 3), random.dirichlet(np.ones(3), 6)])
-    points = np.einsum("wk,tkc->twc", weights, triangles)
     error = 0.0
     for number in range(40):
         aim = random.normal(size=3) * [1, random.random(), 1]
         user = CENTER + REACH * random.random() ** 0.1 * aim / np.linalg.norm(aim)
         radius = least + (greatest - least) * (number % 8) / 7
         strength = 1.0 if weakest == 1.0 or number % 3 == 0 else random.random()
-        how: dict[str, Any] = {"user": user, "center": CENTER, "kind": "cylinder", "strength": strength}
-        corners, exact = (
-            nf.morph(where.reshape(-1, 3), r1=NEAR * radius, r2=radius, **how).reshape(where.shape) - user
-            for where in (triangles, points)
-        )
-        shown = np.einsum("wk,tkc->twc", weights, corners)
-        cross = np.linalg.norm(np.cross(shown, exact), axis=2)
-        error = max(error, float(np.arctan2(cross, (shown * exact).sum(axis=2)).max()))
+        settings: dict[str, Any] = {"user": user, "center": CENTER, "kind": "cylinder", "strength": strength}
+        settings |= {"r1": NEAR * radius, "r2": radius}
+        error = max(error, float(morph_errors(triangles, weights, settings).max()))
     return error / PIXEL
 
 
@@ -70,12 +63,9 @@ def rows_of(stages: tuple[float, float, float]) -> list[list[object]]:
         settings |= {"kind": "cylinder", "radius": least, "strength": weakest}
         job = partial(nf.tessellate, mesh, **settings, tolerance_px=TOLERANCE, camera=VIEW)
         triangles = np.asarray(job().triangles)
-        if weakest < 1.0:
-            rho = np.hypot(*np.moveaxis((triangles - CENTER)[..., [0, 2]], -1, 0))
-            bound = triangles[(rho > EXEMPT).all(axis=1)]
-        else:
-            bound = triangles
-        error = greatest_error(bound, stages)
+        rho = np.hypot(*np.moveaxis((triangles - CENTER)[..., [0, 2]], -1, 0))
+        has_bound = (rho > EXEMPT).all(axis=1) | (weakest >= 1.0)
+        error = greatest_error(triangles[has_bound], stages)
         rows.append([name, len(triangles), error, error / TOLERANCE, best(job, repeat=1).wall])
     return rows
 

@@ -14,9 +14,12 @@ from numpy.typing import NDArray
 import nearfar as nf
 from benchmarks.harness import scenes
 from benchmarks.harness.report import start, subplots, table
-from benchmarks.harness.timing import best, timed
+from benchmarks.harness.timing import Timing, best, timed
 
 R1, R2, REACH = 30.0, 50.0, 5.0
+"""Radii of the zones, and greatest distance of users from the centre, metres."""
+CENTER = np.array([0.3, 1.7, 0.2])
+"""Centre above the procedural ground, metres."""
 VIEW = nf.Camera((0, 0, 0), fov=nf.Fov.symmetric(90, 16 / 9), size=(1920, 1080))
 PIXEL = VIEW._core.least_pixel_angle
 TOLERANCES = (0.25, 0.5, 1.0)
@@ -39,14 +42,23 @@ def misses(triangles: Array, center: Array, eyes: Array) -> Array:
     for eye in eyes:
         morphing: dict[str, Any] = {"user": eye, "center": center, "r1": R1, "r2": R2}
         for part in np.array_split(np.arange(len(triangles)), len(triangles) // 100_000 + 1):
-            corners = triangles[part]
-            shown = np.einsum("wk,tkc->twc", weights, nf.morph(corners.reshape(-1, 3), **morphing).reshape(-1, 3, 3))
-            points = np.einsum("wk,tkc->twc", weights, corners)
-            exact = nf.morph(points.reshape(-1, 3), **morphing).reshape(points.shape) - eye
-            cross = np.linalg.norm(np.cross(shown - eye, exact), axis=2)
-            angle = np.arctan2(cross, ((shown - eye) * exact).sum(axis=2))
-            worst[part] = np.maximum(worst[part], angle.max(axis=1))
+            worst[part] = np.maximum(worst[part], morph_errors(triangles[part], weights, morphing))
     return worst / PIXEL
+
+
+def morph_errors(triangles: Array, weights: Array, settings: dict[str, Any]) -> Array:
+    """Greatest angle in each triangle between morphed points, and the same points interpolated from morphed corners.
+
+    The points are given by the weights (W, 3) of the triangle's corners.
+    """
+    points = np.einsum("wk,tkc->twc", weights, triangles)
+    corners, exact = (
+        nf.morph(places.reshape(-1, 3), **settings).reshape(places.shape) - settings["user"]
+        for places in (triangles, points)
+    )
+    drawn = np.einsum("wk,tkc->twc", weights, corners)
+    cross = np.linalg.norm(np.cross(drawn, exact), axis=2)
+    return np.asarray(np.arctan2(cross, (drawn * exact).sum(axis=2)).max(axis=1))
 
 
 def grid(length: float, extent: float = 60.0) -> Array:
@@ -55,18 +67,15 @@ def grid(length: float, extent: float = 60.0) -> Array:
     x, z = (v.ravel() * length - extent for v in np.meshgrid(np.arange(count), np.arange(count)))
     low = np.stack([x, np.zeros(len(x)), z], axis=1)
     right, down = np.array([length, 0, 0]), np.array([0, 0, length])
-    halves = [np.stack([low, low + down, low + right + down], 1), np.stack([low, low + right + down, low + right], 1)]
-    return np.concatenate(halves)
+    return np.concatenate([np.stack([low, low + side, low + right + down], 1) for side in (down, right)])
 
 
 def by_length() -> str:
     """Table of errors of unsplit triangles by the length of their legs, on ground 1.7 m below the eye."""
-    center = np.array([0.3, 1.7, 0.2])
-    eyes = users(center, 12)
     rows = []
     for length in (0.5, 1.0, 2.0, 4.0, 8.0, 15.0, 30.0, 60.0):
         triangles = grid(length)
-        error = misses(triangles, center, eyes)
+        error = misses(triangles, CENTER, users(CENTER, 12))
         error = error[error > 0]
         rows.append([length, len(triangles), error.max(), np.percentile(error, 95)])
     header = "leg, m {:g} | triangles of 120 m × 120 m {:,} | greatest error, px {:.2f}"
@@ -81,7 +90,7 @@ def plane(extent: float) -> trimesh.Trimesh:
 
 def surfaces(quick: bool) -> Iterator[tuple[str, nf.Scene, Array]]:
     """Yield two triangles, procedural streets, and Tokyo if its data exist."""
-    yield "two triangles of ground, 8 km wide", nf.Scene.from_trimesh(plane(4000.0)), np.array([0.3, 1.7, 0.2])
+    yield "two triangles of ground, 8 km wide", nf.Scene.from_trimesh(plane(4000.0)), CENTER
     city = nf.datasets.city(blocks=4 if quick else 12, seed=0, detail=2)
     low, high = city.bounds
     yield "procedural city", city, np.array([(low[0] + high[0]) / 2, 1.7, (low[2] + high[2]) / 2])
@@ -117,23 +126,23 @@ def scenes_by_tolerance(quick: bool) -> str:
 
 def against_peer(quick: bool) -> tuple[str, dict[str, list[tuple[int, float]]]]:
     """Table for ground of 120 m × 120 m: trimesh's subdivide_to_size until it reaches nearfar's measured error."""
-    center = np.array([0.3, 1.7, 0.2])
-    eyes = users(center, 6)
-    mesh = plane(60.0)
+    eyes, mesh = users(CENTER, 6), plane(60.0)
     rows: list[list[object]] = []
     curves: dict[str, list[tuple[int, float]]] = {"nearfar": [], "subdivide_to_size": []}
+
+    def add(method: str, label: str, triangles: Array, spent: Timing) -> None:
+        error = float(misses(triangles, CENTER, eyes).max())
+        curves[method].append((len(triangles), error))
+        rows.append([label, len(triangles), spent.ms, error])
+
     for pixels in (1.0, 4.0) if quick else (0.5, 1.0, 2.0, 4.0):
-        settings: dict[str, Any] = {"center": center, "r1": R1, "r2": R2, "user_region": REACH, "camera": VIEW}
+        settings: dict[str, Any] = {"center": CENTER, "r1": R1, "r2": R2, "user_region": REACH, "camera": VIEW}
         ours, spent = timed(nf.tessellate, mesh, tolerance_px=pixels, **settings)
-        error = float(misses(np.asarray(ours.triangles), center, eyes).max())
-        curves["nearfar"].append((len(ours.faces), error))
-        rows.append([f"nearfar, {pixels:g} px", len(ours.faces), spent.ms, error])
-    for longest in (8.0, 4.0, 2.0) if quick else (8.0, 4.0, 2.0, 1.0, 0.5, 0.25):
-        peer: dict[str, Any] = {"max_edge": longest, "max_iter": 30}
+        add("nearfar", f"nearfar, {pixels:g} px", np.asarray(ours.triangles), spent)
+    for max_edge in (8.0, 4.0, 2.0) if quick else (8.0, 4.0, 2.0, 1.0, 0.5, 0.25):
+        peer: dict[str, Any] = {"max_edge": max_edge, "max_iter": 30}
         (vertices, faces), spent = timed(trimesh.remesh.subdivide_to_size, mesh.vertices, mesh.faces, **peer)
-        error = float(misses(np.asarray(vertices[faces]), center, eyes).max())
-        curves["subdivide_to_size"].append((len(faces), error))
-        rows.append([f"trimesh subdivide_to_size, {longest:g} m", len(faces), spent.ms, error])
+        add("subdivide_to_size", f"trimesh subdivide_to_size, {max_edge:g} m", np.asarray(vertices[faces]), spent)
     header = "method | triangles {:,} | ms {:.0f} | greatest error, px {:.3f}"
     return table("Ground of 120 m × 120 m, two triangles, users within 5 m", header, rows), curves
 

@@ -31,9 +31,8 @@ from ._render.sequence import render_path
 from ._render.truth import render
 from .metrics._comparison import Comparison, compare
 from .metrics._pixel_errors import psnr
-from .metrics._result import Similarity
 from .metrics._similarity import ssim
-from .metrics._window import SsimSettings
+from .metrics._window import Similarity, SsimSettings
 from ._reduce.choose_radii import Radii, RadiusSettings, choose_radii
 from ._reduce.baking import MapSettings
 from ._reduce.drawing import MorphSettings

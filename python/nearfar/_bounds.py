@@ -15,6 +15,8 @@ METHODS = ("exact", "ritter", "average", "minmax", "best")
 def bounding_sphere(points: ArrayLike, *, method: str = "exact") -> tuple[NDArray[np.float64], float]:
     """Compute a sphere that encloses points.
 
+    ValueError for no points, other shapes, coordinates that are not finite; TypeError for values that are not numbers.
+
     Parameters
     ----------
     points
@@ -33,13 +35,6 @@ def bounding_sphere(points: ArrayLike, *, method: str = "exact") -> tuple[NDArra
         the error of rounding the centre to float64: 1e-16 of the points' distance from zero. The bits are the same for
         any number of threads.
 
-    Raises
-    ------
-    ValueError
-        No points, other shapes, coordinates that are not finite.
-    TypeError
-        Values that are not numbers.
-
     References
     ----------
     "exact": Gärtner (1999), which adds the farthest point until none lies outside. "ritter": Ritter (1990). "best":
@@ -55,6 +50,8 @@ def bounding_spheres(
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Compute a sphere for each group of points, such as the objects of a scene.
 
+    Errors as in `bounding_sphere`, and for offsets that do not ascend or exceed the number of points.
+
     Parameters
     ----------
     points, method
@@ -66,11 +63,6 @@ def bounding_spheres(
     -------
     (NDArray, NDArray)
         Centres (K, 3) and radii (K,), float64, as `bounding_sphere` computes them for each group.
-
-    Raises
-    ------
-    ValueError, TypeError
-        As in `bounding_sphere`, and for offsets that do not ascend or exceed the number of points.
     """
     check.choice("method", method, METHODS)
     numbers = check.array("offsets", offsets, columns=None, dtype=np.int64)
@@ -84,6 +76,9 @@ def bounding_spheres(
 
 def solid_angle(centers: ArrayLike, radii: ArrayLike, *, eye: ArrayLike) -> NDArray[np.float64]:
     """Compute the solid angles of spheres seen from an eye.
+
+    ValueError and TypeError for other shapes, numbers that are not finite, and radii below 0. Source: Liebisch (2021),
+    Sec. 4.3.
 
     Parameters
     ----------
@@ -100,14 +95,5 @@ def solid_angle(centers: ArrayLike, radii: ArrayLike, *, eye: ArrayLike) -> NDAr
         (N,) float64, steradians: σ = 2π (1 − cos μ), where μ = asin(radius / distance). The relative error is a few
         units in the last place divided by cos μ, however small the sphere is: near the surface cos μ is small, and σ
         depends on the last digits of the distance. σ is 4π if the eye is inside the sphere or on it.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Other shapes, numbers that are not finite, and radii below 0.
-
-    References
-    ----------
-    Liebisch (2021), Sec. 4.3.
     """
     return _core.solid_angles(*check.spheres(centers, radii), check.vector("eye", eye))

@@ -12,7 +12,7 @@ import nearfar as nf
 from tests.support import need
 from tests.support.cli_cases import city as city, command, document
 
-FAST = ("--size", "96x80", "--eye", "0,1.7,0", "--target", "30,1.7,-40")
+FAST = ("--size", "96x80", "--samples", "1", "--eye", "0,1.7,0", "--target", "30,1.7,-40")
 
 
 def test_pictures_and_measures_equal_the_library_functions(

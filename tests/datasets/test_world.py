@@ -120,7 +120,8 @@ def test_coarse_ground_stays_within_its_error(place: tuple[int, int]) -> None:
     for level in range(1, 6):
         worst = 0.0
         for (a, b), height in fine.items():
-            x, z = lattice.places(0, *(64 * (4 * n + m) + k for n, m in ((i, a), (j, b)) for k in (0, 63)))
+            lines = (lattice.SPACING * (64 * (4 * n + m) + np.arange(64)) for n, m in ((j, b), (i, a)))
+            z, x = np.meshgrid(*lines, indexing="ij")
             below = tiles.foot(0, level, x.reshape(-1), z.reshape(-1)).reshape(x.shape)
             worst = max(worst, float(np.abs(below - height[:-1, :-1]).max()))
         assert worst <= lattice.error(level)

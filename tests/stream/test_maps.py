@@ -42,7 +42,7 @@ def test_each_map_shows_the_objects_of_later_rings(rings: nf.stream.Rings, sampl
 
 
 def test_only_texels_that_change_are_traced_again(rings: nf.stream.Rings) -> None:
-    maps = nf.stream.bake_maps(rings, face_size=SIZE)
+    maps = nf.stream.bake_maps(rings, face_size=SIZE, samples=1)
     before = maps.map(0)
     for ring in range(1, rings.count + 1):
         after = maps.map(ring)

@@ -52,7 +52,7 @@ WRONG: dict[str, list[Any]] = {
     "SceneBuilder.mesh.colors": [np.full((6, 3), 0.5)],
     "SceneBuilder.material.*texture": [np.full((2, 2, 4), 0.5)],
     "choose_radii.budget RadiusSettings.budget": [1000],
-    "choose_radii.r2 RadiusSettings.r2": [None],
+    "choose_radii.r2": [None],
     "gpu.cube_lookup.faces": [np.zeros((5, 4, 4, 3), np.float32)],
     "lod.select.camera": [[]],
     "lod.LodModel.sigma": [(1.0, 0.1)],

@@ -25,7 +25,9 @@ class RadialLens(WithTwin, Warping):
     """A lens that shows radius r at f(r) = r (1 + k₁r² + k₂r⁴ + …).
 
     Radii are ratios of tangents: r = tan α / tan ω, where α is the angle from the lens's axis and ω half the horizontal
-    field of view (the larger side of an asymmetric one), so that r = 1 at the screen's edge.
+    field of view (the larger side of an asymmetric one), so that r = 1 at the screen's edge. ValueError and TypeError
+    for coefficients that are not finite numbers, and those whose terms reach the size of r before r = 10⁻³⁰ or not
+    before r = 10³⁰. Sources: Liebisch (2021), Eq. 4.10 and Alg. 1; Brown (1966) for the tangential terms.
 
     Parameters
     ----------
@@ -34,16 +36,6 @@ class RadialLens(WithTwin, Warping):
     tangential
         Coefficients p₁ and p₂ of Brown's model, for lenses that are slightly off-centre. They affect the functions of
         points, not those of radii.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Coefficients that are not finite numbers, and those whose terms reach the size of r before r = 10⁻³⁰ or not
-        before r = 10³⁰.
-
-    References
-    ----------
-    Liebisch (2021), Eq. 4.10 and Alg. 1; Brown (1966) for the tangential terms.
     """
 
     k: Sequence[float]
@@ -87,6 +79,8 @@ class RadialLens(WithTwin, Warping):
     def distort(self, r: ArrayLike, *, outside: Outside = "raise") -> NDArray[Any]:
         """Compute the radii f(r) at which the lens shows radii r.
 
+        ValueError for radii beyond `r_max` and NaN, unless `outside` is "nan".
+
         Parameters
         ----------
         r
@@ -98,11 +92,6 @@ class RadialLens(WithTwin, Warping):
         -------
         NDArray
             f(r), rounded once, with an error of at most one unit in the last place.
-
-        Raises
-        ------
-        ValueError
-            Radii beyond `r_max` and NaN, unless `outside` is "nan".
         """
         values = check.array("r", r, columns=None)
         return self._core.distort(values.reshape(-1), _raises_outside(outside)).reshape(values.shape)
@@ -116,6 +105,8 @@ class RadialLens(WithTwin, Warping):
         self, r: ArrayLike, *, method: Method = "newton", iterations: int = 5, outside: Outside = "raise"
     ) -> NDArray[Any]:
         """Compute the radii that the lens shows at radii `r`: the inverse of `distort`.
+
+        ValueError for radii beyond `distorted_max` and NaN, unless `outside` is "nan".
 
         Parameters
         ----------
@@ -136,11 +127,6 @@ class RadialLens(WithTwin, Warping):
         -------
         NDArray
             Radii up to `r_max`, in the type of `r`.
-
-        Raises
-        ------
-        ValueError
-            Radii beyond `distorted_max` and NaN, unless `outside` is "nan".
         """
         check.choice("method", method, get_args(Method))
         steps = check.integer("iterations", iterations, 0, 1000)
@@ -206,8 +192,9 @@ def corrected_solid_angle(
     """Compute the solid angles that spheres occupy in an inversely warped picture.
 
     Let σ be a sphere's solid angle, μ its angular radius, and α the angle of its centre from the axis. Then
-    α± = atan(tan ω · f⁻¹(tan(α ± μ) / tan ω)) and the corrected solid angle is σ′ = σ (α⁺ − α⁻) / 2μ. f and ω are those
-    of `RadialLens`.
+    α± = atan(tan ω · f⁻¹(tan(α ± μ) / tan ω)) and the corrected solid angle is σ′ = σ (α⁺ − α⁻) / 2μ. f and ω are
+    those of `RadialLens`. ValueError and TypeError for wrong shapes, numbers that are not finite, radii below 0, and
+    cameras without a `Fov`. Source: Liebisch (2021), Eq. 4.10–4.12.
 
     Parameters
     ----------
@@ -231,15 +218,6 @@ def corrected_solid_angle(
         (N,) float64, steradians, with a relative error of at most 10⁻¹². For small spheres just before 90° or the fold,
         the relative error of `exact` is at most 10⁻¹⁵ divided by the sine of μ. Spheres that reach 90° from the axis,
         or beyond the lens's domain, keep their solid angle σ; it is 4π if the eye is inside.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Wrong shapes, numbers that are not finite, radii below 0, and cameras without a `Fov`.
-
-    References
-    ----------
-    Liebisch (2021), Eq. 4.10–4.12.
     """
     fov = check.instance("camera", check.instance("camera", camera, Camera).fov, Fov, "one with a Fov")
     check_symmetric(lens)

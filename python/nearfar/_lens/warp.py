@@ -21,7 +21,6 @@ Symmetric = Literal["symmetric"]
 
 TYPES = (np.uint8, np.uint16, np.float32, np.float64)
 """Number types of pictures."""
-
 MAX_CELLS = 1 << 18
 """Maximum number of cells of a mesh that is made for a tolerance."""
 
@@ -69,6 +68,9 @@ class Warping(abc.ABC):
     ) -> NDArray[Any]:
         """Distort a picture as the lens does, or warp it so that the lens's distortion cancels out.
 
+        ValueError and TypeError for wrong shapes and types, unknown filters, a picture without a field of view, frames
+        without colour, and frames of cameras without a `Fov`.
+
         Parameters
         ----------
         image
@@ -97,12 +99,6 @@ class Warping(abc.ABC):
             The warped picture, in the type of `image`; for a frame its warped colour, (H, W, 3) float32, linear RGB,
             not a `Frame`, because no camera has the rays of its pixels. The position that a pixel is read from has an
             error of at most 5·10⁻¹⁰ of its distance from the axis.
-
-        Raises
-        ------
-        ValueError, TypeError
-            Wrong shapes and types, unknown filters, a picture without a field of view, frames without colour, and
-            frames of cameras without a `Fov`.
         """
         check.choice("filter", filter, get_args(Filter))
         distort = not check.flag("inverse", inverse)
@@ -113,14 +109,9 @@ class Warping(abc.ABC):
         height, width = picture.shape[:2]
         view = _view(fov, output_fov, lens_radius, width / height) | {"distort": distort}
         values = picture if picture.ndim == 3 else picture[..., None]
-        result = _core.warp(
-            self._cores,
-            values,
-            view,
-            size=check.size("size", (width, height) if size is None else size),
-            filter=filter,
-            fill=_fill(fill, picture.dtype),
-        )
+        output_size = check.size("size", (width, height) if size is None else size)
+        outside = _fill(fill, picture.dtype)
+        result = _core.warp(self._cores, values, view, size=output_size, filter=filter, fill=outside)
         return result.reshape(result.shape[:2] + picture.shape[2:])
 
     def warp_mesh(
@@ -135,6 +126,9 @@ class Warping(abc.ABC):
         tolerance_px: float = 0.25,
     ) -> WarpMesh:
         """Make a mesh with which a runtime warps pictures of one size, and bound its error between vertices.
+
+        ValueError for a tolerance that 2¹⁸ cells do not satisfy, such as near the fold of an inverse; a field of view
+        beyond the lens's domain; a size without a field of view; or a camera without a `Fov`.
 
         Parameters
         ----------
@@ -153,12 +147,6 @@ class Warping(abc.ABC):
         WarpMesh
             The mesh, without cells that reach beyond the lens's domain. For a `ChromaticLens` it has texture
             coordinates for red, green and blue.
-
-        Raises
-        ------
-        ValueError
-            A tolerance that 2¹⁸ cells do not satisfy, such as near the fold of an inverse; a field of view beyond the
-            lens's domain; a size without a field of view; or a camera without a `Fov`.
         """
         distort = not check.flag("inverse", inverse)
         if isinstance(size, Camera | Frame):
@@ -181,45 +169,34 @@ class Warping(abc.ABC):
             """Make a mesh of nearly square cells, `finest` of them along the longer side."""
             return grid(max(1, round(finest / max(1.0, aspect))), max(1, round(finest * min(1.0, aspect))))
 
-        most = math.isqrt(round(MAX_CELLS * max(aspect, 1 / aspect)))
+        greatest = math.isqrt(round(MAX_CELLS * max(aspect, 1 / aspect)))
         high = 4
-        mesh = square_grid(high)
-        while mesh.error_px > tolerance:
-            if high == most:
-                raise ValueError(
-                    f"tolerance_px: expected at least {mesh.error_px:.3g} px, the error of {MAX_CELLS:,} cells, "
-                    f"got {tolerance}"
-                )
-            high = min(2 * high, most)
-            mesh = square_grid(high)
+        while (mesh := square_grid(high)).error_px > tolerance:
+            if high == greatest:
+                least = f"{mesh.error_px:.3g} px, the error of {MAX_CELLS:,} cells"
+                raise ValueError(f"tolerance_px: expected at least {least}, got {tolerance}")
+            high = min(2 * high, greatest)
         low = high // 2 if high > 4 else 0
         while high - low > 1:
             middle = (low + high) // 2
-            between = square_grid(middle)
-            if between.error_px <= tolerance:
-                high, mesh = middle, between
+            candidate = square_grid(middle)
+            if candidate.error_px <= tolerance:
+                high, mesh = middle, candidate
             else:
                 low = middle
         return mesh
 
 
 def _compact(
-    places: NDArray[np.float64],
-    sources: NDArray[np.float64],
-    faces: NDArray[np.uint32],
-    error: float,
-    *,
-    size: int,
+    places: NDArray[np.float64], sources: NDArray[np.float64], faces: NDArray[np.uint32], error: float, *, size: int
 ) -> WarpMesh:
     """Drop vertices that no face uses, round to float32, and add the rounding to the error."""
     used, renumbered = np.unique(faces, return_inverse=True)
-    positions = places[used] * (2.0, -2.0) + (-1.0, 1.0)
+    positions = (places[used] * (2.0, -2.0) + (-1.0, 1.0)).astype(np.float32)
     texcoords = sources[:, used].astype(np.float32)
     # Half a float32 step of a texture coordinate in each direction, and of a position times the map's slope.
     rounding = size * 2.0**-23 * max(1.0, float(np.abs(texcoords).max()))
-    return WarpMesh(
-        positions.astype(np.float32), texcoords, renumbered.reshape(faces.shape).astype(np.uint32), error + rounding
-    )
+    return WarpMesh(positions, texcoords, renumbered.reshape(faces.shape).astype(np.uint32), error + rounding)
 
 
 def radius_of(fov: Fov, lens_radius: float | None) -> float:
@@ -230,9 +207,8 @@ def radius_of(fov: Fov, lens_radius: float | None) -> float:
 def _fov_of(name: str, camera: Camera, fov: object) -> Fov:
     """Field of view of a frame's or a mesh's camera; ValueError if the caller gave another one."""
     if fov is not None:
-        raise ValueError(
-            f"fov: expected None, because {name} has the field of view of its camera, got {check.value_or_type(fov)}"
-        )
+        got = check.value_or_type(fov)
+        raise ValueError(f"fov: expected None, because {name} has the field of view of its camera, got {got}")
     if not isinstance(camera.fov, Fov):
         raise ValueError(f"{name}: expected a camera with a Fov, got one with {type(camera.fov).__name__}")
     return camera.fov
@@ -256,16 +232,16 @@ def _fill(fill: float, dtype: np.dtype[Any]) -> float:
     """Check a fill value against the range of a pixel type; only floats allow NaN and infinities."""
     if dtype.kind == "f":
         return check.number("fill", fill, finite=False)
-    value, most = check.number("fill", fill), np.iinfo(dtype).max
-    if not 0 <= value <= most:
-        raise ValueError(f"fill: expected a number from 0 to {most} for {dtype.name}, got {value}")
+    value, greatest = check.number("fill", fill), np.iinfo(dtype).max
+    if not 0 <= value <= greatest:
+        raise ValueError(f"fill: expected a number from 0 to {greatest} for {dtype.name}, got {value}")
     return value
 
 
 def _picture(image: ArrayLike, lenses: int) -> NDArray[Any]:
     picture = check.plain("image", image)
     if picture.dtype.type not in TYPES:
-        names = ", ".join(np.dtype(each).name for each in TYPES)
+        names = ", ".join(np.dtype(kind).name for kind in TYPES)
         raise TypeError(f"image: expected one of {names}, got {picture.dtype}")
     if picture.ndim not in (2, 3) or 0 in picture.shape:
         raise ValueError(f"image: expected shape (H, W) or (H, W, C), got {picture.shape}")

@@ -9,7 +9,6 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from PIL import Image
 
 from nearfar._base import glb
 from nearfar._scene import undrawn as undrawn_parts
@@ -228,6 +227,8 @@ def _texture(reader: glb.Reader, number: int) -> TextureSource:
 
 
 def _texels(data: bytes, *, upright: bool) -> NDArray[np.uint8]:
+    from PIL import Image
+
     try:
         with Image.open(io.BytesIO(data), formats=["png"]) as image:
             if image.size[0] * image.size[1] > MAX_TEXELS:

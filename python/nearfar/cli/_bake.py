@@ -20,7 +20,7 @@ def bake(
     scene: options.Input,
     output: Path = option(..., "FILE", "Map file to write, .exr.", "-o --output"),
     zones: options.MapOptions,
-    samples: options.Samples = 1,
+    samples: options.Samples = 4,
     with_range: options.WithRange = False,
     with_ids: bool = flag("--object-id", "Bake object numbers too."),
     equirectangular: Path | None = option(

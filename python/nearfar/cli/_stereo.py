@@ -78,7 +78,7 @@ class RigOptions(Options):
 class ViewOptions(options.EyeOptions):
     """Place and direction of the head, and the pixels of its pictures."""
 
-    samples: options.Samples = 1
+    samples: options.Samples = 4
 
 
 def stereo(

@@ -1,4 +1,7 @@
-"""Procedural scenes, from thousands to tens of millions of triangles, and access to data files."""
+"""Procedural scenes, from thousands to tens of millions of triangles, and access to data files.
+
+The same arguments give the same bytes on every run and every platform.
+"""
 
 from nearfar._base.data import find
 from nearfar.datasets._asteroids import Asteroids, asteroids

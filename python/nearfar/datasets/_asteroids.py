@@ -12,7 +12,7 @@ from nearfar._base import check
 from nearfar._scene.builder import SceneBuilder
 from nearfar._scene.scene import Scene
 from nearfar.datasets import _rocks as rocks
-from nearfar.datasets._draw import Floats, turn
+from nearfar.datasets._draw import Floats, turn, xyz
 from nearfar.datasets._world.noise import hashed
 
 SHAPES = 16
@@ -80,26 +80,21 @@ class Asteroids:
     def query(self, aabb: ArrayLike, detail: SupportsFloat = 0.0) -> Scene:
         """Make the part of the belt that touches a box.
 
+        ValueError for a box with NaN or with a least corner above the greatest, or a negative `detail`; TypeError for
+        values that are not numbers.
+
         Parameters
         ----------
         aabb
             Least and greatest corner (2, 3), world metres; sides belong to the box and may be infinite.
         detail
             Greatest geometric error in metres that the result may have; 0 takes the finest level of each shape. Bodies
-            are
-            never left out.
+            are never left out.
 
         Returns
         -------
         Scene
             Whole triangles that touch the box, of objects "asteroid_17" and so on; bodies inside it stay instances.
-
-        Raises
-        ------
-        ValueError
-            A box with NaN or with a least corner above the greatest, or a negative `detail`.
-        TypeError
-            Values that are not numbers.
         """
         return self.scene(detail).query(check.box("aabb", aabb))
 
@@ -108,25 +103,24 @@ class Asteroids:
         return self._scenes(check.at_least_zero("detail", detail))
 
     def _build_scene(self, detail: float) -> Scene:
-        builder, place = SceneBuilder(), self._transforms()
+        builder, transforms, levels = SceneBuilder(), self._transforms(), self.levels(detail)
         builder.material((1.0, 1.0, 1.0, 1.0))
-        chosen = self.levels(detail)
-        for shape, at in sorted(set(zip(self.shapes.tolist(), chosen.tolist(), strict=True))):
-            mine = np.flatnonzero((self.shapes == shape) & (chosen == at))
-            rock = rocks.rock(self._seed, shape, self._squares, at)
+        for shape, level in sorted(set(zip(self.shapes.tolist(), levels.tolist(), strict=True))):
+            bodies = np.flatnonzero((self.shapes == shape) & (levels == level))
+            rock = rocks.rock(self._seed, shape, self._squares, level)
             mesh = builder.mesh(rock.positions, rock.faces, colors=rock.colors, normals=rock.normals)
-            builder.place_many(mesh, place[mine], [f"asteroid_{k}" for k in mine.tolist()])
+            builder.place_many(mesh, transforms[bodies], [f"asteroid_{k}" for k in bodies.tolist()])
         return builder.build()
 
     def levels(self, detail: SupportsFloat) -> NDArray[np.int64]:
         """Level of each body's shape (N,) at a `detail` in metres: the coarsest whose error is not above it."""
-        most, chosen = check.at_least_zero("detail", detail), np.zeros(self._count, np.int64)
+        limit, levels = check.at_least_zero("detail", detail), np.zeros(self._count, np.int64)
         used = np.unique(self.shapes).tolist()
-        for level in range(1, len(rocks.levels(self._squares)) if most > 0.0 else 0):
+        for level in range(1, len(rocks.levels(self._squares)) if limit > 0.0 else 0):
             errors = np.zeros(SHAPES)
             errors[used] = [rocks.error(self._seed, shape, self._squares, level) for shape in used]
-            chosen[errors[self.shapes] * self.radii <= most] = level
-        return chosen
+            levels[errors[self.shapes] * self.radii <= limit] = level
+        return levels
 
     def _random_numbers(self, channel: int) -> Floats:
         _, i, j, k = self._places
@@ -148,9 +142,9 @@ class Asteroids:
         i, j, k = i[inside], j[inside], k[inside]
         order = np.argsort(hashed(self._seed, 0x6000, i * 65_536 + k, j), kind="stable")[: self._count]
         i, j, k = i[order], j[order], k[order]
-        room = 0.5 - _MAX / _SPACING
+        greatest_shift = 0.5 - _MAX / _SPACING
         draws = [hashed(self._seed, 0x6001 + axis, i * 65_536 + k, j) for axis in range(3)]
-        centers = np.stack([c + room * (2.0 * d - 1.0) for c, d in zip((i, j, k), draws, strict=True)], -1)
+        centers = np.stack([c + greatest_shift * (2.0 * d - 1.0) for c, d in zip((i, j, k), draws, strict=True)], -1)
         return np.floor(64.0 * _SPACING * centers) / 64.0, i, j, k
 
     def _transforms(self) -> Floats:
@@ -160,13 +154,13 @@ class Asteroids:
         (c1, s1), (c2, s2) = turn(first), turn(second)
         a, b = np.sqrt(1.0 - share), np.sqrt(share)
         x, y, z, w = a * s1, a * c1, b * s2, b * c2
-        place = np.zeros((self._count, 4, 4))
-        place[:, 0, :3] = np.stack([1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)], -1)
-        place[:, 1, :3] = np.stack([2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)], -1)
-        place[:, 2, :3] = np.stack([2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)], -1)
-        place[:, :3, :3] *= self.radii[:, None, None]
-        place[:, :3, 3], place[:, 3, 3] = self.centers, 1.0
-        return place
+        matrices = np.zeros((self._count, 4, 4))
+        matrices[:, 0, :3] = xyz(1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w))
+        matrices[:, 1, :3] = xyz(2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w))
+        matrices[:, 2, :3] = xyz(2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y))
+        matrices[:, :3, :3] *= self.radii[:, None, None]
+        matrices[:, :3, 3], matrices[:, 3, 3] = self.centers, 1.0
+        return matrices
 
 
 def asteroids(count: int = 29_264, polygons: int = 97_000, seed: int = 0) -> Asteroids:
@@ -174,8 +168,7 @@ def asteroids(count: int = 29_264, polygons: int = 97_000, seed: int = 0) -> Ast
 
     The default numbers are those of Chaudhuri, Horn, Hanrahan and Koltun, Image-based exploration of massive online
     environments (2009): 29,264 bodies of about 97,000 polygons, 2.8 thousand million in all. Theirs are not published;
-    here 16 shapes are placed many times, turned and scaled. The same arguments give the same bytes on every run and
-    every platform.
+    here 16 shapes are placed many times, turned and scaled. ValueError for numbers out of range.
 
     Parameters
     ----------
@@ -190,10 +183,5 @@ def asteroids(count: int = 29_264, polygons: int = 97_000, seed: int = 0) -> Ast
     -------
     Asteroids
         A source with `bounds`, `query(aabb, detail)`, and `scene(detail)` for all bodies.
-
-    Raises
-    ------
-    ValueError
-        Numbers out of range.
     """
     return Asteroids(count, polygons, seed)

@@ -11,7 +11,7 @@ from nearfar.datasets._draw import Draw, Floats
 from nearfar.datasets._palette import material, materials
 from nearfar.datasets._shapes import Soup, boxes, join
 from nearfar.datasets._styles import HIGH_STYLES, ROW_STYLES, TOWER_STYLES, Style
-from nearfar.datasets._walls import Paint, Plan, wall
+from nearfar.datasets._walls import Paint, walls
 
 # Depth of walls below the ground in metres, so that no wall ends at ground level.
 _FOOT = 0.4
@@ -34,13 +34,12 @@ class Kind:
     variant: int
 
 
-_FACES = {
-    0: ("street", "party", "yard", "party"),
-    1: ("street", "street", "yard", "party"),
-    2: ("street", "party", "yard", "street"),
-    3: ("street", "street", "street", "street"),
-}
-_PARTY = {0: "+x -x", 1: "-x", 2: "+x", 3: ""}
+# Faces of each place, from the front counter-clockwise, and the sides against neighbours.
+_FACES = (
+    ("street", "party", "yard", "party"), ("street", "street", "yard", "party"), ("street", "party", "yard", "street"),
+    ("street", "street", "street", "street"),
+)  # fmt: skip
+_PARTY = ("+x -x", "-x", "+x", "")
 _STOREYS = ((2, 4), (5, 7), (8, 13), (17, 38))
 
 
@@ -72,16 +71,12 @@ class Tier:
 def building(kind: Kind, seed: int, detail: int) -> Soup:
     """Build a building on the ground y = 0 around the y axis, its front towards +z."""
     draw = Draw(seed, 1, kind.width, kind.depth, kind.form, kind.place, kind.variant)
-    styles = TOWER_STYLES if kind.form == 3 else HIGH_STYLES if kind.form == 2 else ROW_STYLES
-    style = draw.pick(styles)
+    style = draw.pick((ROW_STYLES, ROW_STYLES, HIGH_STYLES, TOWER_STYLES)[kind.form])
     low, high = _STOREYS[kind.form]
     storeys = low + int(draw.integers(1, high - low + 1)[0])
     shops = kind.form >= 1 or draw.chance(0.3)
     design = Design(kind, style, Paint.random(style, draw), shops, storeys, detail)
-    soups: list[Soup] = []
-    for tier in _tiers(design, draw):
-        soups += _walls(tier, design, draw) + _roof(tier, design, draw)
-    return join(soups)
+    return join(soup for tier in _tiers(design, draw) for part in (_walls, _roof) for soup in part(tier, design, draw))
 
 
 def _tiers(design: Design, draw: Draw) -> list[Tier]:
@@ -106,8 +101,7 @@ def _sizes(width: float, depth: float, storeys: int, form: int, draw: Draw) -> l
         return [(width, depth, storeys)]
     if form == 2:
         return [(width, depth, storeys - 2), (width - 4.4, depth - 4.4, 2)]
-    base = int(draw.integers(1, 4)[0]) + 2
-    shrink = draw.number(3.0, 6.0)
+    base, shrink = int(draw.integers(1, 4)[0]) + 2, draw.number(3.0, 6.0)
     middle = (width - shrink, depth - shrink)
     if draw.chance(0.45):
         return [(width, depth, base), (*middle, storeys - base)]
@@ -116,16 +110,8 @@ def _sizes(width: float, depth: float, storeys: int, form: int, draw: Draw) -> l
 
 
 def _walls(tier: Tier, design: Design, draw: Draw) -> list[Soup]:
-    x, z = 0.5 * tier.width, 0.5 * tier.depth
-    if design.detail == 0:
-        return [boxes([-x, tier.rows[0], -z], [x, tier.rows[-1], z], design.paint.wall, without="-y +y")]
-    soups = []
-    for quarter, face in enumerate(tier.faces):
-        across, away = (2.0 * x, z) if quarter % 2 == 0 else (2.0 * z, x)
-        plan = Plan(across, tier.rows, face, design.shops, tier.first)
-        side = wall(plan, design.style, design.paint, draw, design.detail)
-        soups.append(side.translate([0.0, 0.0, away]).rotated(0.25 * quarter))
-    return soups
+    size, faces = (tier.width, tier.depth), (tier.faces, design.shops, tier.first)
+    return walls(size, tier.rows, faces, design.style, design.paint, draw, design.detail)
 
 
 def _roof(tier: Tier, design: Design, draw: Draw) -> list[Soup]:
@@ -155,10 +141,8 @@ def _pitched(tier: Tier, top: float, design: Design, draw: Draw) -> list[Soup]:
     """A tiled roof with a chimney; between neighbours it has gables."""
     tiles, pitch, paint = draw.pick(_TILES), draw.number(0.55, 0.85), design.paint
     x = draw.number(-0.3, 0.3) * tier.width
-    if design.kind.place == 3:
-        soups = [roofs.hipped(tier.width, tier.depth, top, pitch, tiles, paint.trim)]
-    else:
-        soups = [roofs.gabled(tier.width, tier.depth, top, pitch, tiles, paint.trim, paint.wall)]
+    shape = (tier.width, tier.depth, top, pitch, tiles, paint.trim)
+    soups = [roofs.hipped(*shape) if design.kind.place == 3 else roofs.gabled(*shape, paint.wall)]
     if design.detail >= 1:
         ridge = 0.5 * (tier.depth + 0.9) * pitch
         soups.append(roofs.chimney(x, -0.18 * tier.depth, top, top + ridge + 0.5))

@@ -9,26 +9,31 @@ import numpy as np
 
 from nearfar._base import check
 from nearfar._scene.scene import Scene
-from nearfar.datasets import _ground as streets, _layout as layout
+from nearfar.datasets import _ground as streets, _layout as layout, _vehicles as vehicles
 from nearfar.datasets._buildings import building
+from nearfar.datasets._draw import xyz
 from nearfar.datasets._dressing import dress
 from nearfar.datasets._furniture import fountain
 from nearfar.datasets._layout import AVENUE, KERB, STREET, Grid, Plot
 from nearfar.datasets._palette import material
-from nearfar.datasets._shapes import boxes
+from nearfar.datasets._shapes import bars
 from nearfar.datasets._stage import Stage, placements
-from nearfar.datasets._traffic import moving_cars
 
 _MAX_BLOCKS = 64
 _SEEDS = 2**63
+# (runs along z, offset from the middle of the avenue in metres, position along it in metres, body, paint).
+_TRAFFIC = (
+    (True, 1.7, -17.0, 0, 3), (True, 4.5, -41.0, 5, 0), (True, -1.7, -28.0, 1, 6), (False, 1.7, 34.0, 2, 4),
+    (True, -4.5, -64.0, 0, 1), (False, -1.7, -23.0, 3, 2), (True, 1.7, 26.0, 4, 7), (False, 4.5, -52.0, 1, 5),
+)  # fmt: skip
 
 
 def city(blocks: int = 12, seed: int = 0, detail: int = 2, *, instanced: bool = True) -> Scene:
     """Make a city: a grid of streets with buildings, parks, trees, parked cars and a few moving ones.
 
-    The ground is at y = 0, pavements are 0.15 m higher. Two avenues cross at the origin, and the view along
-    both reaches the horizon: see `street_view`. A park lies towards −x and −z of the crossing, down-town towards −z.
-    The same arguments give the same bytes on every run and every platform.
+    The ground is at y = 0, pavements are 0.15 m higher. Two avenues cross at the origin, and the view along both
+    reaches the horizon: see `street_view`. A park lies towards −x and −z of the crossing, down-town towards −z.
+    ValueError for numbers out of range; TypeError for an `instanced` that is not a bool.
 
     Parameters
     ----------
@@ -50,13 +55,6 @@ def city(blocks: int = 12, seed: int = 0, detail: int = 2, *, instanced: bool = 
     Scene
         Objects are called "ground", "building_12_3" (block and building), "tree_17", "parked_car_4", "lamp_post_9" and
         so on; "car_0" to "car_7" are dynamic.
-
-    Raises
-    ------
-    ValueError
-        Numbers out of range.
-    TypeError
-        An `instanced` that is not a bool.
     """
     blocks = check.integer("blocks", blocks, 1, _MAX_BLOCKS)
     seed = check.integer("seed", seed, 0, _SEEDS - 1)
@@ -65,11 +63,11 @@ def city(blocks: int = 12, seed: int = 0, detail: int = 2, *, instanced: bool = 
     stage.once(streets.ground(grid, seed, detail), "ground")
     plots = layout.plots(grid, seed)
     _buildings(stage, plots, seed, detail)
-    _parks(stage, grid, seed, detail)
     if detail >= 1:
+        _parks(stage, grid, seed, detail)
         _paint(stage, grid)
         dress(stage, grid, plots, seed, detail)
-    return stage.build(dynamic=moving_cars(stage, detail))
+    return stage.build(dynamic=_moving_cars(stage, detail))
 
 
 def street_view() -> tuple[tuple[float, float, float], tuple[float, float, float]]:
@@ -87,30 +85,24 @@ def street_view() -> tuple[tuple[float, float, float], tuple[float, float, float
 def _buildings(stage: Stage, plots: list[Plot], seed: int, detail: int) -> None:
     kind_of = operator.attrgetter("kind")
     for kind, group in itertools.groupby(sorted(plots, key=kind_of), kind_of):
-        plots_of_kind = list(group)
-        transforms = placements(
-            [p.x for p in plots_of_kind], KERB, [p.z for p in plots_of_kind], [0.25 * p.quarter for p in plots_of_kind]
-        )
-        stage.many(building(kind, seed, detail), transforms, [p.name for p in plots_of_kind])
+        names, x, z, quarters = zip(*((plot.name, plot.x, plot.z, plot.quarter) for plot in group), strict=True)
+        stage.many(building(kind, seed, detail), placements(x, KERB, z, np.multiply(0.25, quarters)), names)
 
 
 def _parks(stage: Stage, grid: Grid, seed: int, detail: int) -> None:
     """Add paths and fountains of parks, and garden walls between the rows of the other blocks."""
     centers = []
-    for j in range(grid.blocks):
-        for i in range(grid.blocks):
-            x0, x1, z0, z1 = grid.block(i, j)
-            inner = (x0 + layout.PAVEMENT, x1 - layout.PAVEMENT, z0 + layout.PAVEMENT, z1 - layout.PAVEMENT)
-            block = j * grid.blocks + i
-            use = grid.use(i, j, seed)
-            if use == "park" and detail >= 1:
-                stage.once(streets.paths(*inner), f"path_{block}")
-                centers.append((0.5 * (x0 + x1), 0.5 * (z0 + z1)))
-            elif use == "rows" and detail >= 1:
-                z = 0.5 * (z0 + z1)
-                low = [[x, 0.0, z - 8.0] for x in (inner[0] + 0.437, inner[1] - 0.737)]
-                wall = boxes(low, np.add(low, [0.3, KERB + 2.4, 16.0]), material("brick_grey"), without="-y")
-                stage.once(wall, f"garden_wall_{block}")
+    for block, (i, j) in enumerate(grid.numbers()):
+        x0, x1, z0, z1 = np.add(grid.block(i, j), np.multiply(layout.PAVEMENT, (1, -1, 1, -1))).tolist()
+        x, z = (0.5 * (first + last) for first, last in (grid.block(i, j)[:2], grid.block(i, j)[2:]))
+        use = grid.use(i, j, seed)
+        if use == "park":
+            stage.once(streets.paths(x0, x1, z0, z1), f"path_{block}")
+            centers.append((x, z))
+        elif use == "rows":
+            low = xyz([x0 + 0.437, x1 - 0.737], 0.0, z - 8.0)
+            wall = bars(low, [0.3, KERB + 2.4, 16.0], material("brick_grey"), without="-y")
+            stage.once(wall, f"garden_wall_{block}")
     if centers:
         x, z = np.array(centers).T
         stage.many(fountain(detail), placements(x, KERB + 0.05, z), "fountain")
@@ -121,29 +113,36 @@ def _paint(stage: Stage, grid: Grid) -> None:
     crossings: dict[float, list[tuple[float, float, float]]] = {STREET: [], AVENUE: []}
     lines: dict[tuple[float, float], list[tuple[float, float, float]]] = {}
     last = grid.blocks
-    for i in range(last + 1):
-        for j in range(last + 1):
-            x, z, half_x, half_z = float(grid.x[i]), float(grid.z[j]), grid.half(i), grid.half(j)
-            if j < last:
-                crossings[half_x].append((x, z + half_z, 0.0))
-                gap = float(grid.z[j + 1] - grid.half(j + 1)) - (z + half_z)
-                lines.setdefault((half_x, gap), []).append((x, z + half_z, 0.0))
-            if j > 0:
-                crossings[half_x].append((x, z - half_z, 0.5))
-            if i < last:
-                crossings[half_z].append((x + half_x, z, 0.25))
-                gap = float(grid.x[i + 1] - grid.half(i + 1)) - (x + half_x)
-                lines.setdefault((half_z, gap), []).append((x + half_x, z, 0.25))
-            if i > 0:
-                crossings[half_z].append((x - half_x, z, 0.75))
-    for half_width, poses in crossings.items():
-        if poses:
-            x3, z3, turns = np.array(poses).T
-            stage.many(streets.zebra(half_width), placements(x3, 0.0, z3, turns), f"zebra_{round(2 * half_width)}m")
-    for (half_width, gap), poses in sorted(lines.items()):
-        x3, z3, turns = np.array(poses).T
-        stage.many(
-            streets.lane_lines(gap, half_width),
-            placements(x3, 0.0, z3, turns),
-            f"lanes_{round(2 * half_width)}m_{round(gap)}m",
-        )
+    for i, j in itertools.product(range(last + 1), repeat=2):
+        x, z, half_x, half_z = float(grid.x[i]), float(grid.z[j]), grid.half(i), grid.half(j)
+        if j < last:
+            crossings[half_x].append((x, z + half_z, 0.0))
+            gap = float(grid.z[j + 1] - grid.half(j + 1)) - (z + half_z)
+            lines.setdefault((half_x, gap), []).append((x, z + half_z, 0.0))
+        if j > 0:
+            crossings[half_x].append((x, z - half_z, 0.5))
+        if i < last:
+            crossings[half_z].append((x + half_x, z, 0.25))
+            gap = float(grid.x[i + 1] - grid.half(i + 1)) - (x + half_x)
+            lines.setdefault((half_z, gap), []).append((x + half_x, z, 0.25))
+        if i > 0:
+            crossings[half_z].append((x - half_x, z, 0.75))
+    marks = [(streets.zebra(half), poses, f"zebra_{round(2 * half)}m") for half, poses in crossings.items() if poses]
+    for (half, gap), poses in sorted(lines.items()):
+        marks.append((streets.lane_lines(gap, half), poses, f"lanes_{round(2 * half)}m_{round(gap)}m"))
+    for soup, poses, name in marks:
+        xs, zs, turns = np.array(poses).T
+        stage.many(soup, placements(xs, 0.0, zs, turns), name)
+
+
+def _moving_cars(stage: Stage, detail: int) -> list[str]:
+    """Add the cars on the two avenues, each an object that can be posed; returns their names."""
+    names = [f"car_{number}" for number in range(len(_TRAFFIC))]
+    for name, (along_z, offset, position, body, paint) in zip(names, _TRAFFIC, strict=True):
+        soup = vehicles.car(vehicles.BODIES[body], vehicles.PAINTS[paint], detail)
+        if along_z:
+            transform = placements(offset, 0.0, position, 0.5 if offset > 0 else 0.0)
+        else:
+            transform = placements(position, 0.0, offset, 0.25 if offset > 0 else 0.75)
+        stage.many(soup, transform, [name], moves=True)
+    return names

@@ -1,4 +1,4 @@
-"""Random draws by counter, and sine and cosine without the C library, with the same bits on every platform."""
+"""Random draws, vectors, and sine and cosine without the C library, with the same bits on every platform."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import TypeVar
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from nearfar import _core
 
@@ -76,3 +76,35 @@ def turn(fraction: Floats | float) -> tuple[Floats, Floats]:
     x = np.choose(sector, [cosine, -sine, -cosine, sine])
     y = np.choose(sector, [sine, cosine, -sine, -cosine])
     return x + 0.0, y + 0.0
+
+
+def step(low: float, high: float, value: Floats) -> Floats:
+    """A smooth step: 0 up to `low`, 1 from `high` on, a cubic in between."""
+    share = np.clip((value - low) / (high - low), 0.0, 1.0)
+    return share * share * (3.0 - 2.0 * share)
+
+
+def xyz(x: ArrayLike, y: ArrayLike, z: ArrayLike) -> Floats:
+    """Make points (K, 3) from coordinates, each (K,) or one number for all."""
+    return np.stack(np.broadcast_arrays(x, y, z), -1)
+
+
+def cross(a: Floats, b: Floats) -> Floats:
+    """Cross products of rows, by plain arithmetic."""
+    (ax, ay, az), (bx, by, bz) = a.T, b.T
+    return xyz(ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx)
+
+
+def dot(a: Floats, b: Floats) -> Floats:
+    """Scalar products along the last axis, by plain arithmetic."""
+    return a[..., 0] * b[..., 0] + a[..., 1] * b[..., 1] + a[..., 2] * b[..., 2]
+
+
+def length(vectors: Floats) -> Floats:
+    """Lengths of vectors (…, 3)."""
+    return np.sqrt(dot(vectors, vectors))
+
+
+def unit(vectors: Floats) -> Floats:
+    """Vectors (…, 3) scaled to length 1."""
+    return vectors / length(vectors)[..., None]

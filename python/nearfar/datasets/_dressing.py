@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
@@ -35,7 +36,6 @@ class Side:
     """A block's edge along a street; positions count from its left end as seen from across the street."""
 
     block: int
-    number: int
     length: float
     start: tuple[float, float]
     quarter: int
@@ -45,25 +45,22 @@ class Side:
 
     def world_position(self, along: ArrayLike, inward: ArrayLike) -> tuple[Floats, Floats]:
         """World x and z of positions along the kerb and inward from it, metres."""
-        t, o = np.asarray(along, np.float64), np.asarray(inward, np.float64)
+        u, v = np.asarray(along, np.float64), np.asarray(inward, np.float64)
         x, z = self.start
         along_x, along_z = ((1.0, 0.0), (0.0, -1.0), (-1.0, 0.0), (0.0, 1.0))[self.quarter]
         in_x, in_z = ((0.0, -1.0), (-1.0, 0.0), (0.0, 1.0), (1.0, 0.0))[self.quarter]
-        return x + along_x * t + in_x * o, z + along_z * t + in_z * o
+        return x + along_x * u + in_x * v, z + along_z * u + in_z * v
 
 
 def sides(grid: Grid) -> list[Side]:
     """List all edges of all blocks."""
     edges = []
-    for j in range(grid.blocks):
-        for i in range(grid.blocks):
-            x0, x1, z0, z1 = grid.block(i, j)
-            starts = ((x0, z1), (x1, z1), (x1, z0), (x0, z0))
-            streets = (j + 1, i + 1, j, i)
-            for quarter, (start, street) in enumerate(zip(starts, streets, strict=True)):
-                length = x1 - x0 if quarter % 2 == 0 else z1 - z0
-                number = j * grid.blocks + i
-                edges.append(Side(number, quarter, length, start, quarter, grid.half(street)))
+    for block, (i, j) in enumerate(grid.numbers()):
+        x0, x1, z0, z1 = grid.block(i, j)
+        starts = ((x0, z1), (x1, z1), (x1, z0), (x0, z0))
+        for quarter, (start, street) in enumerate(zip(starts, (j + 1, i + 1, j, i), strict=True)):
+            length = x1 - x0 if quarter % 2 == 0 else z1 - z0
+            edges.append(Side(block, length, start, quarter, grid.half(street)))
     return edges
 
 
@@ -75,10 +72,8 @@ class Places:
 
     def add(self, x: ArrayLike, y: ArrayLike, z: ArrayLike, turn: ArrayLike, size: ArrayLike = 1.0) -> None:
         """Add positions in metres with turns (fractions of a full turn) and sizes (factors)."""
-        rows = np.empty((np.size(x), 5))
-        for column, values in enumerate((x, y, z, turn, size)):
-            rows[:, column] = values
-        self._rows.append(rows)
+        rows = np.broadcast_arrays(*(np.atleast_1d(np.asarray(v, np.float64)) for v in (x, y, z, turn, size)))
+        self._rows.append(np.stack(rows, -1))
 
     def line(self, side: Side, spots: ArrayLike, inward: float, turn: ArrayLike, size: ArrayLike = 1.0) -> None:
         """Add positions on the pavement along a side, `inward` metres from the kerb."""
@@ -91,46 +86,35 @@ class Places:
         return rows[rows[:, 0] * rows[:, 0] + rows[:, 2] * rows[:, 2] >= clear * clear]
 
 
-def spread(
-    stage: Stage, rows: Floats, prototypes: int, make: Callable[[int], Soup], name: str, draw: Draw, first: int = 0
-) -> None:
-    """Place objects, each with one of several prototypes; names are numbered from `first`."""
-    stage.mixed(make, draw.integers(len(rows), prototypes), placements(*rows.T), name, first)
-
-
-def dress(stage: Stage, grid: Grid, built: Sequence[Plot], seed: int, detail: int) -> None:
-    """Add everything except buildings, ground and moving cars."""
+def dress(stage: Stage, grid: Grid, plots: Sequence[Plot], seed: int, detail: int) -> None:
+    """Add everything except buildings, ground and moving cars; nothing stands on `plots`."""
     things: dict[str, Places] = {name: Places() for name in (*_FURNITURE, "tree", "far_tree", "parked_car")}
     for side in sides(grid):
-        draw = Draw(seed, 30, side.block, side.number)
+        draw = Draw(seed, 30, side.block, side.quarter)
         _street_trees(side, things["tree"], draw, detail)
         _furnish_side(side, things, draw)
         _parked(side, things["parked_car"], draw)
     by_block: dict[int, list[Plot]] = {}
-    for plot in built:
+    for plot in plots:
         by_block.setdefault(plot.block, []).append(plot)
-    for j in range(grid.blocks):
-        for i in range(grid.blocks):
-            draw, use = Draw(seed, 31, i, j), grid.use(i, j, seed)
-            _furnish_block(grid, i, j, use, by_block.get(j * grid.blocks + i, []), things, draw, detail)
+    for block, (i, j) in enumerate(grid.numbers()):
+        use = grid.use(i, j, seed)
+        _furnish_block(grid, i, j, use, by_block.get(block, []), things, Draw(seed, 31, i, j), detail)
     _outskirts(grid, things["far_tree"], Draw(seed, 32), detail)
-
-    def tree(variant: int) -> Soup:
-        return vegetation.broadleaf(seed, variant, detail)
-
-    def far_tree(variant: int) -> Soup:
-        return vegetation.broadleaf(seed, variant, detail if detail >= 3 else 1)
 
     def parked_car(variant: int) -> Soup:
         body = vehicles.BODIES[variant % len(vehicles.BODIES)]
         return vehicles.car(body, vehicles.PAINTS[(variant * 3 + 1) % len(vehicles.PAINTS)], detail)
 
-    near = things["tree"].rows(clear=_CLEAR + 3.0)
-    spread(stage, near, _TREES, tree, "tree", Draw(seed, 33))
-    spread(stage, things["far_tree"].rows(), _TREES, far_tree, "tree", Draw(seed, 35), len(near))
+    tree = functools.partial(vegetation.broadleaf, seed, detail=detail)
+    far_tree = functools.partial(vegetation.broadleaf, seed, detail=detail if detail >= 3 else 1)
+    near, far = placements(*things["tree"].rows(clear=_CLEAR + 3.0).T), placements(*things["far_tree"].rows().T)
+    stage.mixed(tree, Draw(seed, 33).integers(len(near), _TREES), near, "tree")
+    stage.mixed(far_tree, Draw(seed, 35).integers(len(far), _TREES), far, "tree", len(near))
     if detail < 2:
         return
-    spread(stage, things["parked_car"].rows(clear=_CLEAR + 3.0), _PARKED, parked_car, "parked_car", Draw(seed, 34))
+    parked = placements(*things["parked_car"].rows(clear=_CLEAR + 3.0).T)
+    stage.mixed(parked_car, Draw(seed, 34).integers(len(parked), _PARKED), parked, "parked_car")
     for name, make in _FURNITURE.items():
         stage.many(make(detail), placements(*things[name].rows(clear=_CLEAR).T), name)
 
@@ -149,10 +133,8 @@ def _furnish_side(side: Side, things: dict[str, Places], draw: Draw) -> None:
     turn, end = 0.25 * side.quarter, side.length
     things["lamp_post"].line(side, np.arange(9.0, end - 6.0, 24.0), 0.6, turn)
     # Benches turn their backs to the street.
-    for name, first, inward, chance, fraction in (
-        ("bench", 17.0, 0.75, 0.35, 0.5),
-        ("litter_bin", 23.0, 0.8, 0.5, 0.0),
-    ):
+    table = (("bench", 17.0, 0.75, 0.35, 0.5), ("litter_bin", 23.0, 0.8, 0.5, 0.0))
+    for name, first, inward, chance, fraction in table:
         spots = np.arange(first, end - 14.0, 18.0)
         things[name].line(side, spots[draw.uniform(len(spots)) < chance], inward, turn + fraction)
     things["traffic_light"].line(side, 0.8, 0.8, turn - 0.25)
@@ -175,34 +157,32 @@ def _parked(side: Side, parked: Places, draw: Draw) -> None:
 
 
 def _furnish_block(
-    grid: Grid, i: int, j: int, use: str, built: Sequence[Plot], things: dict[str, Places], draw: Draw, detail: int
+    grid: Grid, i: int, j: int, use: str, plots: Sequence[Plot], things: dict[str, Places], draw: Draw, detail: int
 ) -> None:
     """Add trees and benches of a park, a plaza or a courtyard, where nothing is built."""
     x0, x1, z0, z1 = grid.block(i, j)
     x, z = 0.5 * (x0 + x1), 0.5 * (z0 + z1)
     if use == "park":
         count, sizes = (150 if detail >= 3 else 60), (0.7, 1.25)
-        at = np.stack([draw.uniform(count, -30.5, 30.5), draw.uniform(count, -20.5, 20.5)], -1)
-        off_path = (np.abs(at) > 3.2).all(1) & (at[:, 0] * at[:, 0] + at[:, 1] * at[:, 1] > 100.0)
-        at = at[off_path]
+        trees = np.stack([draw.uniform(count, -30.5, 30.5), draw.uniform(count, -20.5, 20.5)], -1)
+        trees = trees[(np.abs(trees) > 3.2).all(1) & ((trees * trees).sum(1) > 100.0)]
         spots = np.arange(-26.0, 27.0, 7.0)
         spots = spots[np.abs(spots) > 9.0]
         things["bench"].add(x + spots, KERB, z - 2.1, 0.0)
         things["bench"].add(x + spots, KERB, z + 2.1, 0.5)
     elif use == "towers":
         sizes = (0.6, 0.85)
-        at = np.array([(a, b) for a in (-30.0, -24.0, -2.5, 2.5, 24.0, 30.0) for b in (-20.0, 20.0)])
+        trees = np.array([(a, b) for a in (-30.0, -24.0, -2.5, 2.5, 24.0, 30.0) for b in (-20.0, 20.0)])
     else:
         count, sizes = (5 if detail >= 3 else 3), (0.45, 0.7)
-        at = np.stack([draw.uniform(count, -28.0, 28.0), draw.uniform(count, -2.2, 2.2)], -1)
-    at = np.add(at, [x, z])
-    for plot in built if use == "towers" else ():
+        trees = np.stack([draw.uniform(count, -28.0, 28.0), draw.uniform(count, -2.2, 2.2)], -1)
+    trees = np.add(trees, [x, z])
+    for plot in plots if use == "towers" else ():
         reach = np.array([plot.kind.width, plot.kind.depth]) * 0.05 + 2.4
-        at = at[(np.abs(at - [plot.x, plot.z]) > reach).any(1)]
+        trees = trees[(np.abs(trees - [plot.x, plot.z]) > reach).any(1)]
     # Trees of courtyards are always seen from afar, so they are simple ones.
-    things["far_tree" if use == "rows" else "tree"].add(
-        at[:, 0], KERB, at[:, 1], draw.uniform(len(at)), draw.uniform(len(at), *sizes)
-    )
+    turns, factors = draw.uniform(len(trees)), draw.uniform(len(trees), *sizes)
+    things["far_tree" if use == "rows" else "tree"].add(trees[:, 0], KERB, trees[:, 1], turns, factors)
 
 
 def _outskirts(grid: Grid, trees: Places, draw: Draw, detail: int) -> None:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nearfar.datasets._draw import Floats
+from nearfar.datasets._draw import Floats, xyz
 from nearfar.datasets._shapes import Soup, boxes, join, quads
 
 Rectangles = Floats  # (K, 4): least u, greatest u, least v, greatest v
@@ -31,11 +31,8 @@ class Window:
 
 def rectangles(u: ArrayLike, v: ArrayLike) -> Rectangles:
     """Return all cells of a grid, row by row from below."""
-    across, upwards = np.asarray(u, np.float64), np.asarray(v, np.float64)
-    cells = np.empty((len(upwards) - 1, len(across) - 1, 4))
-    cells[..., 0], cells[..., 1] = across[:-1], across[1:]
-    cells[..., 2], cells[..., 3] = upwards[:-1, None], upwards[1:, None]
-    return cells.reshape(-1, 4)
+    us, vs = np.asarray(u, np.float64), np.asarray(v, np.float64)[:, None]
+    return np.stack(np.broadcast_arrays(us[:-1], us[1:], vs[:-1], vs[1:]), -1).reshape(-1, 4)
 
 
 def plain(cells: Rectangles, materials: ArrayLike) -> Soup:
@@ -45,23 +42,13 @@ def plain(cells: Rectangles, materials: ArrayLike) -> Soup:
 
 def _corners(cells: Rectangles, n: ArrayLike) -> Floats:
     """Corners (K, 4, 3) of rectangles at depth n, counter-clockwise."""
-    corners = np.empty((len(cells), 4, 3))
-    corners[..., 0] = cells[:, [0, 1, 1, 0]]
-    corners[..., 1] = cells[:, [2, 2, 3, 3]]
-    corners[..., 2] = np.broadcast_to(np.asarray(n, np.float64), len(cells))[:, None]
-    return corners
+    return xyz(cells[:, [0, 1, 1, 0]], cells[:, [2, 2, 3, 3]], np.reshape(n, (-1, 1)))
 
 
 def openings(
-    cells: Rectangles,
-    holes: Rectangles,
-    reveal: ArrayLike,
-    wall: ArrayLike,
-    lining: ArrayLike,
-    panes: ArrayLike,
-    *,
+    cells: Rectangles, holes: Rectangles, reveal: ArrayLike, wall: int, lining: int, panes: ArrayLike, *,
     recessed: bool = True,
-) -> Soup:
+) -> Soup:  # fmt: skip
     """Make cells with a hole each: the wall around it, its reveal, and a pane at its back.
 
     Without `recessed` the pane is flush with the wall: two triangles for the pane, eight around it.
@@ -80,8 +67,8 @@ def pierced(cells: Rectangles, holes: Rectangles, thickness: float, inside: int,
     front, hole = _corners(cells, 0.0), _corners(holes, 0.0)
     shift = np.array([0.0, 0.0, thickness])
     back = _band(front - shift, hole - shift, outside)
-    away = back.mapped(back.corners[:, ::-1])
-    return join([_band(front, hole, inside), _band(hole, hole - shift, lining), away])
+    soups = [_band(front, hole, inside), _band(hole, hole - shift, lining)]
+    return join([*soups, back.mapped(back.corners[:, ::-1])])
 
 
 def _band(outer: Floats, inner: Floats, materials: ArrayLike) -> Soup:
@@ -125,15 +112,13 @@ def _boxes(
     u0: ArrayLike, u1: ArrayLike, v0: ArrayLike, v1: ArrayLike, n0: ArrayLike, n1: ArrayLike,
     materials: ArrayLike, without: str = "",
 ) -> Soup:  # fmt: skip
-    low = np.stack(np.broadcast_arrays(u0, v0, n0), -1)
-    high = np.stack(np.broadcast_arrays(u1, v1, n1), -1)
-    return boxes(low, high, materials, without=without)
+    return boxes(xyz(u0, v0, n0), xyz(u1, v1, n1), materials, without=without)
 
 
-def sills(holes: Rectangles, material: int, *, depth: float = 0.14, overhang: float = 0.1) -> Soup:
+def sills(holes: Rectangles, material: int) -> Soup:
     """Slabs under the openings, their backs inside the wall."""
     a0, a1, b0, _ = holes.T
-    return _boxes(a0 - overhang, a1 + overhang, b0 - 0.1, b0 + 0.02, -0.06, depth, material, "-z")
+    return _boxes(a0 - 0.1, a1 + 0.1, b0 - 0.1, b0 + 0.02, -0.06, 0.14, material, "-z")
 
 
 def lintels(holes: Rectangles, material: int) -> Soup:
@@ -150,15 +135,13 @@ def shutters(holes: Rectangles, material: int) -> Soup:
     return join([left, _boxes(a1 + 0.02, a1 + wide, b0, b1, -0.03, 0.05, material, "-z")])
 
 
-def courses(u0: float, u1: float, heights: ArrayLike, material: int, *, high: float = 0.18, out: float = 0.07) -> Soup:
-    """Horizontal bands along the façade at the given heights."""
-    v = np.asarray(heights, np.float64)
-    return _boxes(u0, u1, v - 0.5 * high, v + 0.5 * high, -0.05, out, material, "-z")
+def courses(u0: float, u1: float, v: Floats, material: int, *, high: float) -> Soup:
+    """Horizontal bands along the façade at heights `v`."""
+    return _boxes(u0, u1, v - 0.5 * high, v + 0.5 * high, -0.05, 0.07, material, "-z")
 
 
-def pilasters(at: ArrayLike, v0: float, v1: float, material: int, *, wide: float = 0.5, out: float = 0.12) -> Soup:
+def pilasters(u: Floats, v0: float, v1: float, material: int, *, wide: float, out: float) -> Soup:
     """Vertical bands along the façade."""
-    u = np.asarray(at, np.float64)
     return _boxes(u - 0.5 * wide, u + 0.5 * wide, v0, v1, -0.05, out, material, "-z -y")
 
 
@@ -176,14 +159,12 @@ def balconies(cells: Rectangles, slab: int, rail: int, *, detail: int, solid: bo
     for a, b in ((u0 + 0.01, u0 + 0.06), (u1 - 0.06, u1 - 0.01)):
         parts.append(_boxes(a, b, v0 + 0.955, v0 + 1.005, -0.05, out - 0.03, rail, "-z"))
     step = 0.13 if detail >= 3 else 0.42
-    for cell in np.stack([u0, u1, v0], 1):
-        spaced = np.linspace(cell[0] + 0.03, cell[1] - 0.03, max(2, round((cell[1] - cell[0]) / step)))
-        parts.append(
-            _boxes(spaced - 0.012, spaced + 0.012, cell[2], cell[2] + 0.97, out - 0.055, out - 0.03, rail, "-y +y")
-        )
-        deep = np.linspace(0.05, out - 0.12, max(2, round(out / step)))
-        for u in (cell[0] + 0.022, cell[1] - 0.048):
-            parts.append(_boxes(u, u + 0.026, cell[2], cell[2] + 0.97, deep - 0.012, deep + 0.012, rail, "-y +y"))
+    n = np.linspace(0.05, out - 0.12, max(2, round(out / step)))
+    for left, right, v in np.stack([u0, u1, v0], 1):
+        u = np.linspace(left + 0.03, right - 0.03, max(2, round((right - left) / step)))
+        parts.append(_boxes(u - 0.012, u + 0.012, v, v + 0.97, out - 0.055, out - 0.03, rail, "-y +y"))
+        for end in (left + 0.022, right - 0.048):
+            parts.append(_boxes(end, end + 0.026, v, v + 0.97, n - 0.012, n + 0.012, rail, "-y +y"))
     return join(parts)
 
 
@@ -191,8 +172,6 @@ def awning(cell: NDArray[np.float64], material: int, *, out: float = 1.3) -> Sou
     """A sloping awning over one shop window."""
     u0, u1, v1 = cell[0] + 0.1, cell[1] - 0.1, cell[3] - 0.35
     profile = np.array([[v1 - 0.06, -0.05], [v1 - 0.6, out], [v1 - 0.54, out], [v1, -0.05]])
-    ends = np.empty((2, 4, 3))
-    ends[0, :, 0], ends[1, :, 0] = u0, u1
-    ends[:, :, 1:] = profile
+    ends = xyz([[u0], [u1]], *profile.T)
     sides = np.stack([ends[0], np.roll(ends[0], -1, 0), np.roll(ends[1], -1, 0), ends[1]], 1)
     return quads(np.concatenate([sides[:, ::-1], ends[:1], ends[1:, ::-1]]), material)

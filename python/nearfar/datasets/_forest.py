@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 from nearfar._base import check
 from nearfar._scene.scene import Scene
 from nearfar.datasets import _vegetation as vegetation
-from nearfar.datasets._draw import Draw, Floats, turn
+from nearfar.datasets._draw import Draw, Floats, turn, xyz
 from nearfar.datasets._palette import material, materials
-from nearfar.datasets._shapes import Soup, join, quads, sheet
+from nearfar.datasets._shapes import Soup, halves, join, quads, sheet
 from nearfar.datasets._stage import Stage, placements
 
 _MAX_TREES = 2_000_000
@@ -46,9 +46,8 @@ class Land:
             along = turn((x + 0.35 * z) / length + self.phases[2 * k])[1]
             across = turn((z - 0.3 * x) / (1.17 * length) + self.phases[2 * k + 1])[1]
             rise = rise + 0.5 * high * (along + across)
-        away = np.sqrt(x * x + z * z)
-        share = np.clip((away - 0.5 * self.side) / _HORIZON, 0.0, 1.0)
-        return rise + 160.0 * share * share
+        far = np.clip((np.sqrt(x * x + z * z) - 0.5 * self.side) / _HORIZON, 0.0, 1.0)
+        return rise + 160.0 * far * far
 
     def trail(self, z: Floats | float) -> Floats:
         """Position of the trail: its x at a given z, metres; 0 at the origin."""
@@ -63,8 +62,8 @@ class Land:
 def forest(trees: int = 6000, seed: int = 0, detail: int = 2) -> Scene:
     """Make a forest on rolling land, with a trail through it, rocks, bushes and grass.
 
-    The origin lies on the trail, and the ground there is at y = 0; the trail runs along z. The same arguments give the
-    same bytes on every run and every platform.
+    The origin lies on the trail, and the ground there is at y = 0; the trail runs along z. ValueError for numbers out
+    of range.
 
     Parameters
     ----------
@@ -81,11 +80,6 @@ def forest(trees: int = 6000, seed: int = 0, detail: int = 2) -> Scene:
     Scene
         Objects are called "land", "spruce_17", "oak_4", "birch_9", "rock_2", "bush_5" and "grass_31"; trees are
         numbered through all kinds. The birches' leaves are cut out of cards by their texture's alpha.
-
-    Raises
-    ------
-    ValueError
-        Numbers out of range.
     """
     trees = check.integer("trees", trees, 1, _MAX_TREES)
     seed = check.integer("seed", seed, 0, 2**63 - 1)
@@ -112,12 +106,10 @@ def surface(land: Land, detail: int) -> Soup:
     lines = _lines(land, detail)
     across, z = np.meshgrid(np.sort(np.concatenate([lines[np.abs(lines) > 2.2], [-1.4, -0.4, 0.4, 1.4]])), lines)
     half = 0.5 * land.side
-    x = across + land.trail(z) * np.clip(1.0 - np.abs(across) / half, 0.0, 1.0) * np.clip(
-        2.0 - np.abs(z) / half, 0.0, 1.0
-    )
+    bend = land.trail(z) * np.clip(1.0 - np.abs(across) / half, 0.0, 1.0)
+    x = across + bend * np.clip(2.0 - np.abs(z) / half, 0.0, 1.0)
     shade = 0.86 + 0.07 * (turn(x / 17.0 + 0.3 * turn(z / 11.0)[1])[1] + turn(z / 14.0 + 0.2 * turn(x / 31.0)[1])[0])
-    cells = sheet(np.stack([x, land.height(x, z), z], -1)).reshape(-1, 4, 3)
-    tints = sheet(shade).reshape(-1, 4)
+    cells = sheet(xyz(x, land.height(x, z), z)).reshape(-1, 4, 3)
     middle = 0.25 * (cells[:, 0] + cells[:, 1] + cells[:, 2] + cells[:, 3])
     patch = turn(middle[:, 0] / 47.0 + 0.2 * turn(middle[:, 2] / 29.0)[1])[1] + turn(middle[:, 2] / 53.0)[0]
     floor = np.array(materials("moss_dark", "moss", "moss", "litter"), np.int32)
@@ -126,7 +118,7 @@ def surface(land: Land, detail: int) -> Soup:
     kinds = np.where(wood, kinds, material("meadow"))
     edges = 0.5 * (across[:-1, 1:] + across[:-1, :-1]).reshape(-1)
     kinds[(np.abs(edges) < 1.4) & wood] = material("gravel")
-    return quads(cells, kinds).tinted(tints[:, [[0, 1, 2], [0, 2, 3]]].reshape(-1, 3))
+    return quads(cells, kinds).tinted(halves(sheet(shade).reshape(-1, 4)))
 
 
 def scattered(land: Land, count: int, clear: float, draw: Draw, reach: float = 1.0e9) -> tuple[Floats, Floats]:
@@ -141,12 +133,11 @@ def scattered(land: Land, count: int, clear: float, draw: Draw, reach: float = 1
         z = land.side * ((number // columns + draw.uniform(len(number), 0.05, 0.95)) / rows - 0.5)
         x = across * ((number % columns + draw.uniform(len(number), 0.05, 0.95)) / columns - 0.5)
         x = x + (land.trail(z) if across < land.side else 0.0)
-        good = (land.off_trail(x, z) > clear) & (x * x + z * z > 9.0) & (np.abs(x) < half)
-        chosen = np.flatnonzero(good)
-        if len(chosen) >= count:
-            order = np.argsort(draw.uniform(len(chosen)), kind="stable")[:count]
-            inside = np.sort(chosen[order])
-            return x[inside], z[inside]
+        free = np.flatnonzero((land.off_trail(x, z) > clear) & (x * x + z * z > 9.0) & (np.abs(x) < half))
+        if len(free) >= count:
+            order = np.argsort(draw.uniform(len(free)), kind="stable")[:count]
+            selected = np.sort(free[order])
+            return x[selected], z[selected]
         extra *= 1.5
 
 
@@ -158,35 +149,31 @@ def _plant(stage: Stage, land: Land, trees: int, seed: int, detail: int) -> None
     wet = turn(x / 170.0 + land.phases[3])[1] + turn(z / 130.0 + land.phases[4])[1] + draw.uniform(trees, -1.1, 1.1)
     kinds: NDArray[np.int64] = np.where(wet < 0.45, 0, np.where(wet < 1.2, 1, 2))
     card = stage.material((1.0, 1.0, 1.0, 1.0), vegetation.leaf_texture(), cutoff=0.5)
-    where = placements(x, y, z, turns, sizes)
+    transforms = placements(x, y, z, turns, sizes)
     makers: tuple[tuple[str, int, Callable[..., Soup]], ...] = (
         ("spruce", 6, vegetation.conifer),
         ("oak", 4, vegetation.broadleaf),
         ("birch", 3, functools.partial(vegetation.birch, card=card)),
     )
     for kind, (name, variants, make) in enumerate(makers):
-        chosen = np.where(kinds == kind, draw.integers(trees, variants), -1)
-        stage.mixed(functools.partial(make, seed, detail=detail), chosen, where, name)
+        variant = np.where(kinds == kind, draw.integers(trees, variants), -1)
+        stage.mixed(functools.partial(make, seed, detail=detail), variant, transforms, name)
 
 
 def _undergrowth(stage: Stage, land: Land, trees: int, seed: int, detail: int) -> None:
     """Add rocks and bushes everywhere, and grass along the trail."""
-    shares = (
-        ("rock", 4, 0.06, 1.9, 1.0e9),
-        ("bush", 3, 0.12, 2.2, 1.0e9),
-        ("grass", 4, (0.0, 0.0, 1.0, 3.0)[detail], 1.55, 14.0),
+    table: tuple[tuple[str, Callable[..., Soup], int, float, float, float, tuple[float, float]], ...] = (
+        ("rock", vegetation.rock, 4, 0.06, 1.9, 1.0e9, (0.3, 1.6)),
+        ("bush", vegetation.shrub, 3, 0.12, 2.2, 1.0e9, (0.7, 1.5)),
+        ("grass", _sward, 4, (0.0, 0.0, 1.0, 3.0)[detail], 1.55, 14.0, (0.7, 1.5)),
     )
-    for kind, (name, variants, share, clear, reach) in enumerate(shares):
-        count = round(trees * share)
-        if detail == 0 or not count:
-            continue
-        draw = Draw(seed, 53, kind)
-        x, z = scattered(land, count, clear, draw, reach)
-        y, turns = land.height(x, z), draw.uniform(count)
-        sizes = draw.uniform(count, 0.3, 1.6) if kind == 0 else draw.uniform(count, 0.7, 1.5)
-        make: Callable[..., Soup] = (vegetation.rock, vegetation.shrub, _sward)[kind]
-        where = placements(x, y, z, turns, sizes)
-        stage.mixed(functools.partial(make, seed, detail=detail), draw.integers(count, variants), where, name)
+    for kind, (name, make, variants, per_tree, clear, reach, sizes) in enumerate(table):
+        count = round(trees * per_tree) if detail >= 1 else 0
+        if count:
+            draw = Draw(seed, 53, kind)
+            x, z = scattered(land, count, clear, draw, reach)
+            transforms = placements(x, land.height(x, z), z, draw.uniform(count), draw.uniform(count, *sizes))
+            stage.mixed(functools.partial(make, seed, detail=detail), draw.integers(count, variants), transforms, name)
 
 
 def _sward(seed: int, variant: int, detail: int) -> Soup:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from nearfar.datasets._draw import Draw, turn
+from nearfar.datasets._draw import Draw, turn, xyz
 from nearfar.datasets._palette import material, materials
 from nearfar.datasets._shapes import Soup, bars, boxes, join, lathe, loft, quads, sphere, textured, triangles, tube
 
@@ -113,32 +113,27 @@ def _book(x: float, y: float, thick: float, high: float, deep: float, cover: int
     ]  # fmt: skip
     steps = 4 if detail == 2 else 16
     cosine, sine = turn(0.5 * np.arange(steps + 1) / steps)
-    low, top = np.full(steps + 1, y + 0.001), np.full(steps + 1, y + high - 0.001)
     # From −x over +z to +x.
-    across, away = x + 0.5 * thick * (1.0 - cosine), front - 0.0015 + 0.35 * thick * sine
-    spine = loft([np.stack([across, low, away], -1), np.stack([across, top, away], -1)], cover)
-    return join([*parts, spine])
+    spine_x, spine_z = x + 0.5 * thick * (1.0 - cosine), front - 0.0015 + 0.35 * thick * sine
+    return join([*parts, loft(xyz(spine_x, [[y + 0.001], [y + high - 0.001]], spine_z), cover)])
 
 
 def floor_lamp(detail: int) -> Soup:
     """A standing lamp with a cloth shade."""
     sides = (8, 16, 32, 128)[detail]
-    iron, shade = material("iron"), material("shade")
     foot = [(0.16, 0.0), (0.16, 0.015), (0.03, 0.03), (0.012, 0.04), (0.012, 1.45)]
-    cloth = [(0.24, 1.3), (0.17, 1.62), (0.166, 1.62), (0.236, 1.3)]
-    closed = np.array([*cloth, cloth[0]])
-    bulb = triangles(sphere(max(0, detail)), material("paint_white")).scaled(0.04).translate([0.0, 1.45, 0.0])
-    return join([lathe(foot, sides, iron), lathe(closed, sides, shade, bottom=False, top=False), bulb])
+    cloth = [(0.24, 1.3), (0.17, 1.62), (0.166, 1.62), (0.236, 1.3), (0.24, 1.3)]
+    shade = lathe(cloth, sides, material("shade"), bottom=False, top=False)
+    bulb = triangles(sphere(detail), material("paint_white")).scaled(0.04).translate([0.0, 1.45, 0.0])
+    return join([lathe(foot, sides, material("iron")), shade, bulb])
 
 
 def pendant(detail: int) -> Soup:
     """A lamp on a cord from the ceiling at y = 0."""
     sides = (8, 16, 32, 128)[detail]
-    bell = np.array(
-        [(0.2, -0.95), (0.17, -0.86), (0.06, -0.78), (0.055, -0.79), (0.165, -0.87), (0.19, -0.95), (0.2, -0.95)]
-    )
+    bell = [(0.2, -0.95), (0.17, -0.86), (0.06, -0.78), (0.055, -0.79), (0.165, -0.87), (0.19, -0.95), (0.2, -0.95)]
     cord = tube([(0, -0.8, 0), (0, -0.4, 0), (0, 0.02, 0)], 0.006, max(4, sides // 4), material("trim_dark"))
-    bulb = triangles(sphere(max(0, detail)), material("paint_white")).scaled(0.05).translate([0.0, -0.9, 0.0])
+    bulb = triangles(sphere(detail), material("paint_white")).scaled(0.05).translate([0.0, -0.9, 0.0])
     return join([lathe(bell, sides, material("sign_mustard"), bottom=False, top=False), cord, bulb])
 
 
@@ -158,7 +153,7 @@ def plant(seed: int, detail: int) -> Soup:
         t = np.arange(steps + 1.0) / steps
         out, up = 0.03 + reach * t * t, 0.3 + rise * (1.55 * t - 0.7 * t * t)
         half = wide * 4.0 * (t * (1.0 - t) + 0.02) * np.where(t == 1.0, 0.2, 1.0)
-        left, right = np.stack([out, up, -half], -1), np.stack([out, up, half], -1)
+        left, right = xyz(out, up, -half), xyz(out, up, half)
         strip = np.stack([left[:-1], right[:-1], right[1:], left[1:]], 1)
         leaf = material("leaf_deep") if rise < 0.75 else material("leaf")
         parts.append(quads(strip, leaf).rotated(float(turns)))
@@ -173,12 +168,9 @@ def curtain(width: float, height: float, detail: int) -> Soup:
     waves = (0.25, 0.125, 0.125, 0.025)[detail] * np.arange(columns + 1.0)
     fold = 0.035 * turn(waves)[1]
     outline = np.concatenate([np.stack([x, fold + 0.004], -1), np.stack([x, fold - 0.004], -1)[::-1]])
-    rows = (1, 1, 4, 30)[detail]
-    levels = np.linspace(0.03, height, rows + 1)
-    sections = np.empty((rows + 1, len(outline), 3))
-    for k, level in enumerate(levels):
-        swing = 1.0 + 0.25 * (1.0 - level / height)
-        sections[k, :, 0], sections[k, :, 1], sections[k, :, 2] = outline[:, 0], level, outline[:, 1] * swing
+    levels = np.linspace(0.03, height, (2, 2, 5, 31)[detail])
+    swing = 1.0 + 0.25 * (1.0 - levels / height)
+    sections = xyz(outline[:, 0], levels[:, None], outline[:, 1] * swing[:, None])
     sides = loft(sections, material("fabric_sand"), bottom=False, top=False)
     caps = []
     for row, up in ((0, False), (-1, True)):
@@ -212,8 +204,7 @@ def crockery(seed: int, detail: int) -> Soup:
 def picture(width: float, height: float, canvas: int) -> Soup:
     """A framed picture, its back at z = 0."""
     x, y = 0.5 * width, 0.5 * height
-    frame = material("wood_dark")
     low = [[-x - 0.03, -y - 0.03, 0.0], [-x - 0.03, y, 0.0], [-x - 0.028, -y - 0.01, 0.0], [x, -y - 0.01, 0.0]]
     high = [[x + 0.03, -y, 0.03], [x + 0.03, y + 0.03, 0.03], [-x, y + 0.01, 0.028], [x + 0.028, y + 0.01, 0.028]]
     view = textured([[[-x, -y, 0.012], [x, -y, 0.012], [x, y, 0.012], [-x, y, 0.012]]], canvas)
-    return join([boxes(low, high, frame), view])
+    return join([boxes(low, high, material("wood_dark")), view])

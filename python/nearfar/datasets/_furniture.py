@@ -13,13 +13,12 @@ def lamp_post(detail: int) -> Soup:
     sides = 6 if detail <= 1 else 9
     dark = material("metal_dark")
     path = [(0, 0.7, 0), (0, 6.2, 0), (0, 6.75, 0.15), (0, 6.98, 0.6), (0, 7.02, 1.6)]
-    parts = [
+    return join([
         lathe([(0.14, -0.1), (0.14, 0.7), (0.1, 0.8), (0.08, 0.82)], sides, dark, top=False),
         tube(path, [0.07, 0.055, 0.05, 0.045, 0.04], sides, dark),
         boxes([-0.13, 6.93, 1.45], [0.13, 7.08, 2.2], dark),
         boxes([-0.1, 6.9, 1.55], [0.1, 6.94, 2.15], material("paint_white")),
-    ]
-    return join(parts)
+    ])  # fmt: skip
 
 
 def bench(detail: int) -> Soup:
@@ -69,7 +68,7 @@ def shelter(detail: int) -> Soup:
     """A bus stop: glass on three sides under a roof, with a bench and a sign."""
     iron, glass = material("metal_dark"), material("glass_sky")
     posts = np.array([[x, -0.1, z] for x in (-1.9, 0.0, 1.86) for z in (-0.6, 0.56)])
-    parts = [
+    return join([
         boxes([-2.1, 2.45, -0.8], [2.1, 2.57, 1.0], iron),
         bars(posts, [0.05, 2.6, 0.05], iron, without="-y +y"),
         boxes([-1.82, 0.25, -0.585], [1.83, 2.3, -0.565], glass),
@@ -78,8 +77,7 @@ def shelter(detail: int) -> Soup:
         boxes([[-1.3, -0.05, -0.35], [0.6, -0.05, -0.35]], [[-1.24, 0.43, -0.2], [0.66, 0.43, -0.2]], iron),
         tube([(2.6, -0.1, 0.6), (2.6, 1.6, 0.6), (2.6, 3.0, 0.6)], 0.035, 6 if detail <= 1 else 10, iron),
         boxes([2.3, 2.5, 0.57], [2.9, 3.05, 0.63], material("sign_navy")),
-    ]
-    return join(parts)
+    ])  # fmt: skip
 
 
 def fountain(detail: int) -> Soup:
@@ -88,12 +86,9 @@ def fountain(detail: int) -> Soup:
     stone = material("trim_stone")
     rim = [(4.0, -0.2), (4.0, 0.5), (4.15, 0.5), (4.15, 0.62), (3.6, 0.62), (3.6, 0.3)]
     pillar = [(0.5, 0.2), (0.5, 0.6), (0.25, 0.8), (0.22, 1.5), (1.3, 1.95), (1.35, 2.05), (1.2, 2.0), (0.3, 1.85)]
-    water = [(3.7, 0.42), (0.2, 0.43)]
-    return join(
-        [
-            lathe(rim, sides, stone, bottom=False, top=False),
-            lathe(water, sides, material("water"), bottom=False),
-            lathe(pillar, sides, stone, bottom=False),
-            lathe([(0.14, 1.8), (0.1, 2.6), (0.22, 2.75), (0.04, 2.95)], sides, stone, bottom=False),
-        ]
-    )
+    return join([
+        lathe(rim, sides, stone, bottom=False, top=False),
+        lathe([(3.7, 0.42), (0.2, 0.43)], sides, material("water"), bottom=False),
+        lathe(pillar, sides, stone, bottom=False),
+        lathe([(0.14, 1.8), (0.1, 2.6), (0.22, 2.75), (0.04, 2.95)], sides, stone, bottom=False),
+    ])  # fmt: skip

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from nearfar.datasets._draw import Draw, Floats, turn
+from nearfar.datasets._draw import Draw, Floats, step, turn, xyz
 from nearfar.datasets._layout import KERB, PAVEMENT, YARD, Grid
 from nearfar.datasets._palette import material, materials
 from nearfar.datasets._shapes import Soup, boxes, join, lathe, quads, sheet
@@ -30,12 +30,13 @@ def _breaks(grid: Grid, axis: int, detail: int) -> tuple[Floats, NDArray[np.int6
             lines.append(end)
             classes.append((kind, number))
 
-    outer = _outer(detail)
+    # Distances in metres of break lines from the city's rim, increasingly wide.
+    growth = np.arange(1, (5, 14, 34, 40)[detail] + 1) / (5, 14, 34, 40)[detail]
+    outer = np.round(9000.0 * growth * growth * growth + 200.0 * growth, 1).tolist()
     start = float(middles[0] - grid.half(0) - _RIM)
-    lines.append(start - float(outer[-1]))
-    for away in outer[-2::-1]:
-        strip(start - float(away), _OUT, -1)
-    strip(start, _OUT, -1)
+    lines.append(start - outer[-1])
+    for distance in (*outer[-2::-1], 0.0):
+        strip(start - distance, _OUT, -1)
     for k in range(grid.blocks + 1):
         road0, road1 = float(middles[k] - grid.half(k)), float(middles[k] + grid.half(k))
         if k == 0:
@@ -54,44 +55,35 @@ def _breaks(grid: Grid, axis: int, detail: int) -> tuple[Floats, NDArray[np.int6
         strip(high, _ROW, k)
         strip(high + PAVEMENT - edge, _WALK, k)
     end = lines[-1]
-    for away in outer:
-        strip(end + float(away), _OUT, -1)
+    for distance in outer:
+        strip(end + distance, _OUT, -1)
     kinds = np.array(classes)
     return np.array(lines), kinds[:, 0], kinds[:, 1]
 
 
-def _outer(detail: int) -> Floats:
-    """Distances in metres of break lines from the city's rim, increasingly wide."""
-    steps = (5, 14, 34, 40)[detail]
-    growth = np.arange(1, steps + 1) / steps
-    return np.round(9000.0 * growth * growth * growth + 200.0 * growth, 1)
-
-
 def hill(grid: Grid, x: Floats, z: Floats, seed: int) -> Floats:
     """Height of the land in metres: level around the city, hills beyond."""
-    reach_x = np.maximum(np.abs(x - 0.5 * (grid.x[0] + grid.x[-1])) - 0.5 * (grid.x[-1] - grid.x[0]), 0.0)
-    reach_z = np.maximum(np.abs(z - 0.5 * (grid.z[0] + grid.z[-1])) - 0.5 * (grid.z[-1] - grid.z[0]), 0.0)
-    away = np.sqrt(reach_x * reach_x + reach_z * reach_z)
-    share = np.clip((away - FLAT) / 5000.0, 0.0, 1.0)
+    dx, dz = (
+        np.maximum(np.abs(values - 0.5 * (lines[0] + lines[-1])) - 0.5 * (lines[-1] - lines[0]), 0.0)
+        for values, lines in ((x, grid.x), (z, grid.z))
+    )
     phase = Draw(seed, 20).uniform(6)
     waves = np.zeros_like(x)
     for k, (a, b) in enumerate(((1.0, 0.6), (-0.7, 1.1), (1.7, -1.3))):
         waves += turn((a * x + b * z) / (3700.0 - 700.0 * k) + phase[k])[1]
-    height: Floats = share * share * (3.0 - 2.0 * share) * (210.0 + 85.0 * waves)
-    return height
+    return step(FLAT, FLAT + 5000.0, np.sqrt(dx * dx + dz * dz)) * (210.0 + 85.0 * waves)
 
 
 def ground(grid: Grid, seed: int, detail: int) -> Soup:
     """Build the sheet with its kerbs; neighbouring cells share their edges."""
     xs, x_class, x_number = _breaks(grid, 0, detail)
     zs, z_class, z_number = _breaks(grid, 1, detail)
-    kinds = _kinds(grid, x_class, x_number, z_class, z_number, _fields(xs, zs, seed), seed)
-    level = np.where(kinds[1], KERB, 0.0)
+    kinds, is_raised = _kinds(grid, x_class, x_number, z_class, z_number, _fields(xs, zs, seed), seed)
+    level = np.where(is_raised, KERB, 0.0)
     gx, gz = np.meshgrid(xs, zs)
-    land = hill(grid, gx, gz, seed)
-    tops = sheet(np.stack([gx, land, gz], -1))
+    tops = sheet(xyz(gx, hill(grid, gx, gz, seed), gz))
     tops[..., 1] += level[..., None]
-    soups = [quads(tops.reshape(-1, 4, 3), kinds[0].reshape(-1))]
+    soups = [quads(tops.reshape(-1, 4, 3), kinds.reshape(-1))]
     # A kerb lies between two cells of different height and faces the lower one.
     east = _walls(tops[:, :-1, [2, 1]], tops[:, 1:, [3, 0]], level[:, :-1], level[:, 1:])
     south = _walls(tops[:-1, :, [1, 0]], tops[1:, :, [2, 3]], level[:-1], level[1:])
@@ -102,8 +94,7 @@ def _walls(first: Floats, second: Floats, low: Floats, high: Floats) -> Soup:
     """Vertical faces between the same edge of two cells."""
     differs = low != high
     a, b = first[differs], second[differs]
-    corners = np.stack([a[:, 0], a[:, 1], b[:, 1], b[:, 0]], 1)
-    return quads(corners, material("kerb"))
+    return quads(np.stack([a[:, 0], a[:, 1], b[:, 1], b[:, 0]], 1), material("kerb"))
 
 
 _FIELDS = materials("meadow", "lawn", "meadow_dry", "meadow", "field", "hill")
@@ -119,7 +110,7 @@ def _fields(xs: Floats, zs: Floats, seed: int) -> NDArray[np.int64]:
 
 def _kinds(
     grid: Grid, x_class: NDArray[np.int64], x_number: NDArray[np.int64], z_class: NDArray[np.int64],
-    z_number: NDArray[np.int64], plots: NDArray[np.int64], seed: int,
+    z_number: NDArray[np.int64], fields: NDArray[np.int64], seed: int,
 ) -> tuple[NDArray[np.int32], NDArray[np.bool_]]:  # fmt: skip
     """Material of every cell (z, x), and whether it is raised."""
     cx, cz = np.meshgrid(x_class, z_class)
@@ -128,21 +119,15 @@ def _kinds(
     road = ((cx == _ROAD) & (inside_z | (nx == grid.avenue))) | ((cz == _ROAD) & (inside_x | (nz == grid.avenue)))
     town = inside_x & inside_z
     raised = town & ~road
-    kinds = np.full(cx.shape, material("lawn"), np.int32)
-    fields = np.array(_FIELDS, np.int32)
-    kinds[~town] = fields[plots][~town]
-    # The first strips around the city are lawn.
-    near_x, near_z = np.zeros(len(x_class), bool), np.zeros(len(z_class), bool)
-    for near, listed in ((near_x, x_class), (near_z, z_class)):
-        inner = np.flatnonzero(listed != _OUT)
-        near[max(0, inner[0] - 3) : inner[-1] + 4] = True
-    kinds[~town & near_x[None, :] & near_z[:, None]] = material("lawn")
+    kinds = np.array(_FIELDS, np.int32)[fields]
+    # The first strips around the city are lawn, like parts of it.
+    (x0, *_, x1), (z0, *_, z1) = (np.flatnonzero(strips != _OUT) for strips in (x_class, z_class))
+    kinds[max(0, z0 - 3) : z1 + 4, max(0, x0 - 3) : x1 + 4] = material("lawn")
     interior = raised & np.isin(cx, (_ROW, _COURT)) & np.isin(cz, (_ROW, _COURT))
-    uses = np.array(
-        [[_surface(grid.use(i, j, seed), seed, i, j) for i in range(grid.blocks)] for j in range(grid.blocks)]
-    )
+    blocks = [_surface(grid.use(i, j, seed), seed, i, j) for i, j in grid.numbers()]
     kinds[raised] = material("paving")
-    kinds[interior] = uses[nz[interior], nx[interior], (cz[interior] == _COURT).astype(np.int64)]
+    is_court = (cz[interior] == _COURT).astype(np.int64)
+    kinds[interior] = np.array(blocks)[nz[interior] * grid.blocks + nx[interior], is_court]
     kinds[raised & ((cx == _EDGE) | (cz == _EDGE))] = material("kerb")
     kinds[road] = material("asphalt")
     return kinds, raised
@@ -164,18 +149,16 @@ _PAINT = (-0.03, 0.006)
 
 def _stripes(low: Floats, high: Floats) -> Soup:
     """Make slabs of paint between corners (K, 2) in x and z."""
-    bottom = np.stack([low[:, 0], np.full(len(low), _PAINT[0]), low[:, 1]], -1)
-    top = np.stack([high[:, 0], np.full(len(high), _PAINT[1]), high[:, 1]], -1)
+    bottom, top = xyz(low[:, 0], _PAINT[0], low[:, 1]), xyz(high[:, 0], _PAINT[1], high[:, 1])
     return boxes(bottom, top, material("paint_white"), without="-y")
 
 
 def zebra(half: float) -> Soup:
     """A crossing over a street along z, whose junction ends at z = 0, with the stop line of the lane that enters."""
     count = int((2.0 * half - 0.8) // 1.0)
-    x = np.arange(count) - 0.5 * count + 0.25
-    low = np.stack([x, np.full(count, 1.0)], -1)
-    stop = np.array([[-half + 0.4, 5.2]])
-    return _stripes(np.concatenate([low, stop]), np.concatenate([np.add(low, [0.5, 3.2]), [[-0.2, 5.6]]]))
+    low = np.stack([np.arange(count) - 0.5 * count + 0.25, np.full(count, 1.0)], -1)
+    high = np.concatenate([np.add(low, [0.5, 3.2]), [[-0.2, 5.6]]])
+    return _stripes(np.concatenate([low, [[-half + 0.4, 5.2]]]), high)
 
 
 def lane_lines(length: float, half: float) -> Soup:
@@ -184,8 +167,7 @@ def lane_lines(length: float, half: float) -> Soup:
     dashes = np.arange(first, last - 3.0, 6.0)
     center = np.array([[-0.07, first]]) if half < 7.0 else np.array([[-0.22, first], [0.1, first]])
     low, high = [center], [np.add(center, [0.12, last - first])]
-    lanes = [] if half < 7.0 else [-3.1, 3.1]
-    for x in lanes:
+    for x in () if half < 7.0 else (-3.1, 3.1):
         start = np.stack([np.full(len(dashes), x - 0.06), dashes], -1)
         low.append(start)
         high.append(np.add(start, [0.12, 3.0]))

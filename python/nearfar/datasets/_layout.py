@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -52,6 +53,10 @@ class Grid:
         widened = np.sign(steps) * (AVENUE - STREET)
         return cls(blocks, steps * PITCH[0] + widened, steps * PITCH[1] + widened, avenue)
 
+    def numbers(self) -> Iterator[tuple[int, int]]:
+        """Column i and row j of each block, in the order of their numbers j · `blocks` + i."""
+        return ((i, j) for j in range(self.blocks) for i in range(self.blocks))
+
     def half(self, street: int) -> float:
         """Half the width of a street's carriageway, metres."""
         return AVENUE if street == self.avenue else STREET
@@ -68,16 +73,15 @@ class Grid:
         a, b = i - self.avenue, j - self.avenue
         if (a, b) == (-1, -1) or (self.blocks > 8 and (a, b) in ((3, 2), (-4, 3), (2, -6))):
             return "park"
-        away = self.downtown(i, j)
-        if away < 1.0 or (away < 1.6 and Draw(seed, 10, i, j).chance(0.2)):
-            return "towers"
-        return "rows"
+        distance = self.downtown(i, j)
+        is_downtown = distance < 1.0 or (distance < 1.6 and Draw(seed, 10, i, j).chance(0.2))
+        return "towers" if is_downtown else "rows"
 
     def downtown(self, i: int, j: int) -> float:
         """Distance of a block from the middle of down-town, in units of down-town's radius."""
-        reach = max(0.8, 0.15 * self.blocks)
-        a = (i - self.avenue - 0.4) / reach
-        b = (j - self.avenue + 0.5 + 0.34 * self.blocks) / reach
+        radius = max(0.8, 0.15 * self.blocks)
+        a = (i - self.avenue - 0.4) / radius
+        b = (j - self.avenue + 0.5 + 0.34 * self.blocks) / radius
         return float(np.sqrt(a * a + 0.7 * b * b))
 
 
@@ -90,45 +94,35 @@ _VARIANTS = (3, 2, 2)
 def plots(grid: Grid, seed: int) -> list[Plot]:
     """List all buildings of the city, block by block."""
     buildings: list[Plot] = []
-    for j in range(grid.blocks):
-        for i in range(grid.blocks):
-            use = grid.use(i, j, seed)
-            draw = Draw(seed, 11, i, j)
-            if use == "rows":
-                buildings += _rows(grid, i, j, draw)
-            elif use == "towers":
-                buildings += _towers(grid, i, j, draw)
+    for i, j in grid.numbers():
+        use, draw = grid.use(i, j, seed), Draw(seed, 11, i, j)
+        if use != "park":
+            buildings += (_rows if use == "rows" else _towers)(grid, i, j, draw)
     return buildings
 
 
 def _rows(grid: Grid, i: int, j: int, draw: Draw) -> list[Plot]:
     x0, x1, z0, z1 = grid.block(i, j)
-    away, block = grid.downtown(i, j), j * grid.blocks + i
+    block = j * grid.blocks + i
     buildings: list[Plot] = []
-    for quarter, front, towards in ((0, z1 - PAVEMENT, -1.0), (2, z0 + PAVEMENT, 1.0)):
+    for quarter, front, backwards in ((0, z1 - PAVEMENT, -1.0), (2, z0 + PAVEMENT, 1.0)):
         widths = draw.pick(_ROWS)
         # Local +x of a row that faces −z is −x of the world, so its plots are listed from the other end.
-        at, step = (x0 + PAVEMENT, 1.0) if quarter == 0 else (x1 - PAVEMENT, -1.0)
+        start, step = (x0 + PAVEMENT, 1.0) if quarter == 0 else (x1 - PAVEMENT, -1.0)
         for number, width in enumerate(widths):
             place = 2 if number == 0 else 1 if number == len(widths) - 1 else 0
-            form = _form(away, draw)
-            if draw.chance(0.04) and place == 0:
-                at += step * width
-                continue
-            depth = 150 + 10 * ((width // 4 + form) % 3)
-            variant = int(draw.integers(1, _VARIANTS[place])[0])
-            # A gap of a decimetre between neighbours, so that their walls never share a plane.
-            kind = Kind(width * 10 - 1, depth, form, place, variant)
-            x, z = at + step * 0.5 * width, front + towards * 0.05 * depth
-            buildings.append(Plot(f"building_{block}_{len(buildings)}", block, kind, x, z, quarter))
-            at += step * width
+            # Buildings are lower away from down-town.
+            form = int(np.clip(np.floor(2.3 - 0.55 * grid.downtown(i, j) + draw.number(-0.75, 0.75)), 0, 2))
+            is_gap = draw.chance(0.04) and place == 0
+            if not is_gap:
+                depth = 150 + 10 * ((width // 4 + form) % 3)
+                variant = int(draw.integers(1, _VARIANTS[place])[0])
+                # A gap of a decimetre between neighbours, so that their walls never share a plane.
+                kind = Kind(width * 10 - 1, depth, form, place, variant)
+                x, z = start + step * 0.5 * width, front + backwards * 0.05 * depth
+                buildings.append(Plot(f"building_{block}_{len(buildings)}", block, kind, x, z, quarter))
+            start += step * width
     return buildings
-
-
-def _form(away: float, draw: Draw) -> int:
-    """Form of a building (0 low, 1 middle, 2 high) by its distance from down-town."""
-    level = 2.3 - 0.55 * away + draw.number(-0.75, 0.75)
-    return int(np.clip(np.floor(level), 0, 2))
 
 
 def _towers(grid: Grid, i: int, j: int, draw: Draw) -> list[Plot]:

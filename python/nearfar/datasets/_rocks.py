@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nearfar import _core
-from nearfar.datasets._draw import Draw, Floats, turn
-from nearfar.datasets._shapes import cross
+from nearfar.datasets._draw import Draw, Floats, cross, dot, length, turn, unit
+from nearfar.datasets._textures import image
 
 COARSEST = 2
 """Least number of squares along each edge of the cube that a shape's grid is made from."""
@@ -36,10 +36,7 @@ def squares(polygons: int) -> int:
 
 def levels(n: int) -> list[int]:
     """Squares along the edge at each level of a shape, from the finest."""
-    counts = [n]
-    while counts[-1] // 2 >= COARSEST:
-        counts.append(counts[-1] // 2)
-    return counts
+    return [n, *(levels(n // 2) if n // 2 >= COARSEST else [])]
 
 
 @functools.lru_cache(maxsize=256)
@@ -48,13 +45,12 @@ def rock(seed: int, number: int, n: int, level: int) -> Rock:
     points, lift = _points(seed, number, n, level)
     directions, faces, _ = grid(levels(n)[level])
     a, b, c = (points[faces[:, k]] for k in range(3))
-    flat, normals = cross(b - a, c - a), np.zeros_like(points)
+    face_normals, normals = cross(b - a, c - a), np.zeros_like(points)
     for corner in range(3):
         for axis in range(3):
-            normals[:, axis] += np.bincount(faces[:, corner], flat[:, axis], len(points))
-    normals = normals / np.sqrt((normals * normals).sum(1))[:, None]
+            normals[:, axis] += np.bincount(faces[:, corner], face_normals[:, axis], len(points))
     colors = _colors(seed, number, directions, lift)
-    return Rock(points.astype(np.float32), normals.astype(np.float32), colors, faces.astype(np.uint32))
+    return Rock(points.astype(np.float32), unit(normals).astype(np.float32), colors, faces.astype(np.uint32))
 
 
 @functools.lru_cache(maxsize=256)
@@ -68,9 +64,9 @@ def error(seed: int, number: int, n: int, level: int) -> float:
         return 0.0
     fine, _ = _points(seed, number, n, 0)
     samples = np.concatenate([fine, fine[grid(n)[1]].sum(1) / 3.0])
-    away = _length(samples)
-    coarse = radii(_points(seed, number, n, level)[0], levels(n)[level], samples / away[:, None])
-    return _MARGIN * float(np.abs(coarse - away).max())
+    distances = length(samples)
+    coarse = radii(_points(seed, number, n, level)[0], levels(n)[level], samples / distances[:, None])
+    return _MARGIN * float(np.abs(coarse - distances).max())
 
 
 @functools.lru_cache(maxsize=32)
@@ -79,12 +75,12 @@ def _points(seed: int, number: int, n: int, level: int) -> tuple[Floats, Floats]
     directions = grid(levels(n)[level])[0]
     lift = relief(seed, number, directions)
     # Rounded up, so that float32 corners stay in the ball.
-    size = 1.0 + (float(lift.max()) if level == 0 else _top(seed, number, n)) + 1.0e-6
+    size = 1.0 + (float(lift.max()) if level == 0 else _greatest_height(seed, number, n)) + 1.0e-6
     return directions * ((1.0 + lift) / size)[:, None], lift
 
 
 @functools.lru_cache(maxsize=256)
-def _top(seed: int, number: int, n: int) -> float:
+def _greatest_height(seed: int, number: int, n: int) -> float:
     return float(_points(seed, number, n, 0)[1].max())
 
 
@@ -98,21 +94,19 @@ def grid(n: int) -> tuple[Floats, NDArray[np.int64], NDArray[np.int64]]:
     for axis in range(3):
         for end in (0, n):
             p, q = np.meshgrid(np.arange(n), np.arange(n), indexing="ij")
-            for steps in ((0, 0), (1, 0), (1, 1), (0, 1)) if end else ((0, 0), (0, 1), (1, 1), (1, 0)):
-                place = np.empty((n * n, 3), np.int64)
-                place[:, axis] = end
-                place[:, (axis + 1) % 3], place[:, (axis + 2) % 3] = (p + steps[0]).ravel(), (q + steps[1]).ravel()
-                corners.append(place)
-    places = np.stack(corners).reshape(6, 4, n * n, 3).transpose(0, 2, 1, 3).reshape(-1, 4, 3)
-    keys, inverse = np.unique(_key(n, places[..., 0], places[..., 1], places[..., 2]), return_inverse=True)
+            for p_step, q_step in ((0, 0), (1, 0), (1, 1), (0, 1)) if end else ((0, 0), (0, 1), (1, 1), (1, 0)):
+                # Coordinates along the axis and the two next ones, in the order x, y, z.
+                corners.append(np.roll(np.stack([np.full_like(p, end), p + p_step, q + q_step], -1), axis, -1))
+    places = np.stack(corners).reshape(6, 4, n * n, 3).transpose(0, 2, 1, 3)
+    keys, inverse = np.unique(_key(n, places), return_inverse=True)
     lattice = np.stack([keys // ((n + 1) * (n + 1)), keys // (n + 1) % (n + 1), keys % (n + 1)], -1)
-    points = lines(n)[lattice]
     numbers = inverse.reshape(-1, 4)
-    return points / _length(points)[:, None], numbers[:, [[0, 1, 2], [0, 2, 3]]].reshape(-1, 3), keys
+    return unit(lines(n)[lattice]), numbers[:, [[0, 1, 2], [0, 2, 3]]].reshape(-1, 3), keys
 
 
-def _key(n: int, i: NDArray[np.int64], j: NDArray[np.int64], k: NDArray[np.int64]) -> NDArray[np.int64]:
-    return (i * (n + 1) + j) * (n + 1) + k
+def _key(n: int, places: NDArray[np.int64]) -> NDArray[np.int64]:
+    """Numbers of lattice points (…, 3) of a cube, 0 … n along each axis."""
+    return (places[..., 0] * (n + 1) + places[..., 1]) * (n + 1) + places[..., 2]
 
 
 def lines(n: int) -> Floats:
@@ -121,18 +115,13 @@ def lines(n: int) -> Floats:
     return even * (0.78 + 0.22 * even * even)
 
 
-def _length(points: Floats) -> Floats:
-    return np.sqrt(points[:, 0] * points[:, 0] + points[:, 1] * points[:, 1] + points[:, 2] * points[:, 2])
-
-
 def relief(seed: int, number: int, directions: Floats) -> Floats:
     """Height of a shape's surface above the unit sphere in directions (N, 3)."""
     draw = Draw(seed, 90, number)
     height = np.zeros(len(directions))
     # Broad lumps and flats: a few waves across the body.
     for _ in range(7):
-        way = draw.uniform(3, -1.0, 1.0)
-        along = directions[:, 0] * way[0] + directions[:, 1] * way[1] + directions[:, 2] * way[2]
+        along = dot(directions, draw.uniform(3, -1.0, 1.0))
         height = height + 0.085 * turn(along * draw.number(0.2, 0.6) + draw.number())[1]
     for octave, (scale, high) in enumerate(((2.3, 0.14), (5.1, 0.06), (11.0, 0.028), (23.0, 0.013), (47.0, 0.006))):
         height = height + high * _noise(seed, 64 * number + octave, directions * scale)
@@ -149,9 +138,9 @@ def _craters(draw: Draw, directions: Floats) -> Floats:
         wide = min(0.62, 0.075 / np.sqrt(max(draw.number(), 0.012)))
         offset = directions - np.array([flat * float(cosine), height, flat * float(sine)])
         near = np.flatnonzero((offset * offset).sum(1) < (1.6 * wide) ** 2)
-        away = _length(offset[near]) / wide
-        bowl = np.where(away < 1.0, 0.5 * (away * away - 1.0), 0.0)
-        rim = np.clip(1.0 - np.abs(away - 1.0) / 0.6, 0.0, 1.0)
+        radius = length(offset[near]) / wide
+        bowl = np.where(radius < 1.0, 0.5 * (radius * radius - 1.0), 0.0)
+        rim = np.clip(1.0 - np.abs(radius - 1.0) / 0.6, 0.0, 1.0)
         depth[near] += wide * (0.55 if k % 3 else 0.8) * (bowl + 0.14 * rim * rim * (3.0 - 2.0 * rim))
     return depth
 
@@ -179,9 +168,7 @@ def _colors(seed: int, number: int, directions: Floats, lift: Floats) -> NDArray
     base = np.array([146.0, 138.0, 128.0]) + draw.number(-22.0, 16.0)
     base = base + draw.number() * np.array([10.0, 0.0, -14.0])
     tone = 1.0 + 0.5 * np.clip(lift, -0.35, 0.35) + 0.1 * _noise(seed, 64 * number + 40, directions * 9.0)
-    rgba = np.full((len(directions), 4), 255, np.uint8)
-    rgba[:, :3] = np.floor(np.clip(base * tone[:, None], 0.0, 255.0) + 0.5)
-    return rgba
+    return image(base * tone[:, None])
 
 
 def radii(points: Floats, count: int, directions: Floats) -> Floats:
@@ -196,9 +183,8 @@ def radii(points: Floats, count: int, directions: Floats) -> Floats:
     right = (s >= t).astype(np.int64)
     corners = []
     for a, b in ((i, j), (i + 1, j + 1), (i + right, j + 1 - right)):
-        place = np.empty((len(directions), 3), np.int64)
-        place[row, axis], place[row, (axis + 1) % 3], place[row, (axis + 2) % 3] = np.where(end > 0.0, count, 0), a, b
-        corners.append(points[np.searchsorted(keys, _key(count, *place.T))])
+        places = np.empty((len(directions), 3), np.int64)
+        places[row, axis], places[row, (axis + 1) % 3], places[row, (axis + 2) % 3] = np.where(end > 0, count, 0), a, b
+        corners.append(points[np.searchsorted(keys, _key(count, places))])
     normal = cross(corners[1] - corners[0], corners[2] - corners[0])
-    found: Floats = (normal * corners[0]).sum(1) / (normal * directions).sum(1)
-    return found
+    return dot(normal, corners[0]) / dot(normal, directions)

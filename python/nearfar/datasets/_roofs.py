@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from nearfar.datasets._draw import Draw, Floats
+from nearfar.datasets._draw import Draw, Floats, xyz
 from nearfar.datasets._palette import material
 from nearfar.datasets._shapes import Soup, bars, boxes, join, lathe, loft, quads, tube
 
@@ -23,26 +23,22 @@ _PROFILES = {
 def rectangle(width: float, depth: float, height: float) -> Floats:
     """Corners (4, 3) of a horizontal rectangle, as `loft` takes them."""
     x, z = 0.5 * width, 0.5 * depth
-    return np.array([[x, height, z], [x, height, -z], [-x, height, -z], [-x, height, z]])
+    return xyz([x, x, -x, -x], height, [z, -z, -z, z])
 
 
 def surround(width: float, depth: float, height: float, profile: ArrayLike, kind: int, party: str = "") -> Soup:
     """A closed profile swept around a rectangle, mitred at the corners; on `party` sides it hardly protrudes."""
     outline = np.asarray(profile, np.float64)
-    # A twentieth of the overhang remains: enough to keep the profile's points distinct, too little to reach a
-    # neighbour.
+    # A twentieth of the overhang remains: enough to keep the profile's points distinct, too little to reach neighbours.
     right, left = (0.05 if side in party else 1.0 for side in ("+x", "-x"))
     loops = np.stack([rectangle(width, depth, height + up) for _, up in outline])
-    out = np.where(outline[:, 0] > 0.0, outline[:, 0], 0.0)[:, None]
-    inward = np.minimum(outline[:, 0], 0.0)[:, None]
+    out, inward = np.maximum(outline[:, :1], 0.0), np.minimum(outline[:, :1], 0.0)
     loops[:, :2, 0] += out * right + inward
     loops[:, 2:, 0] -= out * left + inward
     loops[:, [0, 3], 2] += out + inward
     loops[:, [1, 2], 2] -= out + inward
-    following = np.roll(loops, -1, axis=0)
-    after = np.roll(loops, -1, axis=1)
-    corners = np.stack([loops, after, np.roll(following, -1, axis=1), following], 2)
-    return quads(corners.reshape(-1, 4, 3), kind)
+    above, after = np.roll(loops, -1, axis=0), np.roll(loops, -1, axis=1)
+    return quads(np.stack([loops, after, np.roll(above, -1, axis=1), above], 2).reshape(-1, 4, 3), kind)
 
 
 def parapet(width: float, depth: float, height: float, cornice: str, kind: int, party: str = "") -> Soup:
@@ -55,10 +51,7 @@ def gabled(width: float, depth: float, height: float, pitch: float, kind: int, e
     z, x = 0.5 * depth + 0.45, 0.5 * width + 0.02
     low, high = height - 0.12, height + 0.06
     outline = np.array([[high + z * pitch, 0.0], [high, z], [low, z], [low, -z], [high, -z]])
-    sections = np.empty((2, 5, 3))
-    sections[0, :, 0], sections[1, :, 0] = -x, x
-    sections[:, :, 1:] = outline
-    solid = loft(sections, wall)
+    solid = loft(xyz([[-x], [x]], *outline.T), wall)
     kinds = solid.materials.copy()
     kinds[:10] = np.repeat([kind, eaves, eaves, eaves, kind], 2)
     return Soup(solid.corners, kinds)
@@ -109,13 +102,11 @@ def stair_head(draw: Draw, wall: int) -> Soup:
     """The structure over the staircase, with its door."""
     wide, deep, high = draw.number(2.6, 3.6), draw.number(3.2, 4.6), draw.number(2.5, 3.0)
     x, z = wide / 2, deep / 2
-    return join(
-        [
-            boxes([-x, -0.1, -z], [x, high, z], wall, without="-y"),
-            boxes([-x - 0.15, high - 0.08, -z - 0.15], [x + 0.15, high + 0.12, z + 0.15], material("concrete_dark")),
-            boxes([-0.5, -0.1, z - 0.1], [0.5, 2.1, z + 0.04], material("metal_dark"), without="-y -z"),
-        ]
-    )
+    return join([
+        boxes([-x, -0.1, -z], [x, high, z], wall, without="-y"),
+        boxes([-x - 0.15, high - 0.08, -z - 0.15], [x + 0.15, high + 0.12, z + 0.15], material("concrete_dark")),
+        boxes([-0.5, -0.1, z - 0.1], [0.5, 2.1, z + 0.04], material("metal_dark"), without="-y -z"),
+    ])  # fmt: skip
 
 
 def water_tank(detail: int) -> Soup:
@@ -138,9 +129,9 @@ def mast(high: float) -> Soup:
     """An antenna with cross arms."""
     iron = material("metal_dark")
     parts = [tube([(0, -0.1, 0), (0, high * 0.6, 0), (0, high, 0)], [0.07, 0.05, 0.015], 6, iron)]
-    for share in (0.55, 0.68, 0.8):
-        half = 0.7 * (1.2 - share)
-        parts.append(boxes([-half, share * high, -0.02], [half, share * high + 0.04, 0.02], iron))
+    for fraction in (0.55, 0.68, 0.8):
+        half, y = 0.7 * (1.2 - fraction), fraction * high
+        parts.append(boxes([-half, y, -0.02], [half, y + 0.04, 0.02], iron))
     return join(parts)
 
 
@@ -151,8 +142,8 @@ def furnish(width: float, depth: float, wall: int, draw: Draw, *, tower: bool, d
     order = np.argsort(draw.uniform(len(cells)), kind="stable")
     parts = []
     pieces = ["stairs", "plant", "tank" if draw.chance(0.35) and not tower else "plant", "plant", "mast", "plant"]
-    for kind, at in zip(pieces[: max(2, len(cells) - 1)], order, strict=False):
-        i, j = cells[int(at)]
+    for kind, number in zip(pieces[: max(2, len(cells) - 1)], order, strict=False):
+        i, j = cells[int(number)]
         x = ((i + 0.5) / columns - 0.5) * (width - 1.6) + draw.number(-0.5, 0.5)
         z = ((j + 0.5) / rows - 0.5) * (depth - 1.6) + draw.number(-0.5, 0.5)
         if kind == "stairs":

@@ -8,17 +8,13 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nearfar.datasets._draw import Floats, turn
+from nearfar.datasets._draw import Floats, cross, turn, unit, xyz
 
 # Corners of a box's sides, as bits (x, y, z) of its eight vertices, counter-clockwise from outside.
 _SIDES = {
-    "-x": (0, 1, 3, 2),
-    "+x": (4, 6, 7, 5),
-    "-y": (0, 4, 5, 1),
-    "+y": (2, 3, 7, 6),
-    "-z": (0, 2, 6, 4),
+    "-x": (0, 1, 3, 2), "+x": (4, 6, 7, 5), "-y": (0, 4, 5, 1), "+y": (2, 3, 7, 6), "-z": (0, 2, 6, 4),
     "+z": (1, 5, 7, 3),
-}
+}  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -89,8 +85,12 @@ def join(soups: Iterable[Soup]) -> Soup:
 def quads(corners: ArrayLike, materials: ArrayLike) -> Soup:
     """Make two triangles per quadrilateral (K, 4, 3), counter-clockwise from outside; one material each or for all."""
     points = np.asarray(corners, np.float64).reshape(-1, 4, 3)
-    both = points[:, [[0, 1, 2], [0, 2, 3]]].reshape(-1, 3, 3)
-    return Soup(both, np.repeat(np.broadcast_to(np.asarray(materials, np.int32), len(points)), 2))
+    return Soup(halves(points), np.repeat(np.broadcast_to(np.asarray(materials, np.int32), len(points)), 2))
+
+
+def halves(values: NDArray[np.float64]) -> Floats:
+    """Values (K, 4, …) at the corners of quadrilaterals as those of their triangles (2 K, 3, …)."""
+    return values[:, [[0, 1, 2], [0, 2, 3]]].reshape(-1, 3, *values.shape[2:])
 
 
 _SQUARE = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])
@@ -99,8 +99,7 @@ _SQUARE = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])
 def textured(corners: ArrayLike, materials: ArrayLike, uvs: ArrayLike = _SQUARE) -> Soup:
     """Make quadrilaterals (K, 4, 3) with texture coordinates (4, 2) or (K, 4, 2), by default the whole texture."""
     soup = quads(corners, materials)
-    points = np.broadcast_to(np.asarray(uvs, np.float64), (len(soup) // 2, 4, 2))
-    return Soup(soup.corners, soup.materials, None, points[:, [[0, 1, 2], [0, 2, 3]]].reshape(-1, 3, 2))
+    return Soup(soup.corners, soup.materials, None, halves(np.broadcast_to(uvs, (len(soup) // 2, 4, 2))))
 
 
 def triangles(corners: ArrayLike, materials: ArrayLike) -> Soup:
@@ -112,8 +111,7 @@ def triangles(corners: ArrayLike, materials: ArrayLike) -> Soup:
 def boxes(low: ArrayLike, high: ArrayLike, materials: ArrayLike, *, without: str = "") -> Soup:
     """Make boxes between two corners (K, 3); `without` names sides to leave out, such as "-y +y" for hidden ones."""
     lows, highs = np.broadcast_arrays(np.atleast_2d(np.asarray(low, float)), np.atleast_2d(np.asarray(high, float)))
-    ends = np.stack([lows, highs])
-    bits = np.arange(8)
+    ends, bits = np.stack([lows, highs]), np.arange(8)
     vertices = np.stack([ends[(bits >> (2 - axis)) & 1, :, axis] for axis in range(3)], -1)
     sides = [list(side) for name, side in _SIDES.items() if name not in without]
     corners = vertices[sides].transpose(2, 0, 1, 3)
@@ -167,38 +165,26 @@ def _without_slivers(soup: Soup) -> Soup:
 
 def lathe(profile: ArrayLike, count: int, materials: ArrayLike, *, phase: float = 0.5, **caps: bool) -> Soup:
     """Make a solid of revolution about the y axis through (radius, height) points, from bottom to top."""
-    points = np.asarray(profile, np.float64)
-    circle = ring(count, phase=phase)
-    sections = np.empty((len(points), count, 3))
-    sections[..., 0] = points[:, None, 0] * circle[None, :, 0]
-    sections[..., 1] = points[:, None, 1]
-    sections[..., 2] = points[:, None, 0] * circle[None, :, 1]
-    return loft(sections, materials, **caps)
+    radii, heights = np.asarray(profile, np.float64).T[..., None]
+    x, z = ring(count, phase=phase).T
+    return loft(xyz(radii * x, heights, radii * z), materials, **caps)
 
 
 def tube(path: ArrayLike, radii: ArrayLike, count: int, materials: ArrayLike, **caps: bool) -> Soup:
     """Make a round bar along points (P, 3), one radius in metres each."""
     points = np.asarray(path, np.float64)
     widths = np.broadcast_to(np.asarray(radii, np.float64), len(points))
-    along = np.gradient(points, axis=0)
-    along = along / np.sqrt(along[:, :1] ** 2 + along[:, 1:2] ** 2 + along[:, 2:] ** 2)
-    helper = np.where(np.abs(along[:, 1:2]) < 0.9, [[0.0, 1.0, 0.0]], [[1.0, 0.0, 0.0]])
+    along = unit(np.gradient(points, axis=0))
     # One helper direction for the whole bar; otherwise it would twist where the helper changes.
-    side = cross(np.broadcast_to(helper[:1], along.shape), along)
-    side = side / np.sqrt(side[:, :1] ** 2 + side[:, 1:2] ** 2 + side[:, 2:] ** 2)
-    other = cross(along, side)
+    helper = [0.0, 1.0, 0.0] if np.abs(along[0, 1]) < 0.9 else [1.0, 0.0, 0.0]
+    side = unit(cross(np.broadcast_to(helper, along.shape), along))
+    return loft(circles(points, side, cross(along, side), widths[:, None, None], count), materials, **caps)
+
+
+def circles(middles: Floats, u: Floats, w: Floats, radius: Floats | float, count: int) -> Floats:
+    """Circles (P, count, 3) around points (P, 3) in the planes of unit vectors `u` and `w`, for `loft`."""
     circle = ring(count)
-    sections = points[:, None] + widths[:, None, None] * (
-        side[:, None] * circle[None, :, :1] - other[:, None] * circle[None, :, 1:]
-    )
-    return loft(sections, materials, **caps)
-
-
-def cross(a: Floats, b: Floats) -> Floats:
-    """Cross products of rows, by plain arithmetic."""
-    x = a[:, 1] * b[:, 2] - a[:, 2] * b[:, 1]
-    y = a[:, 2] * b[:, 0] - a[:, 0] * b[:, 2]
-    return np.stack([x, y, a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]], -1)
+    return middles[:, None] + radius * (u[:, None] * circle[None, :, :1] - w[:, None] * circle[None, :, 1:])
 
 
 def sphere(subdivisions: int) -> Floats:
@@ -208,13 +194,11 @@ def sphere(subdivisions: int) -> Floats:
     points = np.concatenate([base, base[:, [2, 0, 1]], base[:, [1, 2, 0]]])
     order = "0b5 051 017 07a 0ab 159 5b4 ba2 a76 718 394 342 326 368 389 495 24b 62a 867 981"
     corners = points[[[int(digit, 16) for digit in face] for face in order.split()]]
-    for level in range(subdivisions + 1):
-        if level:
-            middles = 0.5 * (corners + np.roll(corners, -1, axis=1))
-            cut = [np.stack([corners[:, i], middles[:, i], middles[:, i - 1]], 1) for i in range(3)]
-            corners = np.concatenate([*cut, middles])
-        length = np.sqrt(corners[..., 0] ** 2 + corners[..., 1] ** 2 + corners[..., 2] ** 2)
-        corners = corners / length[..., None]
+    corners = unit(corners)
+    for _ in range(subdivisions):
+        middles = 0.5 * (corners + np.roll(corners, -1, axis=1))
+        cut = [np.stack([corners[:, i], middles[:, i], middles[:, i - 1]], 1) for i in range(3)]
+        corners = unit(np.concatenate([*cut, middles]))
     return corners
 
 

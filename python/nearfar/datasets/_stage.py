@@ -44,31 +44,26 @@ class Stage:
         """Add a prototype placed by transforms (K, 4, 4); `names` as in `SceneBuilder.place_many`."""
         if not len(soup) or not len(transforms):
             return
-        joined = weld(soup)
+        shape = weld(soup)
         large = len(soup) >= _MERGED_BELOW or len(soup) * len(transforms) > _MERGED_TOTAL
         if self._instanced and (moves or large):
-            self._builder.place_many(self._mesh(joined), transforms, names)
+            self._builder.place_many(self._mesh(shape), transforms, names)
             return
-        listed = [f"{names}_{i}" for i in range(len(transforms))] if isinstance(names, str) else names
-        for transform, name in zip(transforms, listed, strict=True):
-            self._builder.instance(self._mesh(joined), transform, name=name)
+        names = [f"{names}_{i}" for i in range(len(transforms))] if isinstance(names, str) else names
+        for transform, name in zip(transforms, names, strict=True):
+            self._builder.instance(self._mesh(shape), transform, name=name)
 
     def mixed(
-        self, make: Callable[[int], Soup], chosen: NDArray[np.int64], transforms: Floats, name: str, first: int = 0
+        self, make: Callable[[int], Soup], variants: NDArray[np.int64], transforms: Floats, name: str, first: int = 0
     ) -> None:
-        """Place objects (K, 4, 4); `chosen` (K,) has each one's prototype or −1 for none; numbered from `first`."""
-        for variant in np.unique(chosen[chosen >= 0]).tolist():
-            mine = np.flatnonzero(chosen == variant)
-            self.many(make(variant), transforms[mine], [f"{name}_{first + k}" for k in mine])
+        """Place objects (K, 4, 4) with prototypes `variants` (K,), −1 for none; they are numbered from `first`."""
+        for variant in np.unique(variants[variants >= 0]).tolist():
+            numbers = np.flatnonzero(variants == variant)
+            self.many(make(variant), transforms[numbers], [f"{name}_{first + k}" for k in numbers])
 
-    def _mesh(self, joined: Indexed) -> int:
-        return self._builder.mesh(
-            joined.positions,
-            joined.faces,
-            material=self._numbers[joined.materials],
-            uvs=joined.uvs,
-            colors=joined.colors,
-        )
+    def _mesh(self, shape: Indexed) -> int:
+        numbers = self._numbers[shape.materials]
+        return self._builder.mesh(shape.positions, shape.faces, material=numbers, uvs=shape.uvs, colors=shape.colors)
 
     def build(self, dynamic: Iterable[str] = ()) -> Scene:
         """Build the scene."""
@@ -85,5 +80,5 @@ def placements(x: ArrayLike, y: ArrayLike, z: ArrayLike, fraction: ArrayLike = 0
     matrices[:, 0, 0] = matrices[:, 2, 2] = cosine * sizes
     matrices[:, 0, 2], matrices[:, 2, 0] = sine * sizes, 0.0 - sine * sizes
     matrices[:, 1, 1], matrices[:, 3, 3] = sizes, 1.0
-    matrices[:, 0, 3], matrices[:, 1, 3], matrices[:, 2, 3] = xs, ys, zs
+    matrices[:, :3, 3] = np.stack([xs, ys, zs], -1)
     return matrices

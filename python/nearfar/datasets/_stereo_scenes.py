@@ -13,24 +13,17 @@ import numpy as np
 from nearfar._base import check
 from nearfar._scene.scene import Scene
 from nearfar.datasets import _vegetation as vegetation
-from nearfar.datasets._draw import Draw, Floats, turn
+from nearfar.datasets._draw import Draw, Floats, turn, xyz
 from nearfar.datasets._forest import Land, scattered, surface
-from nearfar.datasets._palette import material, materials
+from nearfar.datasets._palette import materials
 from nearfar.datasets._shapes import Soup, boxes, quads, sheet, sphere, triangles
 from nearfar.datasets._stage import Stage, placements
 
 EYE_HEIGHT = 1.7
 """Height of the viewer's eyes at the origin, metres."""
 _MAX = 1_000_000
-_PAINTS = (
-    "sign_red",
-    "sign_teal",
-    "sign_mustard",
-    "paint_sky",
-    "paint_mint",
-    "paint_rose",
-    "panel_navy",
-    "brick_orange",
+_PAINTS = materials(
+    "sign_red", "sign_teal", "sign_mustard", "paint_sky", "paint_mint", "paint_rose", "panel_navy", "brick_orange"
 )
 
 
@@ -38,8 +31,8 @@ def beams(count: int = 80, seed: int = 0) -> Scene:
     """Make straight beams that point away from a viewer at the origin, over a floor.
 
     Beams of 8 to 40 m lie at about the viewer's height, from 2 m to beyond 40 m away and within 45° of the forward
-    direction −z: each crosses many depths, so that a kink where stereo ends is visible at once. The same arguments give
-    the same bytes on every run and every platform.
+    direction −z: each crosses many depths, so that a kink where stereo ends is visible at once. ValueError for numbers
+    out of range.
 
     Parameters
     ----------
@@ -52,25 +45,20 @@ def beams(count: int = 80, seed: int = 0) -> Scene:
     -------
     Scene
         Objects "floor" and "beam_0", "beam_1" … of twelve triangles.
-
-    Raises
-    ------
-    ValueError
-        Numbers out of range.
     """
     count, seed = _check_arguments(count, seed, "count")
     stage, draw = Stage(), Draw(seed, 70)
     _floor(stage)
-    share, side = draw.uniform(count), draw.uniform(count, -1.0, 1.0)
-    away = 2.0 + 28.0 * share * share
-    starts = np.stack([side * away, draw.uniform(count, 0.2, 4.5), -away], -1)
+    fraction, side = draw.uniform(count), draw.uniform(count, -1.0, 1.0)
+    distance = 2.0 + 28.0 * fraction * fraction
+    starts = xyz(side * distance, draw.uniform(count, 0.2, 4.5), -distance)
     # Turned to a side by up to 45°, and up or down by up to 10°.
     yaw, pitch = draw.uniform(count, -0.125, 0.125), draw.uniform(count, -0.028, 0.028)
     sizes = np.stack([draw.uniform(count, 0.12, 0.4)] * 2 + [draw.uniform(count, 8.0, 40.0)], -1)
     transforms = _oriented(yaw, pitch, sizes, starts)
 
     def bar(paint: int) -> Soup:
-        return boxes((-0.5, -0.5, -1.0), (0.5, 0.5, 0.0), material(_PAINTS[paint]))
+        return boxes((-0.5, -0.5, -1.0), (0.5, 0.5, 0.0), _PAINTS[paint])
 
     stage.mixed(bar, draw.integers(count, len(_PAINTS)), transforms, "beam")
     return stage.build()
@@ -80,7 +68,7 @@ def spheres(count: int = 1000, seed: int = 0, detail: int = 3) -> Scene:
     """Make spheres at all distances around a viewer at the origin, over a floor.
 
     Their centres are 1.5 to 60 m away, with uniform density over distance; radii are 0.08 to 1 m, smaller near the
-    viewer. The same arguments give the same bytes on every run and every platform.
+    viewer. ValueError for numbers out of range.
 
     Parameters
     ----------
@@ -95,34 +83,25 @@ def spheres(count: int = 1000, seed: int = 0, detail: int = 3) -> Scene:
     -------
     Scene
         Objects "floor" and "sphere_0", "sphere_1" …
-
-    Raises
-    ------
-    ValueError
-        Numbers out of range.
     """
     count, seed = _check_arguments(count, seed, "count")
     detail = check.integer("detail", detail, 0, 7)
     stage, draw = Stage(), Draw(seed, 71)
     _floor(stage)
-    away = draw.uniform(count, 1.5, 60.0)
+    distance = draw.uniform(count, 1.5, 60.0)
     cosine, sine = turn(draw.uniform(count))
-    radii = np.minimum(draw.uniform(count, 0.08, 1.0), 0.12 * away)
-    height = radii + draw.uniform(count, 0.0, 1.0) * (0.4 + 0.35 * away)
-    where = placements(sine * away, height, -cosine * away, 0.0, radii)
-    corners = sphere(detail)
-
-    def ball(paint: int) -> Soup:
-        return triangles(corners, material(_PAINTS[paint]))
-
-    stage.mixed(ball, draw.integers(count, len(_PAINTS)), where, "sphere")
+    radii = np.minimum(draw.uniform(count, 0.08, 1.0), 0.12 * distance)
+    height = radii + draw.uniform(count, 0.0, 1.0) * (0.4 + 0.35 * distance)
+    transforms = placements(sine * distance, height, -cosine * distance, 0.0, radii)
+    balls = [triangles(sphere(detail), paint) for paint in _PAINTS]
+    stage.mixed(balls.__getitem__, draw.integers(count, len(_PAINTS)), transforms, "sphere")
     return stage.build()
 
 
 def landscape(trees: int = 250, seed: int = 0, detail: int = 2) -> Scene:
     """Make open hills up to the horizon, with single trees and rocks, about a viewer at the origin.
 
-    The ground at the origin is at y = 0. The same arguments give the same bytes on every run and every platform.
+    The ground at the origin is at y = 0. ValueError for numbers out of range.
 
     Parameters
     ----------
@@ -137,26 +116,20 @@ def landscape(trees: int = 250, seed: int = 0, detail: int = 2) -> Scene:
     -------
     Scene
         Objects "land", "spruce_17", "oak_4" and "rock_2".
-
-    Raises
-    ------
-    ValueError
-        Numbers out of range.
     """
     trees, seed = _check_arguments(trees, seed, "trees")
     detail = check.integer("detail", detail, 0, 3)
     # Ten times as much land for each tree as in a forest.
     stage, land, draw = Stage(), Land.generate(10 * trees, seed), Draw(seed, 72)
     stage.once(surface(land, detail), "land")
-    for number, (name, variants, sizes) in enumerate((("spruce", 4, (0.7, 1.3)), ("oak", 4, (0.6, 1.2)))):
-        make = (vegetation.conifer, vegetation.broadleaf)[number]
-        amount = trees // 2 if number else trees - trees // 2
-        x, z = scattered(land, amount, 3.0, draw)
-        where = placements(x, land.height(x, z), z, draw.uniform(amount), draw.uniform(amount, *sizes))
-        stage.mixed(functools.partial(make, seed, detail=detail), draw.integers(amount, variants), where, name)
-    x, z = scattered(land, trees, 1.5, draw)
-    where = placements(x, land.height(x, z), z, draw.uniform(trees), draw.uniform(trees, 0.3, 2.5))
-    stage.mixed(functools.partial(vegetation.rock, seed, detail=detail), draw.integers(trees, 4), where, "rock")
+    for name, make, count, clear, sizes in (
+        ("spruce", vegetation.conifer, trees - trees // 2, 3.0, (0.7, 1.3)),
+        ("oak", vegetation.broadleaf, trees // 2, 3.0, (0.6, 1.2)),
+        ("rock", vegetation.rock, trees, 1.5, (0.3, 2.5)),
+    ):
+        x, z = scattered(land, count, clear, draw)
+        transforms = placements(x, land.height(x, z), z, draw.uniform(count), draw.uniform(count, *sizes))
+        stage.mixed(functools.partial(make, seed, detail=detail), draw.integers(count, 4), transforms, name)
     return stage.build()
 
 
@@ -168,10 +141,9 @@ def _floor(stage: Stage) -> None:
     """Add a floor of tiles in two greys, 160 m wide."""
     lines = np.linspace(-80.0, 80.0, 81)
     x, z = np.meshgrid(lines, lines)
-    cells = sheet(np.stack([x, np.zeros_like(x), z], -1)).reshape(-1, 4, 3)
-    number = np.arange(len(cells))
-    tiles = np.array(materials("concrete", "concrete_dark"), np.int32)[(number // 80 + number % 80) % 2]
-    stage.once(quads(cells, tiles), "floor")
+    row, column = np.divmod(np.arange(80 * 80), 80)
+    tiles = np.array(materials("concrete", "concrete_dark"), np.int32)[(row + column) % 2]
+    stage.once(quads(sheet(xyz(x, 0.0, z)), tiles), "floor")
 
 
 def _oriented(yaw: Floats, pitch: Floats, sizes: Floats, starts: Floats) -> Floats:

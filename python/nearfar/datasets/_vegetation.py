@@ -5,9 +5,10 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from nearfar.datasets._draw import Draw, Floats, turn
+from nearfar.datasets._draw import Draw, Floats, cross, dot, turn, unit, xyz
 from nearfar.datasets._palette import material, materials
-from nearfar.datasets._shapes import Soup, cross, join, lathe, loft, quads, ring, sphere, textured, triangles, tube
+from nearfar.datasets._shapes import Soup, join, lathe, loft, quads, ring, sphere, textured, triangles, tube
+from nearfar.datasets._textures import grid
 
 _LEAVES = materials("leaf", "leaf_deep", "leaf_light", "leaf_olive", "leaf", "leaf_deep", "leaf_autumn")
 _BARKS = materials("bark", "bark_dark", "bark")
@@ -16,11 +17,9 @@ _BARKS = materials("bark", "bark_dark", "bark")
 def blob(draw: Draw, subdivisions: int, roughness: float) -> Floats:
     """Corners of a lumpy unit sphere: each lump pushes out the points that face it."""
     corners = sphere(subdivisions)
-    lumps = _directions(draw, 14)
     swell = np.zeros(corners.shape[:2])
-    for lump in lumps:
-        facing = corners[..., 0] * lump[0] + corners[..., 1] * lump[1] + corners[..., 2] * lump[2]
-        swell = np.maximum(swell, np.clip((facing - 0.72) / 0.28, 0.0, 1.0))
+    for lump in _directions(draw, 14):
+        swell = np.maximum(swell, np.clip((dot(corners, lump) - 0.72) / 0.28, 0.0, 1.0))
     return corners * (1.0 - roughness + roughness * swell * (2.0 - swell))[..., None]
 
 
@@ -45,12 +44,10 @@ def broadleaf(seed: int, variant: int, detail: int) -> Soup:
     leaf, bark = _LEAVES[variant % len(_LEAVES)], draw.pick(_BARKS)
     fork = 0.36 * high
     lean = draw.uniform(2, -0.15, 0.15)
-    sides = (4, 5, 8, 8)[detail]
     trunk = [(0.0, -0.3, 0.0), (lean[0], 0.5 * fork, lean[1]), (0.0, fork, 0.0), (0.0, 0.8 * high, 0.0)]
-    parts = [tube(trunk, [0.24, 0.17, 0.14, 0.05], sides, bark)]
+    parts = [tube(trunk, [0.24, 0.17, 0.14, 0.05], (4, 5, 8, 8)[detail], bark)]
     count = 1 if detail <= 1 else int(draw.integers(1, 2)[0]) + (3 if detail == 2 else 6)
-    clumps = _clumps(draw, count, high, crown)
-    for center, radius in clumps:
+    for center, radius in _clumps(draw, count, high, crown):
         if detail >= 2:
             start = np.array([0.0, fork * 0.92, 0.0])
             bend = 0.5 * (start + center) - [0.0, 0.25, 0.0]
@@ -67,39 +64,31 @@ def _clumps(draw: Draw, count: int, high: float, crown: float) -> list[tuple[Flo
     clumps = [(np.array([0.0, middle + 0.55 * crown, 0.0]), np.full(3, 0.72 * crown))]
     cosine, sine = turn((np.arange(count - 1) + draw.uniform(count - 1, 0.0, 0.5)) / (count - 1))
     for c, s in zip(cosine, sine, strict=True):
-        away, rise = draw.number(0.5, 0.72) * crown, draw.number(-0.55, 0.3) * crown
+        out, rise = draw.number(0.5, 0.72) * crown, draw.number(-0.55, 0.3) * crown
         size = draw.number(0.5, 0.68) * crown
-        clumps.append((np.array([c * away, middle + rise, s * away]), np.array([size, 0.85 * size, size])))
+        clumps.append((np.array([c * out, middle + rise, s * out]), np.array([size, 0.85 * size, size])))
     return clumps
 
 
 def _foliage(draw: Draw, center: Floats, radius: Floats, leaf: int, high: float, crown: float, detail: int) -> Soup:
     """One clump: a lumpy ball, or at the highest detail a cloud of leaves around a core."""
-    level = (0, 1, 2, 2)[detail]
-    core = triangles(blob(draw, level, 0.28), leaf)
-    low, top = high - 2.4 * crown, high
+    core = triangles(blob(draw, (0, 1, 2, 2)[detail], 0.28), leaf)
+    low = high - 2.4 * crown
     if detail < 3:
-        return _shaded(core.scaled(radius).translate(center), low, top)
-    inside = _shaded(core.scaled(0.78 * radius).translate(center), low, top, darkest=0.35)
-    cloud = _leaf_cloud(draw, 620, radius, center, leaf)
-    return join([inside, _shaded(cloud, low, top)])
+        return _shaded(core.scaled(radius).translate(center), low, high)
+    inside = _shaded(core.scaled(0.78 * radius).translate(center), low, high, darkest=0.35)
+    return join([inside, _shaded(_leaf_cloud(draw, 620, radius, center, leaf), low, high)])
 
 
 def _leaf_cloud(draw: Draw, count: int, radius: Floats, center: Floats, leaf: int) -> Soup:
     """Sprays of leaves over an ellipsoid's surface: rhombi of two triangles."""
     normals = _directions(draw, count)
-    at = normals * draw.uniform(count, 0.72, 1.08)[:, None] * radius + center
-    tilt = _directions(draw, count)
-    across = tilt[draw.integers(count, count)]
-    along = across - normals * (0.6 * _dot(across, normals))[:, None]
-    along = along / np.sqrt(_dot(along, along))[:, None]
+    middle = normals * draw.uniform(count, 0.72, 1.08)[:, None] * radius + center
+    tilt = _directions(draw, count)[draw.integers(count, count)]
+    along = unit(tilt - normals * (0.6 * dot(tilt, normals))[:, None])
     length = draw.uniform(count, 0.12, 0.24)[:, None]
     tip, side = along * length, cross(along, normals) * (0.5 * length)
-    return quads(np.stack([at - tip, at + side, at + tip, at - side], 1), leaf)
-
-
-def _dot(a: Floats, b: Floats) -> Floats:
-    return a[:, 0] * b[:, 0] + a[:, 1] * b[:, 1] + a[:, 2] * b[:, 2]
+    return quads(np.stack([middle - tip, middle + side, middle + tip, middle - side], 1), leaf)
 
 
 def conifer(seed: int, variant: int, detail: int) -> Soup:
@@ -123,14 +112,12 @@ def conifer(seed: int, variant: int, detail: int) -> Soup:
 def _skirt(draw: Draw, low: float, top: float, radius: float, sides: int, needle: int) -> Soup:
     """A cone of branches: every second rib reaches out and droops."""
     ribs = np.where(np.arange(sides) % 2 == 0, 1.0, 0.66) * draw.uniform(sides, 0.85, 1.1)
-    circle = ring(sides, phase=draw.number())
-    sections = np.zeros((4, sides, 3))
-    for row, (share, drop) in enumerate(((0.25, 0.12), (1.0, 0.0), (0.55, 0.42), (0.0, 1.0))):
+    x, z = ring(sides, phase=draw.number()).T
+    sections = []
+    for row, (share, rise) in enumerate(((0.25, 0.12), (1.0, 0.0), (0.55, 0.42), (0.0, 1.0))):
         out = radius * share * (ribs if row in (1, 2) else 1.0)
-        sections[row, :, 0], sections[row, :, 2] = circle[:, 0] * out, circle[:, 1] * out
-        sections[row, :, 1] = low + (top - low) * drop
-        if row == 1:
-            sections[row, :, 1] -= 0.16 * radius * ribs
+        droop = 0.16 * radius * ribs if row == 1 else 0.0
+        sections.append(xyz(x * out, low + (top - low) * rise - droop, z * out))
     return loft(sections, needle, top=False)
 
 
@@ -145,38 +132,36 @@ def birch(seed: int, variant: int, detail: int, card: int) -> Soup:
     normals = _directions(draw, count)
     rise = high * (0.66 + 0.31 * normals[:, 1])
     reach = high * 0.17 * np.sqrt(draw.uniform(count, 0.1, 1.0))
-    at = np.stack([normals[:, 0] * reach, rise, normals[:, 2] * reach], -1)
+    middle = xyz(normals[:, 0] * reach, rise, normals[:, 2] * reach)
     cosine, sine = turn(draw.uniform(count))
     size = draw.uniform(count, 0.5, 0.9) * (2.2, 1.6, 0.9, 0.6)[detail]
     tip, roll = draw.uniform(2 * count, -0.4, 0.4).reshape(2, count), draw.uniform(count, -0.25, 0.25)
-    right = np.stack([cosine, roll, sine], -1) * size[:, None]
-    up = np.stack([tip[0], np.ones(count), tip[1]], -1) * size[:, None]
-    square = np.stack([at - right - up, at + right - up, at + right + up, at - right + up], 1)
-    return join([*parts, textured(square, card)])
+    right, up = xyz(cosine, roll, sine) * size[:, None], xyz(tip[0], 1.0, tip[1]) * size[:, None]
+    left_edge, right_edge = middle - right, middle + right
+    return join(
+        [*parts, textured(np.stack([left_edge - up, right_edge - up, right_edge + up, left_edge + up], 1), card)]
+    )
 
 
 def leaf_texture(size: int = 128) -> NDArray[np.uint8]:
     """A spray of leaves (size, size, 4): sRGB, transparent between the leaves."""
     draw = Draw(0, 8)
-    y, x = np.meshgrid(np.arange(size) + 0.5, np.arange(size) + 0.5, indexing="ij")
+    x, y = grid(size, size)
     image = np.zeros((size, size, 4))
     image[..., :3] = (96.0, 128.0, 58.0)
-    stem = np.abs(x / size - 0.5 - 0.08 * (y / size - 0.5)) < 0.012
-    image[stem & (y > 0.12 * size)] = (110.0, 92.0, 64.0, 255.0)
+    stem = np.abs(x - 0.5 - 0.08 * (y - 0.5)) < 0.012
+    image[stem & (y > 0.12)] = (110.0, 92.0, 64.0, 255.0)
     cosine, sine = turn(draw.uniform(34))
     for c, s, u, v, length, light in zip(
         cosine, sine, draw.uniform(34, 0.14, 0.86), draw.uniform(34, 0.14, 0.86), draw.uniform(34, 0.07, 0.12),
         draw.uniform(34, 0.75, 1.15), strict=True,
     ):  # fmt: skip
-        a = (c * (x / size - u) + s * (y / size - v)) / length
-        b = (c * (y / size - v) - s * (x / size - u)) / length
+        a, b = (c * (x - u) + s * (y - v)) / length, (c * (y - v) - s * (x - u)) / length
         # Two parabolas that meet at the tips bound the leaf; its midrib is lighter.
         inside = np.abs(b) < 0.5 * (1.0 - a * a)
-        rib = np.abs(b) < 0.06
-        shade = light * np.where(rib, 1.15, 1.0)
-        for channel, value in enumerate((104.0, 140.0, 62.0)):
-            image[..., channel] = np.where(inside, np.minimum(255.0, value * shade), image[..., channel])
-        image[..., 3] = np.where(inside, 255.0, image[..., 3])
+        shade = light * np.where(np.abs(b) < 0.06, 1.15, 1.0)
+        rgb = np.minimum(255.0, np.array([104.0, 140.0, 62.0]) * shade[inside, None])
+        image[inside] = np.insert(rgb, 3, 255.0, axis=1)
     return np.floor(image).astype(np.uint8)
 
 
@@ -186,9 +171,9 @@ def shrub(seed: int, variant: int, detail: int) -> Soup:
     parts = []
     for _ in range(1 if detail <= 1 else 3):
         size = draw.number(0.45, 0.75)
-        at = [draw.number(-0.5, 0.5), 0.5 * size, draw.number(-0.5, 0.5)]
+        offset = [draw.number(-0.5, 0.5), 0.5 * size, draw.number(-0.5, 0.5)]
         soup = triangles(blob(draw, 1 if detail <= 2 else 2, 0.3), material("leaf_deep"))
-        parts.append(soup.scaled([size, 0.8 * size, size]).translate(at))
+        parts.append(soup.scaled([size, 0.8 * size, size]).translate(offset))
     return _shaded(join(parts), -0.3, 1.2, darkest=0.45)
 
 
@@ -197,11 +182,11 @@ def tuft(seed: int, variant: int, detail: int) -> Soup:
     draw = Draw(seed, 6, variant)
     count = 12 if detail <= 1 else 26 if detail == 2 else 60
     cosine, sine = turn(draw.uniform(count))
-    away = draw.uniform(count, 0.0, 0.22)
-    foot = np.stack([cosine * away, np.full(count, -0.04), sine * away], -1)
+    radius = draw.uniform(count, 0.0, 0.22)
+    foot = xyz(cosine * radius, -0.04, sine * radius)
     high, lean = draw.uniform(count, 0.18, 0.45), draw.uniform(count, 0.3, 0.9)
-    side = np.stack([-sine, np.zeros(count), cosine], -1) * 0.016
-    tip = foot + np.stack([cosine * high * lean, high, sine * high * lean], -1)
+    side = xyz(-sine, 0.0, cosine) * 0.016
+    tip = foot + xyz(cosine * high * lean, high, sine * high * lean)
     soup = triangles(np.stack([foot - side, tip, foot + side], 1), material("grass" if variant % 2 else "fern"))
     return _shaded(soup, -0.05, 0.3, darkest=0.5)
 
@@ -212,8 +197,8 @@ def rock(seed: int, variant: int, detail: int) -> Soup:
     corners = sphere(1 if detail <= 1 else 2 if detail == 2 else 3)
     # Cuts by random planes give faces like those of broken stone.
     for normal, reach in zip(_directions(draw, 16), draw.uniform(16, 0.6, 0.9), strict=True):
-        beyond = corners[..., 0] * normal[0] + corners[..., 1] * normal[1] + corners[..., 2] * normal[2] - reach
-        corners = corners - np.clip(beyond, 0.0, None)[..., None] * normal * 0.92
+        excess = np.clip(dot(corners, normal) - reach, 0.0, None)
+        corners = corners - excess[..., None] * normal * 0.92
     kind = material("rock_moss" if variant % 3 == 2 else "rock")
     size = draw.uniform(3, 0.5, 0.9) * [1.0, 0.7, 1.0]
     return _shaded(triangles(corners, kind).scaled(size).translate([0.0, 0.12, 0.0]), -0.5, 0.6, darkest=0.6)

@@ -93,10 +93,10 @@ def _shell(body: Body, paint: int) -> Soup:
     first, last = body.stations[0][0], body.stations[-1][0]
     sections = []
     for z, high in body.stations:
-        # The plan narrows slightly towards both ends.
-        share = abs(2.0 * (z - first) / (last - first) - 1.0)
-        low = body.clearance + (0.1 if share > 0.97 else 0.0)
-        sections.append(_section(body.half_width * (1.0 - 0.12 * share * share * share * share), low, high, z))
+        # The plan narrows slightly towards both ends, where this is 1.
+        end = abs(2.0 * (z - first) / (last - first) - 1.0)
+        low = body.clearance + (0.1 if end > 0.97 else 0.0)
+        sections.append(_section(body.half_width * (1.0 - 0.12 * end * end * end * end), low, high, z))
     return loft(sections, paint)
 
 
@@ -109,29 +109,21 @@ def _glass_house(body: Body, paint: int, *, opaque: bool) -> Soup:
     roof = np.array([[top, y2, z2], [top, y1, z1], [-top, y1, z1], [-top, y2, z2]])
     lifted = roof * [0.94, 1.0, 1.0]
     lifted[:, 1] += 0.045
-    sections = [foot, roof, lifted]
-    house = loft(sections, [glass, paint])
-    if not opaque:
-        return join([house, _pillars(foot, roof, paint)])
-    panels = boxes([-half - 0.01, y0 - 0.06, z0 - 0.012], [half + 0.01, y1 - 0.12, z2 - 0.35], paint)
-    return join([house, panels, _pillars(foot, roof, paint)])
+    parts = [loft([foot, roof, lifted], [glass, paint])]
+    if opaque:
+        parts.append(boxes([-half - 0.01, y0 - 0.06, z0 - 0.012], [half + 0.01, y1 - 0.12, z2 - 0.35], paint))
+    return join([*parts, *_pillars(foot, roof, paint)])
 
 
-def _pillars(foot: Floats, roof: Floats, paint: int) -> Soup:
+def _pillars(foot: Floats, roof: Floats, paint: int) -> list[Soup]:
     """Posts at the four corners and between the doors, slightly outside the glass."""
+    right = np.array([[0.012, 0.0, 0.04], [0.012, 0.0, -0.04], [-0.03, 0.0, -0.04], [-0.03, 0.0, 0.04]])
+    lows, highs = ([*ends, 0.5 * (ends[0] + ends[1]), 0.5 * (ends[2] + ends[3])] for ends in (foot, roof))
     parts = []
-    pairs = [(foot[i], roof[i]) for i in range(4)]
-    pairs += [
-        (0.5 * (foot[0] + foot[1]), 0.5 * (roof[0] + roof[1])),
-        (0.5 * (foot[2] + foot[3]), 0.5 * (roof[2] + roof[3])),
-    ]
-    for low, high in pairs:
-        side = 1.0 if low[0] > 0 else -1.0
-        cross = np.array([[0.012, 0.0, 0.04], [0.012, 0.0, -0.04], [-0.03, 0.0, -0.04], [-0.03, 0.0, 0.04]])
-        if side < 0:
-            cross = cross[::-1] * [-1.0, 1.0, 1.0]
-        parts.append(loft(np.stack([low + cross, high + cross + [0.0, 0.01, 0.0]]), paint))
-    return join(parts)
+    for low, high in zip(lows, highs, strict=True):
+        section = right if low[0] > 0 else right[::-1] * [-1.0, 1.0, 1.0]
+        parts.append(loft(np.stack([low + section, high + section + [0.0, 0.01, 0.0]]), paint))
+    return parts
 
 
 def _wheel(body: Body, sides: int) -> Soup:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -61,23 +62,40 @@ class Plan:
     on_ground: bool
 
 
-def wall(plan: Plan, style: Style, paint: Paint, draw: Draw, detail: int) -> Soup:
+def walls(
+    size: tuple[float, float], rows: Floats, faces: tuple[Sequence[str], bool, bool], style: Style, paint: Paint,
+    draw: Draw, detail: int,
+) -> list[Soup]:  # fmt: skip
+    """Build the four façades of a width and a depth, from the front counter-clockwise; at detail 0 one box.
+
+    `faces` has the façades' `Plan.face`, and `shops` and `on_ground` of all.
+    """
+    kinds, shops, on_ground = faces
+    if detail == 0:
+        x, z = 0.5 * size[0], 0.5 * size[1]
+        return [boxes([-x, rows[0], -z], [x, rows[-1], z], paint.wall, without="-y +y")]
+    sides = []
+    for quarter, kind in enumerate(kinds):
+        width, depth = size if quarter % 2 == 0 else size[::-1]
+        side = _wall(Plan(width, rows, kind, shops, on_ground), style, paint, draw, detail)
+        sides.append(side.translate([0.0, 0.0, 0.5 * depth]).rotated(0.25 * quarter))
+    return sides
+
+
+def _wall(plan: Plan, style: Style, paint: Paint, draw: Draw, detail: int) -> Soup:
     """Build the façade in its own plane, u from −width/2 to width/2."""
     half, rows = 0.5 * plan.width, plan.rows
     if plan.face == "party":
         return facade.plain(facade.rectangles([-half, half], rows), paint.wall)
     count = max(1, round((plan.width - 2.0 * style.pier) / style.bay))
     inner = np.linspace(-half + style.pier, half - style.pier, count + 1)
-    blank = [facade.rectangles([-half, inner[0]], rows), facade.rectangles([inner[-1], half], rows)]
-    blank.append(facade.rectangles(inner, rows[-2:]))
-    first = 1 if plan.on_ground else 0
-    upper = facade.rectangles(inner, rows[first:-1])
-    soups = [facade.plain(np.concatenate(blank), paint.wall)]
+    ends = ([-half, inner[0]], rows), ([inner[-1], half], rows), (inner, rows[-2:])
+    soups = [facade.plain(np.concatenate([facade.rectangles(u, v) for u, v in ends]), paint.wall)]
+    upper = facade.rectangles(inner, rows[1 if plan.on_ground else 0 : -1])
     soups += _upper_storeys(upper, count, plan, style, paint, draw, detail)
     if plan.on_ground:
-        ground = facade.rectangles(inner, rows[:2])
         # Floors are at v = 0; the wall below is hidden in the ground.
-        soups += _ground_storey(ground, plan, style, paint, draw, detail)
+        soups += _ground_storey(facade.rectangles(inner, rows[:2]), plan, style, paint, draw, detail)
     if detail >= 2:
         soups += _bands(inner, plan, style, paint)
     return join(soups)
@@ -88,31 +106,35 @@ def _upper_storeys(
 ) -> list[Soup]:
     if not len(cells):
         return []
-    holes = facade.holes_in(cells, style.window)
-    storeys = len(cells) // count
-    column, storey = np.arange(len(cells)) % count, np.arange(len(cells)) // count
-    open_to = np.zeros(len(cells), bool)
-    if style.balcony and plan.face == "street":
-        open_to = _balcony_cells(column, storey, count, storeys, draw)
-        holes[open_to, 2] = cells[open_to, 2] + 0.1
-    glass = np.array(_SHINY if paint.shiny else _GLASS, np.int32)
-    panes = glass[draw.integers(len(cells), len(glass))]
-    soups = [facade.openings(cells, holes, style.window.reveal, paint.wall, paint.wall, panes, recessed=detail >= 2)]
+    holes, window = facade.holes_in(cells, style.window), style.window
+    is_street, has_balcony = plan.face == "street", np.zeros(len(cells), bool)
+    if style.balcony and is_street:
+        storey, column = np.divmod(np.arange(len(cells)), count)
+        has_balcony = _balcony_cells(column, storey, count, len(cells) // count, draw)
+        holes[has_balcony, 2] = cells[has_balcony, 2] + 0.1
+    panes = _panes(paint, draw, len(cells))
+    soups = [facade.openings(cells, holes, window.reveal, paint.wall, paint.wall, panes, recessed=detail >= 2)]
     if detail < 2:
         return soups
-    if not paint.shiny and plan.face == "street":
-        soups.append(facade.bars(holes, style.window.reveal, style.window.bars, paint.frame, frame=detail >= 3))
-    if style.sill and (plan.face == "street" or detail >= 3):
-        soups.append(facade.sills(holes[~open_to], paint.trim))
-    if style.lintel and (plan.face == "street" or detail >= 3):
+    if not paint.shiny and is_street:
+        soups.append(facade.bars(holes, window.reveal, window.bars, paint.frame, frame=detail >= 3))
+    if style.sill and (is_street or detail >= 3):
+        soups.append(facade.sills(holes[~has_balcony], paint.trim))
+    if style.lintel and (is_street or detail >= 3):
         soups.append(facade.lintels(holes, paint.trim))
-    if style.shutters and plan.face == "street":
+    if style.shutters and is_street:
         soups.append(facade.shutters(holes, paint.shutter))
-    if open_to.any():
+    if has_balcony.any():
         solid = style.balcony == "solid"
         rail = paint.trim if solid else material("iron")
-        soups.append(facade.balconies(cells[open_to], paint.trim, rail, detail=detail, solid=solid))
+        soups.append(facade.balconies(cells[has_balcony], paint.trim, rail, detail=detail, solid=solid))
     return soups
+
+
+def _panes(paint: Paint, draw: Draw, count: int) -> NDArray[np.int32]:
+    """Random materials of windows."""
+    glass = np.array(_SHINY if paint.shiny else _GLASS, np.int32)
+    return glass[draw.integers(count, len(glass))]
 
 
 def _balcony_cells(
@@ -137,13 +159,12 @@ def _ground_storey(cells: Rectangles, plan: Plan, style: Style, paint: Paint, dr
     middle = 0.5 * (cells[:, 0] + cells[:, 1])
     span = cells[:, 1] - cells[:, 0]
     half = np.minimum(0.42 * span, np.where(shop, 0.5 * _SHOP.width * span, 0.62))
-    chosen = shop | door
-    holes[chosen, 0], holes[chosen, 1] = (middle - half)[chosen], (middle + half)[chosen]
+    is_wide = shop | door
+    holes[is_wide, 0], holes[is_wide, 1] = (middle - half)[is_wide], (middle + half)[is_wide]
     holes[shop, 2], holes[shop, 3] = _SHOP.sill, _SHOP.head * height[shop]
     holes[door, 2], holes[door, 3] = _DOOR.sill, np.minimum(2.55, 0.8 * height[door])
     reveal = np.where(door, _DOOR.reveal, np.where(shop, _SHOP.reveal, style.window.reveal))
-    glass = np.array(_SHINY if paint.shiny else _GLASS, np.int32)
-    panes = glass[draw.integers(count, len(glass))]
+    panes = _panes(paint, draw, count)
     panes[shop] = np.array(_SHOPS, np.int32)[draw.integers(count, len(_SHOPS))][shop]
     panes[door] = draw.pick(_DOORS)
     outside = paint.base if plan.face == "street" else paint.wall
@@ -153,10 +174,10 @@ def _ground_storey(cells: Rectangles, plan: Plan, style: Style, paint: Paint, dr
     if shop.any():
         soups.append(facade.bars(holes[shop], _SHOP.reveal, _SHOP.bars, paint.frame))
         soups += _shop_signs(cells[shop], draw)
-    other = ~chosen
-    if other.any() and not paint.shiny and plan.face == "street":
-        soups.append(facade.bars(holes[other], style.window.reveal, style.window.bars, paint.frame))
-        soups.append(facade.sills(holes[other], paint.trim))
+    windows = holes[~is_wide]
+    if len(windows) and not paint.shiny and plan.face == "street":
+        soups.append(facade.bars(windows, style.window.reveal, style.window.bars, paint.frame))
+        soups.append(facade.sills(windows, paint.trim))
     soups.append(_doorstep(holes[door][0], paint, draw))
     return soups
 

@@ -15,7 +15,7 @@ from nearfar._morph import kernel_arguments
 from nearfar._render import backend as backends
 from nearfar.gpu._frames import DeviceFrame
 from nearfar.metrics._discontinuity import EPSILON, truth_view
-from nearfar.metrics._result import Similarity
+from nearfar.metrics._window import Similarity
 
 WINDOWS = ("gaussian", "uniform")
 """Windows of `ssim` on the device."""

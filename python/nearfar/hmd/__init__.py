@@ -12,8 +12,7 @@ from importlib import resources
 
 from nearfar._base import check
 from nearfar.hmd._eye import Eye, TotalFov
-from nearfar.hmd._hmd import Hmd
-from nearfar.hmd._lenses import CARDBOARD_LENSES, GENERIC_LENS
+from nearfar.hmd._hmd import CARDBOARD_LENSES, GENERIC_LENS, Hmd
 
 __all__ = ["CARDBOARD_LENSES", "GENERIC_LENS", "Eye", "Hmd", "TotalFov", "get", "names"]
 
@@ -44,17 +43,17 @@ def names() -> tuple[str, ...]:
 
 def get(name: str) -> Hmd:
     """Return the headset of a name such as "QUEST_2" or "Quest 2"; ValueError for names that are not in `names()`."""
-    known = re.sub(r"[ -]+", "_", check.instance("name", name, str, "text")).upper()
-    if known not in names():
-        near = difflib.get_close_matches(known, names(), 1)
-        hint = f" (did you mean {near[0]}?)" if near else ""
+    upper = re.sub(r"[ -]+", "_", check.instance("name", name, str, "text")).upper()
+    if upper not in names():
+        similar = difflib.get_close_matches(upper, names(), 1)
+        hint = f" (did you mean {similar[0]}?)" if similar else ""
         raise ValueError(f"name: expected one of {', '.join(names())}, got {check.shortened(name)}{hint}")
-    return _load_profile(known)
+    return _load_profile(upper)
 
 
 @functools.cache
-def _load_profile(known: str) -> Hmd:
-    file = _PROFILES / f"{known.lower()}.json"
+def _load_profile(name: str) -> Hmd:
+    file = _PROFILES / f"{name.lower()}.json"
     return Hmd._from_json(file.read_bytes(), str(file))
 
 

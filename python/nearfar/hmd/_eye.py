@@ -123,14 +123,11 @@ class TotalFov(NamedTuple):
 def total_fov(left: Eye, right: Eye) -> TotalFov:
     """Compute the total field of view of two eyes for distant objects, for which the eyes' positions do not matter."""
     left_angles, right_angles = left.angles_deg, right.angles_deg
-    left_corners, right_corners = left.corners, right.corners
+    diagonals = [_angle_between(left.corners[k], right.corners[(k + 2) % 4]) for k in (0, 3)]
     return TotalFov(
         horizontal_deg=right_angles[1] - left_angles[0],
         vertical_deg=((left_angles[3] - left_angles[2]) + (right_angles[3] - right_angles[2])) / 2.0,
-        diagonal_deg=(
-            _angle_between(left_corners[0], right_corners[2]) + _angle_between(left_corners[3], right_corners[1])
-        )
-        / 2.0,
+        diagonal_deg=sum(diagonals) / 2.0,
         overlap_deg=left_angles[1] - right_angles[0],
     )
 

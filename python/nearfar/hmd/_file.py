@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -25,16 +26,18 @@ Built = TypeVar("Built")
 
 def write(path: Path, fields: dict[str, Any]) -> None:
     """Write a headset's fields as a JSON document."""
-    formats.write_json(path, document(fields))
-
-
-def document(fields: dict[str, Any]) -> dict[str, Any]:
-    """Make the document of a headset from its fields."""
-    eyes = {side: _eye_document(fields[side]) for side in ("left", "right")}
-    names = ("name", "render_size", "panel_size", "refresh_hz", "lens", "lens_radius", "triangle_budget")
-    rest = {name: fields[name] for name in (*names, "hidden_area_percent", "sources")}
-    rest["lens"] = list(rest["lens"].k) if rest["lens"] else None
-    return formats.header(FORMAT, VERSION) | {"name": rest.pop("name"), "eyes": eyes} | rest
+    eyes = {
+        side: {
+            "fov": {name: getattr(fields[side].fov, name) for name in SIDES},
+            "position": fields[side].position,
+            "orientation": fields[side].orientation,
+        }
+        for side in ("left", "right")
+    }
+    names = ("render_size", "panel_size", "refresh_hz", "lens", "lens_radius", "triangle_budget")
+    others = {name: fields[name] for name in (*names, "hidden_area_percent", "sources")}
+    others["lens"] = list(others["lens"].k) if others["lens"] else None
+    formats.write_json(path, formats.header(FORMAT, VERSION) | {"name": fields["name"], "eyes": eyes} | others)
 
 
 def fields(content: dict[str, Any], where: str) -> dict[str, Any]:
@@ -43,7 +46,8 @@ def fields(content: dict[str, Any], where: str) -> dict[str, Any]:
     read = Reader(content, where)
     result: dict[str, Any] = {"name": read.text("name")}
     for side in ("left", "right"):
-        result[side] = _eye(read.object_at("eyes").object_at(side))
+        eye = read.object_at("eyes").object_at(side)
+        result[side] = eye.eye(eye.object_at("fov").fov(SIDES))
     result["render_size"] = read.pair("render_size")
     for name in OPTIONAL:
         if content.get(name) is not None:
@@ -123,8 +127,8 @@ class Reader:
     def pair(self, key: str) -> tuple[Any, Any]:
         """Return the two numbers at a key without conversion, so that whole numbers stay whole."""
         self.numbers(key, 2)
-        one, other = self._value(key)
-        return one, other
+        first, second = self._value(key)
+        return first, second
 
     def text(self, key: str) -> str:
         """Return the string at a key."""
@@ -136,9 +140,19 @@ class Reader:
 
     def rows(self, key: str) -> list[list[float]]:
         """Return the rows of numbers at a key."""
-        return self._read(
-            key, "rows of numbers", lambda value: _convert_items(value, lambda row: _convert_items(row, finite))
-        )
+        convert_rows = partial(_convert_items, convert=partial(_convert_items, convert=finite))
+        return self._read(key, "rows of numbers", convert_rows)
+
+    def fov(self, keys: tuple[str, str, str, str]) -> Fov:
+        """Return the field of view whose tangents (left, right, down, up) are at four keys."""
+        tangents = [self.number(key) for key in keys]
+        return self.convert(lambda: Fov(*tangents))
+
+    def eye(self, fov: Fov) -> Eye:
+        """Return the eye whose position and orientation are at the keys of these names."""
+        x, y, z = self.numbers("position", 3)
+        a, b, c, d = self.numbers("orientation", 4)
+        return self.convert(lambda: Eye(fov, (x, y, z), (a, b, c, d)))
 
     def convert(self, make: Callable[[], Built]) -> Built:
         """Call a constructor with values of this object; its errors become FormatError."""
@@ -161,16 +175,3 @@ class Reader:
 
     def _path_of(self, key: str) -> str:
         return f"{self.name}.{key}" if self.name else key
-
-
-def _eye_document(eye: Eye) -> dict[str, Any]:
-    fov = {side: getattr(eye.fov, side) for side in SIDES}
-    return {"fov": fov, "position": eye.position, "orientation": eye.orientation}
-
-
-def _eye(read: Reader) -> Eye:
-    tangents = [read.object_at("fov").number(side) for side in SIDES]
-    fov = read.object_at("fov").convert(lambda: Fov(*tangents))
-    x, y, z = read.numbers("position", 3)
-    a, b, c, d = read.numbers("orientation", 4)
-    return read.convert(lambda: Eye(fov, (x, y, z), (a, b, c, d)))

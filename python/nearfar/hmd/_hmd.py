@@ -6,6 +6,7 @@ import math
 import os
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -15,9 +16,19 @@ from nearfar._base import card, check
 from nearfar._camera.camera import Camera, quaternion
 from nearfar._camera.rotation import compose_rotations, rotation
 from nearfar._lens.lens import RadialLens, check_symmetric
-from nearfar.hmd import _file, _hmdq, _lenses, _picture
+from nearfar.hmd import _file, _hmdq, _picture
 from nearfar.hmd._eye import Eye, TotalFov, total_fov
 
+CARDBOARD_LENSES = {"Cardboard I/O 2014 (V1)": (0.441, 0.156), "Cardboard I/O 2015 (V2)": (0.34, 0.55)}
+"""Lens coefficients of viewers that have no profile, in the form of `Hmd.lens` with a `lens_radius` of 1, so that r is
+the tangent itself. Source: immersive-web/cardboard-vr-display src/device-info.js."""
+GENERIC_VIEWER = "Cardboard I/O 2015 (V2)"
+GENERIC_LENS = RadialLens(CARDBOARD_LENSES[GENERIC_VIEWER])
+"""Lens for headsets whose own is unpublished, with a `lens_radius` of 1; it is that of the second Cardboard viewer."""
+GENERIC_RADIUS = 1.0
+"""Tangent at which the generic lens has r = 1."""
+GENERIC_SOURCE = f"generic, that of {GENERIC_VIEWER}: immersive-web/cardboard-vr-display src/device-info.js"
+"""Source of the generic lens, as `Hmd.sources` names it."""
 EYES = ("left", "right")
 """Names of the eyes."""
 IPDS = (0.04, 0.09)
@@ -32,6 +43,8 @@ FORMATS = ("nearfar", "hmdq")
 @dataclass(frozen=True, kw_only=True)
 class Hmd:
     """A headset as its runtime reports it.
+
+    ValueError and TypeError for values that are out of order or not finite.
 
     Parameters
     ----------
@@ -56,11 +69,6 @@ class Hmd:
         Percentage of a view that the runtime's hidden-area mesh covers; None without a mesh.
     sources
         Sources of these data, one sentence each.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Values that are out of order or not finite.
     """
 
     name: str
@@ -121,12 +129,11 @@ class Hmd:
         The pose is a world position in metres and a unit quaternion (x, y, z, w) that turns head axes into world axes.
         `size` in pixels is `render_size` by default.
         """
-        chosen: Eye = getattr(self, check.choice("eye", eye, EYES))
+        source: Eye = getattr(self, check.choice("eye", eye, EYES))
         head = quaternion(orientation)
-        moved = np.array(check.vector("position", position)) + rotation(head) @ np.array(chosen.position)
-        place = (float(moved[0]), float(moved[1]), float(moved[2]))
-        way = compose_rotations(chosen.orientation, head)
-        return Camera(place, way, fov=chosen.fov, size=self.render_size if size is None else size)
+        x, y, z = np.array(check.vector("position", position)) + rotation(head) @ np.array(source.position)
+        turned, pixels = compose_rotations(source.orientation, head), self.render_size if size is None else size
+        return Camera((float(x), float(y), float(z)), turned, fov=source.fov, size=pixels)
 
     def with_ipd(self, ipd: float) -> Hmd:
         """Return the headset with the eyes `ipd` metres apart, 0.04 to 0.09, about the same middle.
@@ -134,21 +141,23 @@ class Hmd:
         Almost all adults have 0.045 to 0.08 m, children from five years on at least 0.04 m (Dodgson 2004). ValueError
         for other distances, and for eyes in one place.
         """
-        distance, one, other = check.number("ipd", ipd), np.array(self.left.position), np.array(self.right.position)
-        least, most = IPDS
-        if not least <= distance <= most:
-            raise ValueError(f"ipd: expected {least:g} to {most:g}, in metres: 0.064, not 64; got {distance:g}")
+        distance, (least, greatest) = check.number("ipd", ipd), IPDS
+        if not least <= distance <= greatest:
+            raise ValueError(f"ipd: expected {least:g} to {greatest:g}, in metres: 0.064, not 64; got {distance:g}")
         if self.ipd == 0.0:
             raise ValueError("ipd: expected eyes at different positions, which define the direction, got equal ones")
-        half = (other - one) * (0.5 * distance / self.ipd)
-        middle = (one + other) / 2.0
-        left = replace(self.left, position=tuple((middle - half).tolist()))
-        return replace(self, left=left, right=replace(self.right, position=tuple((middle + half).tolist())))
+        left, right = np.array(self.left.position), np.array(self.right.position)
+        half, middle = (right - left) * (0.5 * distance / self.ipd), (left + right) / 2.0
+        left_eye = replace(self.left, position=tuple((middle - half).tolist()))
+        return replace(self, left=left_eye, right=replace(self.right, position=tuple((middle + half).tolist())))
 
     def with_lens(
         self, lens: RadialLens | None = None, *, lens_radius: float | None = None, source: str | None = None
     ) -> Hmd:
         """Return the headset with another lens.
+
+        ValueError and TypeError for a lens with tangential terms, a radius that is not above 0, and a radius or source
+        without a lens.
 
         Parameters
         ----------
@@ -159,21 +168,16 @@ class Hmd:
             Tangent at which r = 1; None stands for `tan_half_angle`. The generic lens has its own.
         source
             Source of the coefficients, for `sources`; by default "given by the caller".
-
-        Raises
-        ------
-        ValueError, TypeError
-            A lens with tangential terms, a radius that is not above 0, and a radius or source without a lens.
         """
         if lens is None:
             for name, value in (("lens_radius", lens_radius), ("source", source)):
                 if value is not None:
                     got = check.value_or_type(value)
                     raise ValueError(f"{name}: expected None with the generic lens, which has its own, got {got}")
-            lens, lens_radius, source = _lenses.GENERIC_LENS, _lenses.GENERIC_RADIUS, _lenses.GENERIC_SOURCE
-        rest = tuple(text for text in self.sources if not text.startswith(LENS))
-        said = check.text("source", "given by the caller" if source is None else source)
-        return replace(self, lens=lens, lens_radius=lens_radius, sources=(*rest, f"{LENS}{said}"))
+            lens, lens_radius, source = GENERIC_LENS, GENERIC_RADIUS, GENERIC_SOURCE
+        others = tuple(text for text in self.sources if not text.startswith(LENS))
+        source = check.text("source", "given by the caller" if source is None else source)
+        return replace(self, lens=lens, lens_radius=lens_radius, sources=(*others, f"{LENS}{source}"))
 
     @property
     def lens_source(self) -> str:
@@ -200,10 +204,10 @@ class Hmd:
         FormatError for other files, naming file and key; ValueError for a `runtime` with a file of nearfar; OSError if
         the file is missing.
         """
-        place = check.path("path", path)
+        file = check.path("path", path)
         if runtime is not None:
             check.choice("runtime", runtime, _hmdq.RUNTIMES)
-        return cls._from_json(place.read_bytes(), os.fspath(place), runtime=runtime)
+        return cls._from_json(file.read_bytes(), os.fspath(file), runtime=runtime)
 
     @classmethod
     def _from_json(cls, text: bytes, where: str, *, runtime: str | None = None) -> Hmd:
@@ -241,19 +245,12 @@ def _budget(name: str, value: tuple[int, int]) -> tuple[int, int]:
     return least, most
 
 
-def _percent(name: str, value: float) -> float:
-    percent = check.number(name, value)
-    if not 0.0 <= percent <= 100.0:
-        raise ValueError(f"{name}: expected 0 to 100, got {percent}")
-    return percent
-
-
 _CONVERSIONS: dict[str, Callable[[str, Any], Any]] = {
     "render_size": _pixels,
     "panel_size": _pixels,
     "refresh_hz": check.positive,
     "lens_radius": check.positive,
     "triangle_budget": _budget,
-    "hidden_area_percent": _percent,
+    "hidden_area_percent": partial(check.in_range, low=0.0, high=100.0),
 }
 """Checks of the fields that hold numbers; all but the first may be None."""

@@ -46,29 +46,30 @@ def fields(content: dict[str, Any], where: str, runtime: str | None) -> dict[str
         raise FormatError(f"{where}: geometry: expected valid geometry in openvr or oculus, got none")
     if runtime is not None and runtime not in geometries:
         raise FormatError(f"{where}: expected geometry from {runtime}, found {', '.join(geometries)}")
-    chosen = runtime or next(iter(geometries))
-    read = geometries[chosen]
+    runtime = runtime or next(iter(geometries))
+    read = geometries[runtime]
     # File names may contain bytes that are not text, which Python stores as lone surrogates.
     file = Path(where.encode("utf-8", "replace").decode("utf-8"))
-    name, refresh = _device(content, chosen)
-    result: dict[str, Any] = {side: _eye(read, key) for side, key in SIDES.items()}
-    result |= {"name": name or file.stem, "render_size": read.pair("rec_rts"), "refresh_hz": refresh}
-    result["hidden_area_percent"] = _hidden(read)
+    name, refresh = _device(content, runtime)
     misc = content["misc"]
     version = misc.get("hmdq_ver", misc.get("hmdv_ver"))
-    result["sources"] = (f"{file.name}: {chosen} by hmdq {version}, {misc.get('time', 'at no known time')}",)
-    return result
+    return {side: _eye(read, key) for side, key in SIDES.items()} | {
+        "name": name or file.stem,
+        "render_size": read.pair("rec_rts"),
+        "refresh_hz": refresh,
+        "hidden_area_percent": _hidden(read),
+        "sources": (f"{file.name}: {runtime} by hmdq {version}, {misc.get('time', 'at no known time')}",),
+    }
 
 
 def write(path: Path, fields: dict[str, Any]) -> None:
     """Write the geometry of a headset and the angles that hmdv shows."""
     left, right = fields["left"], fields["right"]
-    eyes = {"Left": left, "Right": right}
-    total = total_fov(left, right)
+    eyes, total = {"Left": left, "Right": right}, total_fov(left, right)
     canted = any(eye.orientation != (0.0, 0.0, 0.0, 1.0) for eye in eyes.values())
     geometry = {
         "rec_rts": fields["render_size"],
-        "raw_eye": {name: _raw(eye.fov) for name, eye in eyes.items()},
+        "raw_eye": {name: _tangents(eye.fov) for name, eye in eyes.items()},
         "eye2head": {name: eye.matrix.tolist() for name, eye in eyes.items()},
         "view_geom": {
             "left_rot": left.rotation_deg,
@@ -102,11 +103,11 @@ def write(path: Path, fields: dict[str, Any]) -> None:
 
 def _geometry(content: dict[str, Any], where: str, runtime: str) -> Reader | None:
     """Reader of a runtime's geometry; None if it is missing or has an error."""
-    section, *view = {"openvr": ["openvr"], "oculus": ["oculus", "default_fov"]}.get(runtime, ["oculus", "max_fov"])
-    keys = [section, "geometry", *view]
-    if runtime == "openvr" and "geometry" in content:
+    if runtime == "openvr":
         # Before hmdq 1.3.4 files had OpenVR's data only, at the top level.
-        keys = ["geometry"]
+        keys = ["geometry"] if "geometry" in content else ["openvr", "geometry"]
+    else:
+        keys = ["oculus", "geometry", "default_fov" if runtime == "oculus" else "max_fov"]
     node: Any = content
     for key in keys:
         node = node.get(key) if isinstance(node, dict) else None
@@ -116,18 +117,13 @@ def _geometry(content: dict[str, Any], where: str, runtime: str) -> Reader | Non
 
 
 def _eye(read: Reader, key: str) -> Eye:
-    raw = read.object_at("raw_eye").object_at(key)
-    left, right, down, up = (raw.number(name) for name in TANGENTS)
-    fov = raw.convert(lambda: Fov(left, right, down, up))
+    fov = read.object_at("raw_eye").object_at(key).fov(TANGENTS)
     if "eye2head" in read.content:
-        placed = read.object_at("eye2head")
-        rows = placed.rows(key)
-        return placed.convert(lambda: Eye.from_matrix(fov, rows))
+        matrices = read.object_at("eye2head")
+        rows = matrices.rows(key)
+        return matrices.convert(lambda: Eye.from_matrix(fov, rows))
     # Raw data of LibOVR, without the computed matrix.
-    pose = read.object_at("render_desc").object_at(key).object_at("hmd2eye_pose")
-    x, y, z = pose.numbers("position", 3)
-    a, b, c, d = pose.numbers("orientation", 4)
-    return pose.convert(lambda: Eye(fov, (x, y, z), (a, b, c, d)))
+    return read.object_at("render_desc").object_at(key).object_at("hmd2eye_pose").eye(fov)
 
 
 def _device(content: dict[str, Any], runtime: str) -> tuple[str, float | None]:
@@ -156,7 +152,7 @@ def _hidden(read: Reader) -> float | None:
     return 100.0 * sum(percentages) / len(percentages) if percentages else None
 
 
-def _raw(fov: Fov) -> dict[str, float]:
+def _tangents(fov: Fov) -> dict[str, float]:
     aspect = (fov.right - fov.left) / (fov.up - fov.down)
     return dict(zip(TANGENTS, fov._sides, strict=True)) | {"aspect": aspect}
 
@@ -169,11 +165,11 @@ def _angles(eye: Eye) -> dict[str, Any]:
 
 def _points(eye: Eye) -> list[list[float]]:
     """Eight points of a view's edge at depth 1: each corner, followed by a middle (below, right, above, left)."""
-    left, right, down, up = (math.radians(angle) for angle in eye.angles_deg)
-    at = {
-        angle: (math.sin(angle) / abs(math.cos(angle)), -math.copysign(1.0, math.cos(angle)))
-        for angle in (left, right, down, up)
-    }
-    middles = [[0.0, *at[down]], [at[right][0], 0.0, at[right][1]], [0.0, *at[up]], [at[left][0], 0.0, at[left][1]]]
+    # For each edge, its tangent and −1, or 1 behind the eye.
+    left, right, down, up = (
+        (math.sin(angle) / abs(math.cos(angle)), -math.copysign(1.0, math.cos(angle)))
+        for angle in map(math.radians, eye.angles_deg)
+    )
+    middles = [[0.0, *down], [right[0], 0.0, right[1]], [0.0, *up], [left[0], 0.0, left[1]]]
     corners = [(corner / abs(corner[2])).tolist() for corner in eye.corners]
     return [point for pair in zip(corners, middles, strict=True) for point in pair]

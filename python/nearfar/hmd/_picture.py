@@ -12,7 +12,6 @@ from nearfar.hmd._eye import Eye, TotalFov
 
 SIZE = (420, 300)
 """Width and height of the drawing."""
-
 EDGE = 16
 """Number of points along each edge of a view, because straight edges are curves over angles."""
 
@@ -22,14 +21,11 @@ def fields(left: Eye, right: Eye, total: TotalFov) -> str:
     outlines = [_outline(eye) for eye in (left, right)]
     reach = np.maximum(np.abs(np.concatenate(outlines)).max(axis=0), 1.0) * 1.12
     scale = min((SIZE[0] - 8) / (2 * reach[0]), (SIZE[1] - 8) / (2 * reach[1]))
-    middle = np.array(SIZE) / 2.0
     parts = [_grid(float(scale))]
-    for number, outline in enumerate(outlines):
-        points = " ".join(f"{x:.1f},{y:.1f}" for x, y in middle + outline * (scale, -scale))
-        color = card.COLORS[number]
-        parts.append(
-            f'<polygon points="{points}" fill="{color}" fill-opacity=".25" stroke="{color}" stroke-width="2"/>'
-        )
+    for color, outline in zip(card.COLORS, outlines, strict=False):
+        points = " ".join(f"{x:.1f},{y:.1f}" for x, y in np.array(SIZE) / 2.0 + outline * (scale, -scale))
+        style = f'fill="{color}" fill-opacity=".25" stroke="{color}" stroke-width="2"'
+        parts.append(f'<polygon points="{points}" {style}/>')
     alt = f"fields of view of both eyes, {total.horizontal_deg:.0f}° across in all"
     return card.svg(SIZE, "".join(parts), alt, [(card.COLORS[0], "left eye"), (card.COLORS[1], "right eye")])
 
@@ -37,12 +33,10 @@ def fields(left: Eye, right: Eye, total: TotalFov) -> str:
 def _outline(eye: Eye) -> NDArray[np.float64]:
     """Angles to the right and up of points along the edge of a view, degrees (4 · EDGE, 2)."""
     corners = eye.corners
-    share = (np.arange(EDGE) / EDGE)[None, :, None]
-    edge = (corners[:, None] * (1.0 - share) + np.roll(corners, -1, axis=0)[:, None] * share).reshape(-1, 3)
-    side = np.arctan2(edge[:, 0], -edge[:, 2])
-    up = np.arctan2(edge[:, 1], np.hypot(edge[:, 0], edge[:, 2]))
-    angles: NDArray[np.float64] = np.degrees(np.column_stack([side, up]))
-    return angles
+    fraction = (np.arange(EDGE) / EDGE)[None, :, None]
+    edge = (corners[:, None] * (1.0 - fraction) + np.roll(corners, -1, axis=0)[:, None] * fraction).reshape(-1, 3)
+    right, up = np.arctan2(edge[:, 0], -edge[:, 2]), np.arctan2(edge[:, 1], np.hypot(edge[:, 0], edge[:, 2]))
+    return np.asarray(np.degrees(np.column_stack([right, up])))
 
 
 def _grid(scale: float) -> str:
@@ -56,21 +50,17 @@ def _grid(scale: float) -> str:
         label = f'fill="currentColor" fill-opacity=".7" font-size="11">{angle}°</text>'
         if 0 < x < width:
             parts.append(f'<path d="M{x:.1f} 0V{height}" {style}/><text x="{x + 3:.1f}" y="{height - 3}" {label}')
-        if 0 < y < height and angle:
-            parts.append(f'<path d="M0 {y:.1f}H{width}" {style}/><text x="3" y="{y - 3:.1f}" {label}')
-        elif not angle:
-            parts.append(f'<path d="M0 {y:.1f}H{width}" {style}/>')
+        if 0 < y < height:
+            # The label of 0 degrees is below the vertical line.
+            text = f'<text x="3" y="{y - 3:.1f}" {label}' if angle else ""
+            parts.append(f'<path d="M0 {y:.1f}H{width}" {style}/>{text}')
     return "".join(parts)
 
 
 def figures(
-    total: TotalFov,
-    ipd: float,
-    sizes: Mapping[str, tuple[int, int] | None],
-    refresh_hz: float | None,
-    triangle_budget: tuple[int, int] | None,
-    hidden_area_percent: float | None,
-) -> list[tuple[str, str]]:
+    total: TotalFov, ipd: float, sizes: Mapping[str, tuple[int, int] | None], refresh_hz: float | None,
+    triangle_budget: tuple[int, int] | None, hidden_area_percent: float | None,
+) -> list[tuple[str, str]]:  # fmt: skip
     """Format the figures of a headset; those that are None are unknown and left out."""
     view = f"{total.horizontal_deg:.0f}° × {total.vertical_deg:.0f}°, of which both eyes see {total.overlap_deg:.0f}°"
     rows = [("field of view", view)]

@@ -25,22 +25,18 @@ User = Literal["eyes", "middle"]
 """Name of a user that `render_eyes` describes."""
 USERS: tuple[User, ...] = get_args(User)
 
-_LEFT_EYE = np.array(
-    [[0.4561, 0.500484, 0.176381], [-0.0400822, -0.0378246, -0.0157589], [-0.0152161, -0.0205971, -0.00546856]]
-)
-_RIGHT_EYE = np.array(
-    [[-0.0434706, -0.0879388, -0.00155529], [0.378476, 0.73364, -0.0184503], [-0.0721527, -0.112961, 1.2264]]
-)
+# Weights of the left and of the right eye's red, green and blue (columns) in those of the anaglyph (rows).
+_ANAGLYPH = np.array([
+    [[0.4561, 0.500484, 0.176381], [-0.0400822, -0.0378246, -0.0157589], [-0.0152161, -0.0205971, -0.00546856]],
+    [[-0.0434706, -0.0879388, -0.00155529], [0.378476, 0.73364, -0.0184503], [-0.0721527, -0.112961, 1.2264]],
+])  # fmt: skip
 
 
 @dataclass(frozen=True, eq=False)
 class StereoFrame:
     """The frames of both eyes of a headset, as `render_eyes` and `nearfar.stereo.HybridRig.render` return them.
 
-    Raises
-    ------
-    ValueError, TypeError
-        Frames of different sizes, and other things than frames and a headset.
+    ValueError and TypeError for frames of different sizes, and other things than frames and a headset.
     """
 
     hmd: Hmd | None
@@ -78,19 +74,16 @@ class StereoFrame:
         Source: Dubois (2001), A projection method to generate anaglyph stereo images, least squares in linear light.
         """
         left, right = (frame.require("color").astype(np.float64) for frame in (self.left, self.right))
-        mixed = np.clip(left @ _LEFT_EYE.T + right @ _RIGHT_EYE.T, 0.0, 1.0).astype(np.float32)
+        mixed = np.clip(left @ _ANAGLYPH[0].T + right @ _ANAGLYPH[1].T, 0.0, 1.0).astype(np.float32)
         return _core.encode_srgb(mixed).reshape(mixed.shape)
 
     def warped(
-        self,
-        *,
-        size: tuple[int, int] | None = None,
-        filter: Filter = "linear",  # noqa: A002
-    ) -> tuple[NDArray[np.uint8], NDArray[np.uint8]]:
+        self, *, size: tuple[int, int] | None = None, filter: Filter = "linear"  # noqa: A002
+    ) -> tuple[NDArray[np.uint8], NDArray[np.uint8]]:  # fmt: skip
         """Warp both pictures so that the distortion of the headset's lens cancels out, as the panel shows them.
 
         Each is warped about the lens's axis of its own eye. Both have r = 1 at the same tangent, `Hmd.lens_radius` or
-        `Hmd.tan_half_angle`.
+        `Hmd.tan_half_angle`. ValueError for a headset without a lens (see `Hmd.with_lens`), and frames without colour.
 
         Parameters
         ----------
@@ -103,11 +96,6 @@ class StereoFrame:
         -------
         tuple
             Left and right picture, sRGB (H, W, 3) uint8; black where the lens shows no part of the frame.
-
-        Raises
-        ------
-        ValueError
-            A headset without a lens (see `Hmd.with_lens`), and frames without colour.
         """
         hmd = self.hmd
         if hmd is None:
@@ -170,6 +158,8 @@ def render_eyes(
 ) -> StereoFrame:
     """Render a scene, a reduced scene or another `Renderable` for both eyes of a headset.
 
+    ValueError and TypeError for arguments out of range, and for both `size` and `scale`; DeviceError as in `render`.
+
     Parameters
     ----------
     source
@@ -202,13 +192,6 @@ def render_eyes(
     -------
     StereoFrame
         The frames of both eyes, equal to those of `render` for `hmd.camera("left", …)` and "right".
-
-    Raises
-    ------
-    ValueError, TypeError
-        Arguments out of range, and both `size` and `scale`.
-    DeviceError
-        As in `render`.
     """
     check.instance("hmd", hmd, Hmd, "an Hmd such as nearfar.hmd.QUEST_2")
     pixels = _size(hmd, size, scale)

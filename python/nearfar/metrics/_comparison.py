@@ -45,6 +45,9 @@ class Comparison:
 def compare(reference: Frame, test: Frame, *, center: ArrayLike, radius: float) -> Comparison:
     """Compare a picture of a reduced scene with the ground truth.
 
+    ValueError and TypeError for frames without these channels or of different sizes, and arguments out of range.
+    Sources: Wang, Bovik, Sheikh, Simoncelli (2004); Popescu, Lee, Choi, Fahmy (2022), Eq. 5–6.
+
     Parameters
     ----------
     reference
@@ -61,18 +64,9 @@ def compare(reference: Frame, test: Frame, *, center: ArrayLike, radius: float) 
     Comparison
         Results of `ssim`, `psnr`, `rmse` and `discontinuity` with default settings, and the discontinuity within the
         `boundary_mask`.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Frames without these channels or of different sizes, and arguments out of range.
-
-    References
-    ----------
-    Wang, Bovik, Sheikh, Simoncelli (2004); Popescu, Lee, Choi, Fahmy (2022), Eq. 5–6.
     """
-    for name, frame in (("reference", reference), ("test", test)):
-        check.instance(name, frame, Frame)
+    check.instance("reference", reference, Frame)
+    check.instance("test", test, Frame)
     torn = discontinuity(test)
     defined = torn[~np.isnan(torn)]
     edge = boundary_mask(test, center=center, radius=radius) & ~np.isnan(torn)

@@ -21,7 +21,8 @@ def discontinuity(
 
     Each pixel's scene point is projected to the true picture. The neighbours of a pixel are the pixels whose points
     project within ε (`epsilon`) of its own. Its discontinuity is the mean over the neighbours of the ratio (distance in
-    this picture) / (distance in the truth), minus 1.
+    this picture) / (distance in the truth), minus 1. ValueError and TypeError for frames without positions, a
+    `truth_camera` of another size, and arguments out of range. Source: Popescu, Lee, Choi, Fahmy (2022), Eq. 5–6.
 
     Parameters
     ----------
@@ -42,15 +43,6 @@ def discontinuity(
         (H, W) float32: 0 for no tear, 1 if neighbours are twice as far apart, negative if they are closer together. NaN
         for pixels without a surface, behind the truth's camera, more than 10⁷ pixels outside its picture, or without
         neighbours. For the truth itself it is 0 up to the rounding of positions.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Frames without positions, a `truth_camera` of another size, and arguments out of range.
-
-    References
-    ----------
-    Popescu, Lee, Choi, Fahmy (2022), Eq. 5–6.
     """
     check.instance("frame", frame, Frame)
     camera = truth_view(frame.camera, truth_camera)
@@ -71,11 +63,9 @@ def truth_view(own: Camera, truth: Camera | None) -> Camera:
     """Return the truth's camera, by default a frame's own; TypeError or ValueError for one of another size."""
     if truth is None:
         return own
-    (width, height), expected = check.instance("truth_camera", truth, Camera).size, own.size
-    if (width, height) != expected:
-        raise ValueError(
-            f"truth_camera: expected {expected[0]} × {expected[1]} pixels, as the frame has, got {width} × {height}"
-        )
+    if (size := check.instance("truth_camera", truth, Camera).size) != own.size:
+        expected, got = ("{} × {}".format(*pixels) for pixels in (own.size, size))
+        raise ValueError(f"truth_camera: expected {expected} pixels, as the frame has, got {got}")
     return truth
 
 
@@ -86,7 +76,7 @@ def boundary_mask(
 
     Near pixels show points at a horizontal distance ρ ≤ `radius` from the axis through the centre. The boundary is
     between a near pixel with ρ ≥ 0.98 `radius` and a neighbour with ρ > `radius`; the lower limit excludes silhouettes
-    of nearer objects.
+    of nearer objects. ValueError and TypeError for frames without positions and arguments out of range.
 
     Parameters
     ----------
@@ -107,39 +97,29 @@ def boundary_mask(
     -------
     NDArray
         (H, W) bool, true along the boundary.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Frames without positions and arguments out of range.
     """
     check.instance("frame", frame, Frame)
-    middle, end = np.array(check.vector("center", center)), check.positive("radius", radius)
-    reach = check.integer("width", width, 1, 1000)
-    position, origin = frame.require("position"), np.array(frame.origin)
+    axis, end = check.vector("center", center), check.positive("radius", radius)
+    grow = check.integer("width", width, 1, 1000)
+    frame.require("position")
     farthest = 1.02 * end if check.flag("surfaces", surfaces) else np.inf
-    return background.run(lambda: _edge(position, origin, middle, end, farthest, reach))
+    return background.run(lambda: _edge(distances(frame, axis), end, farthest, grow))
 
 
-def _edge(
-    position: NDArray[np.float32],
-    origin: NDArray[np.float64],
-    middle: NDArray[np.float64],
-    end: float,
-    farthest: float,
-    reach: int,
-) -> NDArray[np.bool_]:
-    """Pixels within `reach` of the outermost near ones, which are within `end` of the axis beside a pixel beyond it."""
-    away = position.astype(np.float64) + origin - middle
-    rho = np.hypot(away[..., 0], away[..., 2])
-    beyond = (rho > end) & (rho <= farthest)
-    edge = np.zeros(beyond.shape, bool)
-    for axis in (0, 1):
-        first = (slice(None),) * axis + (slice(None, -1),)
-        second = (slice(None),) * axis + (slice(1, None),)
-        for one, other in ((first, second), (second, first)):
-            edge[one] |= (rho[one] <= end) & (rho[one] >= 0.98 * end) & beyond[other]
-    for _ in range(reach):
+def distances(frame: Frame, center: tuple[float, float, float]) -> NDArray[np.float64]:
+    """Horizontal distances (H, W) of a frame's positions from the vertical axis through a centre, metres."""
+    offsets = frame.require("position").astype(np.float64) + np.array(frame.origin) - np.array(center)
+    return np.asarray(np.hypot(offsets[..., 0], offsets[..., 2]))
+
+
+def _edge(rho: NDArray[np.float64], end: float, farthest: float, grow: int) -> NDArray[np.bool_]:
+    """Pixels within `grow` of the outermost near ones, which have ρ ≤ `end` beside a pixel with greater ρ."""
+    is_far = (rho > end) & (rho <= farthest)
+    edge = np.zeros(is_far.shape, bool)
+    for first, second in ((np.s_[:-1], np.s_[1:]), (np.s_[:, :-1], np.s_[:, 1:])):
+        for near, far in ((first, second), (second, first)):
+            edge[near] |= (rho[near] <= end) & (rho[near] >= 0.98 * end) & is_far[far]
+    for _ in range(grow):
         grown = edge.copy()
         grown[1:] |= edge[:-1]
         grown[:-1] |= edge[1:]

@@ -13,14 +13,10 @@ from nearfar._render.frame import Frame
 
 LUMA = (0.2126, 0.7152, 0.0722)
 """Rec. 709 weights of red, green and blue, applied to sRGB-encoded colour."""
-
 MAX = 1e150
 """Greatest absolute value of a pixel, so that float64 holds its square."""
-
 _KERNEL_TYPES = (np.uint8, np.uint16, np.float32)
 """Types that kernels read besides float64, which is used for all values that do not fit into these."""
-
-
 _MODES = ("1", "L", "RGB", "I", "F", "I;16", "I;16L", "I;16B", "I;16N")
 """Accepted modes of Pillow images: grey of any depth, and RGB."""
 
@@ -33,7 +29,7 @@ class Pair(NamedTuple):
     data_range: float | None
     """Difference between the greatest and the least possible value; 1 for frames, None if unknown."""
 
-    def refuse(self, names: tuple[str, str] = ("reference", "test")) -> ValueError:
+    def flaw(self, names: tuple[str, str] = ("reference", "test")) -> ValueError:
         """Make the error for a result that is not finite; it names the picture and position that cause it."""
         for name, values in zip(names, (self.reference, self.test), strict=True):
             if flaw := check.not_finite(name, values):

@@ -7,15 +7,16 @@ from dataclasses import replace
 from nearfar import _core
 from nearfar._render.frame import Frame
 from nearfar._render.ranged import motion_of, ranged
-from nearfar.metrics._result import Similarity
 from nearfar.metrics._similarity import ssim
+from nearfar.metrics._window import Similarity
 
 
 def motion_ssim(earlier: Frame, later: Frame, *, full: bool = False) -> Similarity:
     """Compute the similarity of a picture to the previous one on surfaces that both show: 1 if nothing flickers.
 
     The earlier picture is warped to the later one by the later one's motion; then SSIM is computed over the pixels
-    whose surface both show.
+    whose surface both show. ValueError for frames without these images, or frames without a common surface, TypeError
+    for values that are not frames.
 
     Parameters
     ----------
@@ -32,13 +33,6 @@ def motion_ssim(earlier: Frame, later: Frame, *, full: bool = False) -> Similari
         As `ssim` of frames. A pixel counts if the earlier picture, interpolated there, shows a surface at the same
         distance from the earlier camera within 2 %; windows see other pixels as unchanged. Results of several methods
         are comparable if their pictures have the truth's range and motion, by `dataclasses.replace`.
-
-    Raises
-    ------
-    ValueError
-        Frames without these images, or frames without a common surface.
-    TypeError
-        Values that are not frames.
     """
     past, now, motion = ranged("earlier", earlier), ranged("later", later), motion_of("later", later)
     warped, seen = _core.blend_past(past, now, fade=(0.0, 0.0), motion=motion)

@@ -43,6 +43,9 @@ def rmse(reference: ArrayLike | Frame, test: ArrayLike | Frame) -> float:
 def psnr(reference: ArrayLike | Frame, test: ArrayLike | Frame, *, data_range: float | None = None) -> float:
     """Compute the peak signal-to-noise ratio of two pictures in decibels.
 
+    Errors as in `rmse`, and for arrays without a positive `data_range` or with values that differ by more, and for
+    frames with one.
+
     Parameters
     ----------
     reference, test
@@ -56,12 +59,6 @@ def psnr(reference: ArrayLike | Frame, test: ArrayLike | Frame, *, data_range: f
     -------
     float
         20 log₁₀(data_range / rmse); infinite for equal pictures.
-
-    Raises
-    ------
-    ValueError, TypeError
-        As in `rmse`, for arrays without a positive `data_range` or with values that differ by more, and for frames with
-        one.
     """
     pair = inputs.pair(reference, test, data_range)
     peak = pair.extent()
@@ -73,6 +70,9 @@ def psnr(reference: ArrayLike | Frame, test: ArrayLike | Frame, *, data_range: f
 def object_completion(reference_ids: ArrayLike, test_ids: ArrayLike) -> tuple[float, float]:
     """Measure how many of a reference picture's objects a test picture shows, and how much of each.
 
+    ValueError and TypeError for different shapes, and values that are not 32-bit integers. Source: CloVR (2024), Eq.
+    1–2.
+
     Parameters
     ----------
     reference_ids, test_ids
@@ -83,15 +83,6 @@ def object_completion(reference_ids: ArrayLike, test_ids: ArrayLike) -> tuple[fl
     (float, float)
         OVC, the share of the reference's objects that the test shows at all, and OFC, the mean over the reference's
         objects of min(test pixels, reference pixels) / reference pixels. Both are NaN if the reference shows no object.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Different shapes, and values that are not 32-bit integers.
-
-    References
-    ----------
-    CloVR (2024), Eq. 1–2.
     """
     reference = check.array("reference_ids", reference_ids, columns=None, dtype=np.int32)
     test = check.array("test_ids", test_ids, columns=None, dtype=np.int32)
@@ -104,11 +95,10 @@ def object_completion(reference_ids: ArrayLike, test_ids: ArrayLike) -> tuple[fl
 def _mean_squared_error(pair: inputs.Pair, *, ranges: bool) -> tuple[float, float, float]:
     """Mean of the squared differences, and with `ranges` the least and the greatest value of both pictures."""
     inputs.refuse_alpha(pair.reference.shape, "give numbers that are no colours as two axes")
-    rows = [_rows(picture) for picture in (pair.reference, pair.test)]
-    found = _core.mean_squared_errors(*rows, ranges=ranges)[0]
-    if not math.isfinite(found[0]):
-        raise pair.refuse()
-    return found
+    result = _core.mean_squared_errors(_rows(pair.reference), _rows(pair.test), ranges=ranges)[0]
+    if not math.isfinite(result[0]):
+        raise pair.flaw()
+    return result
 
 
 def _rows(picture: NDArray[Any]) -> NDArray[Any]:

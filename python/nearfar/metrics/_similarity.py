@@ -15,16 +15,13 @@ from nearfar._base.settings import gather
 from nearfar._render.frame import Frame
 from nearfar.metrics import _inputs as inputs
 from nearfar.metrics._inputs import Pair
-from nearfar.metrics._result import Similarity
-from nearfar.metrics._window import SsimKeywords, SsimSettings
+from nearfar.metrics._window import Similarity, SsimKeywords, SsimSettings
 
 NAMES = ("references", "tests")
 """Argument names of `ssim_pairs` for error messages."""
-
 SCALE_WEIGHTS = (0.0448, 0.2856, 0.3001, 0.2363, 0.1333)
 """Exponents of the scales, fine to coarse, of Wang, Simoncelli, Bovik (2003), for images of some hundred pixels."""
-
-_LONG = 1 << 26
+_MANY_PIXELS = 1 << 26
 """Least number of pixels at which a progress bar is shown and Ctrl-C is checked."""
 
 
@@ -40,6 +37,10 @@ def ssim(
     **keywords: Unpack[SsimKeywords],
 ) -> Similarity:
     """Compute the structural similarity (SSIM) of two pictures.
+
+    Errors as in `psnr`, and for windows, sizes and masks out of range, and three axes whose last is neither 1 nor 3
+    long without `channel_axis`. In masked pictures only pixels within windows must be within `data_range`. Sources:
+    Wang, Bovik, Sheikh, Simoncelli (2004), Eq. 13; masked windows: Knutsson, Westin (1993).
 
     Parameters
     ----------
@@ -70,31 +71,21 @@ def ssim(
         scikit-image's by less than 1e-12 and 1e-10. Other types are computed in float32 about local means and differ
         from float64's results by less than 1e-6 and 1e-5. Parts of pictures whose range of values would lose digits are
         computed in float64, or window by window.
-
-    Raises
-    ------
-    ValueError, TypeError
-        As in `psnr`; windows, sizes and masks out of range; and three axes whose last is neither 1 nor 3 long without
-        `channel_axis`. In masked pictures only pixels within windows must be within `data_range`.
-
-    References
-    ----------
-    Wang, Bovik, Sheikh, Simoncelli (2004), Eq. 13. Masked windows: Knutsson, Westin (1993).
     """
-    chosen = gather(SsimSettings, settings, keywords)
-    chosen._require_mask(mask)
+    settings = gather(SsimSettings, settings, keywords)
+    settings._require_mask(mask)
     full = check.flag("full", full)
     pair = inputs.pair(reference, test, data_range)
     axis = inputs.channel_axis(pair, channel_axis)
     channels = pair.channels_first(axis)
-    masks = None if mask is None else _masks(mask, channels.reference.shape, chosen)
-    sums, ranges, maps = _compare(channels, chosen, masks, full=full)
+    masks = None if mask is None else _masks(mask, channels.reference.shape, settings)
+    sums, ranges, maps = _compare(channels, settings, masks, full=full)
     if not np.isfinite(sums).all():
-        raise pair.refuse()
+        raise pair.flaw()
     if not sums[..., 1].all():
         raise ValueError("mask: expected at least one pixel whose window lies within the picture, got none")
     one_mask = None if masks is None else masks.reshape(-1, *masks.shape[-2:])[0]
-    _check_values(channels, chosen, (ranges[..., 0].min(), ranges[..., 1].max()), one_mask)
+    _check_values(channels, settings, np.array([ranges[..., 0].min(), ranges[..., 1].max()]), one_mask)
     mean = float((sums[..., 0] / sums[..., 1]).mean())
     return Similarity(mean, maps if maps is None or axis is None else np.moveaxis(maps, 0, axis))
 
@@ -109,6 +100,8 @@ def ssim_pairs(
     **keywords: Unpack[SsimKeywords],
 ) -> NDArray[np.float64]:
     """Compute the structural similarity of many pairs of small pictures at once.
+
+    Errors as in `ssim`, and for axes that do not broadcast.
 
     Parameters
     ----------
@@ -126,16 +119,11 @@ def ssim_pairs(
     -------
     NDArray
         (...) float64, equal to `ssim` of each pair; NaN if no pixel of a mask counts.
-
-    Raises
-    ------
-    ValueError, TypeError
-        As in `ssim`, and for axes that do not broadcast.
     """
-    chosen = gather(SsimSettings, settings, keywords)
-    chosen._require_mask(masks)
+    settings = gather(SsimSettings, settings, keywords)
+    settings._require_mask(masks)
     first, second = inputs.stack(references, tests, NAMES)
-    for name, array in (("references", first), ("tests", second)):
+    for name, array in zip(NAMES, (first, second), strict=True):
         if array.ndim < 2 or 0 in array.shape[-2:]:
             raise ValueError(f"{name}: expected shape (..., H, W) with at least one pixel, got {array.shape}")
         if array.ndim > 2 and array.shape[-1] in (3, 4):
@@ -145,33 +133,31 @@ def ssim_pairs(
             )
     if first.shape[-2:] != second.shape[-2:]:
         raise ValueError(f"tests: expected pictures of {first.shape[-2:]} pixels, got {second.shape[-2:]}")
-    factor = chosen._shrink(*first.shape[-2:])
-    named = None if masks is None else inputs.mask_of(masks, "masks")
-    if named is not None and named.shape[-2:] != first.shape[-2:]:
-        raise ValueError(f"masks: expected pictures of {first.shape[-2:]} pixels, got shape {named.shape}")
-    named = None if named is None else named[..., ::factor, ::factor]
-    parts = [array for array in (first, second, named) if array is not None]
+    factor = settings._shrink(*first.shape[-2:])
+    arrays = [first, second]
+    if masks is not None:
+        mask = inputs.mask_of(masks, "masks")
+        if mask.shape[-2:] != first.shape[-2:]:
+            raise ValueError(f"masks: expected pictures of {first.shape[-2:]} pixels, got shape {mask.shape}")
+        arrays.append(mask[..., ::factor, ::factor])
     try:
-        outer = np.broadcast_shapes(*(array.shape[:-2] for array in parts))
+        outer = np.broadcast_shapes(*(array.shape[:-2] for array in arrays))
     except ValueError:
-        shapes = ", ".join(str(array.shape[:-2]) for array in parts)
+        shapes = ", ".join(str(array.shape[:-2]) for array in arrays)
         raise ValueError(f"tests, masks: expected axes that broadcast with the references', got {shapes}") from None
-    spread = [np.broadcast_to(array, outer + array.shape[-2:]) for array in parts]
-    pair = Pair(spread[0], spread[1], data_range)
+    spread = [np.broadcast_to(array, outer + array.shape[-2:]) for array in arrays]
+    pair, spread_masks = Pair(spread[0], spread[1], data_range), spread[2] if masks is not None else None
     if not math.prod(outer):
         pair.extent()
         return np.empty(outer)
-    spread_masks = spread[2] if named is not None else None
-    sums, ranges, _ = _compare(pair, chosen, spread_masks)
+    sums, ranges, _ = _compare(pair, settings, spread_masks)
     if not np.isfinite(sums).all():
-        raise Pair(first, second, data_range).refuse(NAMES)
-    beyond = ranges[..., 1] - ranges[..., 0] > pair.extent()
-    for index in (tuple(place) for place in np.argwhere(beyond)):
-        own = Pair(pair.reference[index], pair.test[index], data_range)
-        _check_values(own, chosen, ranges[index], None if spread_masks is None else spread_masks[index])
-    counted = sums[..., 1] > 0
-    means: NDArray[np.float64] = np.divide(sums[..., 0], sums[..., 1], out=np.full(outer, np.nan), where=counted)
-    return means
+        raise Pair(first, second, data_range).flaw(NAMES)
+    for index in map(tuple, np.argwhere(ranges[..., 1] - ranges[..., 0] > pair.extent())):
+        pictures = Pair(pair.reference[index], pair.test[index], data_range)
+        _check_values(pictures, settings, ranges[index], None if spread_masks is None else spread_masks[index])
+    no_pixels = np.full(outer, np.nan)
+    return np.asarray(np.divide(sums[..., 0], sums[..., 1], out=no_pixels, where=sums[..., 1] > 0))
 
 
 def ms_ssim(
@@ -186,6 +172,8 @@ def ms_ssim(
 ) -> float:
     """Compute the structural similarity at several scales (MS-SSIM), each half as large as the one before.
 
+    Errors as in `ssim`, and for pictures that are too small. Source: Wang, Simoncelli, Bovik (2003), Eq. 7.
+
     Parameters
     ----------
     reference, test, data_range, channel_axis, settings, keywords
@@ -199,33 +187,24 @@ def ms_ssim(
     float
         Product over the scales of mean^weight. The mean is that of contrast times structure, and at the coarsest scale
         that of the whole similarity; negative means count as 0. Channels are averaged. Exactly 1 for equal pictures.
-
-    Raises
-    ------
-    ValueError, TypeError
-        As in `ssim`, and for pictures that are too small.
-
-    References
-    ----------
-    Wang, Simoncelli, Bovik (2003), Eq. 7.
     """
-    chosen = gather(SsimSettings, settings, keywords)
-    chosen._require_mask(None)
-    if chosen.convention != "wang":
-        raise ValueError(f"convention: expected 'wang' for several scales, got {chosen.convention!r}")
+    settings = gather(SsimSettings, settings, keywords)
+    settings._require_mask(None)
+    if settings.convention != "wang":
+        raise ValueError(f"convention: expected 'wang' for several scales, got {settings.convention!r}")
     exponents = check.array("weights", weights, columns=None, dtype=np.float64, finite=True)
     if exponents.ndim != 1 or not len(exponents) or (exponents < 0.0).any():
         wrong = check.value_or_type(exponents.tolist())
         raise ValueError(f"weights: expected numbers of at least 0, one for each scale, got {wrong}")
     pair = inputs.pair(reference, test, data_range)
     channels = pair.channels_first(inputs.channel_axis(pair, channel_axis))
-    found = _core.multiscale(
-        channels.reference, channels.test, settings=chosen._for_kernel(channels), scales=len(exponents)
-    )
-    means = np.array([of_scales for of_scales, _, _ in found])
+    kernel_settings = settings._for_kernel(channels)
+    results = _core.multiscale(channels.reference, channels.test, settings=kernel_settings, scales=len(exponents))
+    of_channels, least, greatest = zip(*results, strict=True)
+    means = np.array(of_channels)
     if not np.isfinite(means).all():
-        raise pair.refuse()
-    pair.check_values(min(least for _, least, _ in found), max(greatest for _, _, greatest in found))
+        raise pair.flaw()
+    pair.check_values(min(least), max(greatest))
     factors = np.concatenate([means[:, :-1, 1], means[:, -1:, 0]], axis=1)
     return float((np.maximum(factors, 0.0) ** exponents).prod(axis=1).mean())
 
@@ -234,6 +213,8 @@ def visual_continuity(
     frames: Iterable[ArrayLike | Frame], *, data_range: float | None = None, channel_axis: int | None = None
 ) -> Iterator[float]:
     """Compute the similarity of each picture of a sequence to the next one; 1 means that nothing changes.
+
+    Errors as in `ssim`. Source: CloVR (2024): visual continuity.
 
     Parameters
     ----------
@@ -248,24 +229,14 @@ def visual_continuity(
     ------
     float
         For each picture except the first, its SSIM with the previous picture, in one window over the whole picture.
-
-    Raises
-    ------
-    ValueError, TypeError
-        As in `ssim`.
-
-    References
-    ----------
-    CloVR (2024): visual continuity.
     """
-    current: NDArray[Any]
     last: NDArray[Any] | None = None
-    extent: float | None
     for frame in check.iterable("frames", frames, "Frames or arrays of one shape"):
         # A frame is converted once, not for both of its neighbours. An array is copied, because its producer may write
         # the next picture into the same memory.
         if isinstance(frame, Frame):
-            current, extent = inputs.luma(frame), inputs.frame_extent(data_range)
+            current: NDArray[Any] = inputs.luma(frame)
+            extent: float | None = inputs.frame_extent(data_range)
         else:
             current, extent = np.array(inputs.numbers("frames", frame)), data_range
         if last is not None:
@@ -285,26 +256,26 @@ def _continuity(last: NDArray[Any], current: NDArray[Any], data_range: float | N
 
 
 def _check_values(
-    pair: Pair, settings: SsimSettings, found: tuple[float, float] | NDArray[np.float64], mask: NDArray[np.uint8] | None
+    pair: Pair, settings: SsimSettings, limits: NDArray[np.float64], mask: NDArray[np.uint8] | None
 ) -> None:
-    """Raise ValueError for values beyond `data_range`; `found` is the range of at least the values within windows."""
-    least, greatest = (float(value) for value in found)
+    """Raise ValueError for values beyond `data_range`; `limits` are those of at least the values within windows."""
+    least, greatest = limits.tolist()
     if mask is not None and pair.is_beyond(least, greatest):
-        seen = settings._covered_pixels(mask, *pair.reference.shape[-2:])
-        values = [picture[..., seen] for picture in (pair.reference, pair.test)]
-        if not seen.any():
+        covered = settings._covered_pixels(mask, *pair.reference.shape[-2:])
+        if not covered.any():
             return
+        values = [picture[..., covered] for picture in (pair.reference, pair.test)]
         least, greatest = (float(f([f(part) for part in values])) for f in (np.nanmin, np.nanmax))
     pair.check_values(least, greatest)
 
 
 def _masks(mask: ArrayLike, shape: tuple[int, ...], settings: SsimSettings) -> NDArray[np.uint8]:
     """Check a mask, downsample it like the pictures, and repeat it for all channels without a copy."""
-    named = inputs.mask_of(mask)
-    if named.shape != shape[-2:]:
-        raise ValueError(f"mask: expected shape {shape[-2:]}, got {named.shape}")
-    factor = settings._shrink(*named.shape)
-    smaller = named[::factor, ::factor]
+    pixels = inputs.mask_of(mask)
+    if pixels.shape != shape[-2:]:
+        raise ValueError(f"mask: expected shape {shape[-2:]}, got {pixels.shape}")
+    factor = settings._shrink(*pixels.shape)
+    smaller = pixels[::factor, ::factor]
     return np.broadcast_to(smaller, shape[:-2] + smaller.shape)
 
 
@@ -321,10 +292,10 @@ def _compare(
         sums, maps = _core.similarity(
             pair.reference, pair.test, settings=kernel_settings, masks=masks, map_shape=map_shape, report=report
         )
-        found = np.array(sums).reshape(*shape[:-2], 4)
-        return found[..., :2], found[..., 2:], maps
+        results = np.array(sums).reshape(*shape[:-2], 4)
+        return results[..., :2], results[..., 2:], maps
 
-    if pair.reference.size < _LONG:
+    if pair.reference.size < _MANY_PIXELS:
         return run(None)
     with progress.bar("comparing pictures") as report:
         return run(report)

@@ -11,11 +11,10 @@ from nearfar import _core
 from nearfar._base import check, progress
 from nearfar._camera.camera import Camera, Fov
 from nearfar._render.frame import Frame
-from nearfar.metrics._discontinuity import boundary_mask, truth_view
+from nearfar.metrics._discontinuity import boundary_mask, distances, truth_view
 
 EPSILON = 4.0
 """Radius of a neighbourhood in pixels of the truth."""
-
 EPSILONS = (1e-6, 10_000.0)
 """Least and greatest radius; time grows with its square."""
 
@@ -26,7 +25,9 @@ def tear(frame: Frame, truth_camera: Camera | None = None, *, epsilon: float = E
     Each pixel's scene point is projected to the true picture. The pixels whose points project within ε (`epsilon`) of a
     pixel's own, and the pixel itself, are its neighbourhood. The best affine map from positions in the truth to those
     in this picture removes translation, scale, rotation and shear. The tear is the root mean square of the residual
-    distances, divided by 0.264, the residual of a disc that is torn by one pixel.
+    distances, divided by 0.264, the residual of a disc that is torn by one pixel. ValueError and TypeError for frames
+    without positions, a `truth_camera` of another size, and arguments out of range. The published measure,
+    `discontinuity`, counts shear, too.
 
     Parameters
     ----------
@@ -42,19 +43,10 @@ def tear(frame: Frame, truth_camera: Camera | None = None, *, epsilon: float = E
         torn by T pixels along a line through its middle. A bend, where the slope changes by s, has s ε / 2 at any
         resolution, while the pixels of a tear grow with it. NaN for pixels without a surface, behind the truth's
         camera, more than 10⁷ pixels outside its picture, or without neighbours.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Frames without positions, a `truth_camera` of another size, and arguments out of range.
-
-    See Also
-    --------
-    discontinuity : The published measure, which counts shear, too.
     """
     check.instance("frame", frame, Frame)
-    near = check.in_range("epsilon", epsilon, *EPSILONS)
-    return _tears(frame, truth_view(frame.camera, truth_camera), near)[0]
+    radius = check.in_range("epsilon", epsilon, *EPSILONS)
+    return _tears(frame, truth_view(frame.camera, truth_camera), radius)[0]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -79,7 +71,8 @@ def boundary_tear(
     """Measure the tear of a picture of a reduced scene along the boundary of its near part.
 
     Tears should be compared at the density of a headset, some 20 pixels per degree: at a lower one the change of slope
-    that every morph has at its radii counts as much as the tear itself.
+    that every morph has at its radii counts as much as the tear itself. ValueError and TypeError for frames without
+    positions and arguments out of range.
 
     Parameters
     ----------
@@ -94,47 +87,33 @@ def boundary_tear(
         Means over the pixels of `boundary_mask` whose neighbourhood within ε lies on both sides of `radius`. With T the
         tear for ε, and T₂ that for 2 ε, the kink is √((T₂² − T²) / 3), at most T: a tear has the same value for both, a
         kink twice its value for the second.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Frames without positions and arguments out of range.
     """
     edge = boundary_mask(frame, center=center, radius=radius, surfaces=surfaces)
-    middle, end = np.array(check.vector("center", center)), check.positive("radius", radius)
-    near = check.in_range("epsilon", epsilon, EPSILONS[0], EPSILONS[1] / 2)
-    away = frame.require("position").astype(np.float64) + np.array(frame.origin) - middle
-    beyond = np.hypot(away[..., 0], away[..., 2]) > end
-    torn, both = _tears(frame, frame.camera, near, side=beyond, mask=edge)
+    epsilon = check.in_range("epsilon", epsilon, EPSILONS[0], EPSILONS[1] / 2)
+    is_far = distances(frame, check.vector("center", center)) > check.positive("radius", radius)
+    torn, both = _tears(frame, frame.camera, epsilon, side=is_far, mask=edge)
     defined = edge & ~np.isnan(torn)
     counted = defined & both
-    wide, _ = _tears(frame, frame.camera, 2.0 * near, mask=counted)
-    here, around = (values[counted].astype(np.float64) for values in (torn, wide))
-    kink = np.minimum(np.sqrt(np.maximum(around**2 - here**2, 0.0) / 3.0), here)
+    torn_wide, _ = _tears(frame, frame.camera, 2.0 * epsilon, mask=counted)
+    tears, wide_tears = (values[counted].astype(np.float64) for values in (torn, torn_wide))
+    kink = np.minimum(np.sqrt(np.maximum(wide_tears**2 - tears**2, 0.0) / 3.0), tears)
+    fov = frame.camera.fov
     return BoundaryTear(
         pixels=int(defined.sum()),
         shared=float(counted.sum() / defined.sum()) if defined.any() else None,
         tear=float(torn[counted].mean()) if counted.any() else None,
         kink=float(kink.mean()) if counted.any() else None,
-        pixels_per_degree=_density(frame.camera),
+        pixels_per_degree=(
+            float(np.radians(frame.camera.size[0] / (fov.right - fov.left))) if isinstance(fov, Fov) else None
+        ),
     )
 
 
-def _density(camera: Camera) -> float | None:
-    """Pixels per degree around the axis of a view."""
-    fov = camera.fov
-    return float(np.radians(camera.size[0] / (fov.right - fov.left))) if isinstance(fov, Fov) else None
-
-
 def _tears(
-    frame: Frame,
-    truth: Camera,
-    epsilon: float,
-    *,
-    side: NDArray[np.bool_] | None = None,
+    frame: Frame, truth: Camera, epsilon: float, *, side: NDArray[np.bool_] | None = None,
     mask: NDArray[np.bool_] | None = None,
-) -> tuple[NDArray[np.float32], NDArray[np.bool_]]:
-    """Tears (H, W), and, if `side` tells each pixel's side of a border, whether both sides are in its neighbourhood."""
+) -> tuple[NDArray[np.float32], NDArray[np.bool_]]:  # fmt: skip
+    """Tears (H, W), and, if `side` is each pixel's side of a border, whether both sides are in its neighbourhood."""
     position = np.ascontiguousarray(frame.require("position"), np.float32)
     with progress.bar("measuring tears") as report:
         torn, both = _core.tear(

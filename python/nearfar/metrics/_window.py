@@ -1,8 +1,9 @@
-"""Windows, constants and conventions of structural similarity, checked."""
+"""Windows, constants and conventions of structural similarity, and its result: a number that may carry its map."""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any, Literal, TypedDict, get_args
 
@@ -25,6 +26,8 @@ _CONSTANTS = (1e-140, 1e140)
 class SsimSettings:
     """Windows, constants and conventions of the structural similarity.
 
+    ValueError and TypeError for settings out of range, and masked windows with "skimage" or "wang-downsampled".
+
     Parameters
     ----------
     window
@@ -42,11 +45,6 @@ class SsimSettings:
         "wang": windows that lie within the picture, as in Wang's ssim_index.m. "skimage": the same with sample
         covariances (N/(N − 1)), scikit-image's default. "full": all windows, with the picture mirrored at its borders.
         "wang-downsampled": "wang" after downsampling to about 256 pixels, as in Wang's ssim.m.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Settings out of range, and masked windows with "skimage" or "wang-downsampled".
     """
 
     window: Window = "gaussian"
@@ -95,42 +93,32 @@ class SsimSettings:
             # Sample covariances are N/(N − 1) times the population's; dividing c2 by that factor has the same effect.
             count = height * width if self.window == "global" else self.size**2
             c2 *= (count - 1) / count if count > 1 else 1.0
-        factor = self._shrink(height, width)
-        return (
-            self.window,
-            self.size,
-            self.sigma,
-            (c1, c2),
-            factor,
-            self.convention == "full",
-            self.masking == "windows",
-            pair.may_exceed,
-        )
+        factor, is_full, is_masked = self._shrink(height, width), self.convention == "full", self.masking == "windows"
+        return self.window, self.size, self.sigma, (c1, c2), factor, is_full, is_masked, pair.may_exceed
 
     def _covered_pixels(self, mask: NDArray[Any], height: int, width: int) -> NDArray[np.bool_]:
         """Pixels of a picture (H, W) within the windows that a mask selects, which is downsampled like the picture."""
-        named: NDArray[np.bool_] = mask != 0
+        covered: NDArray[np.bool_] = mask != 0
         if self.masking == "windows":
-            return named
+            return covered
         if self.window == "global":
-            return np.full((height, width), named.any())
+            return np.full((height, width), covered.any())
         before, after = self.size // 2, self.size - 1 - self.size // 2
-        counted = named
-        if self.convention != "full" and min(named.shape) >= self.size:
-            counted = np.zeros_like(named)
-            inside = tuple(slice(before, length - after) for length in named.shape)
-            counted[inside] = named[inside]
+        if self.convention != "full" and min(covered.shape) >= self.size:
+            inside = np.zeros_like(covered)
+            inside[tuple(slice(before, length - after) for length in covered.shape)] = True
+            covered &= inside
         for axis in (0, 1):
-            counted = _reached(counted, before, after, axis)
+            covered = _reached(covered, before, after, axis)
         factor = self._shrink(height, width)
         if factor == 1:
-            return counted
+            return covered
         # Boxes of the downsampling begin before the pixel that has their mean.
         rows, columns = (
             np.minimum((np.arange(length) + (factor - 1) // 2) // factor, small - 1)
-            for length, small in zip((height, width), counted.shape, strict=True)
+            for length, small in zip((height, width), covered.shape, strict=True)
         )
-        return np.asarray(counted[rows[:, None], columns])
+        return np.asarray(covered[rows[:, None], columns])
 
 
 class SsimKeywords(TypedDict, total=False):
@@ -149,6 +137,35 @@ def _reached(counted: NDArray[np.bool_], before: int, after: int, axis: int) -> 
     """Pixels along an axis that lie in the window around any counted pixel."""
     length = counted.shape[axis]
     total = np.insert(np.cumsum(counted, axis=axis), 0, 0, axis=axis)
-    place = np.arange(length)
-    last, first = np.minimum(place + before + 1, length), np.maximum(place - after, 0)
-    return np.asarray(np.take(total, last, axis=axis) > np.take(total, first, axis=axis))
+    pixel = np.arange(length)
+    end, start = np.minimum(pixel + before + 1, length), np.maximum(pixel - after, 0)
+    return np.asarray(np.take(total, end, axis=axis) > np.take(total, start, axis=axis))
+
+
+class Similarity(float):
+    """Mean structural similarity of two pictures: a float, with the similarity around each pixel on request.
+
+    It unpacks to the mean and the map, as scikit-image's result does: ``mean, map = nf.ssim(a, b, full=True)``.
+    """
+
+    _map: NDArray[Any] | None
+
+    def __new__(cls, mean: float, similarities: NDArray[Any] | None = None) -> Similarity:
+        """Join a mean with its map."""
+        similarity = super().__new__(cls, check.number("mean", mean, finite=False))
+        similarity._map = similarities
+        return similarity
+
+    @property
+    def map(self) -> NDArray[Any]:
+        """Similarity around each pixel, in the picture's shape; ValueError unless it was asked for by `full=True`."""
+        if self._map is None:
+            raise ValueError("map: expected a similarity that was computed with full=True")
+        return self._map
+
+    def __iter__(self) -> Iterator[Any]:
+        yield float(self)
+        yield self.map
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Similarity, (float(self), self._map)

@@ -73,7 +73,7 @@ class SceneParts:
             face_size = TEXELS * size
         else:
             cameras, face_size = (camera,), int(bundle._manifest["map"]["face_size"])
-        return cls(rings, bake_maps(rings, face_size=face_size, object_id=True), cameras)
+        return cls(rings, bake_maps(rings, face_size=face_size, samples=1, object_id=True), cameras)
 
     def state(self, number: int, *, by_footprint: bool) -> ReducedScene:
         """Return the scene of a client that has all rings, or portions by footprint, up to a number."""

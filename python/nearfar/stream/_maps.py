@@ -98,7 +98,7 @@ class RingMaps:
         return f"RingMaps({1 + self.rings.count} maps of 6 × {self.first.face_size}², changes of {share:.2f} maps)"
 
 
-def bake_maps(rings: Rings, *, face_size: int = 1024, samples: int = 1, object_id: bool = False) -> RingMaps:
+def bake_maps(rings: Rings, *, face_size: int = 1024, samples: int = 4, object_id: bool = False) -> RingMaps:
     """Bake the maps of all rings from their centre; a texel is stored once per change.
 
     Parameters

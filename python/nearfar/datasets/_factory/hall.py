@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import functools
+from collections import Counter
 from collections.abc import Callable
 
 import numpy as np
 
 from nearfar._base import check
 from nearfar._scene.scene import Scene
+from nearfar.datasets import _textures as textures
 from nearfar.datasets._draw import Draw
 from nearfar.datasets._factory import (
     forklifts,
@@ -21,7 +23,6 @@ from nearfar.datasets._factory import (
     shell,
     steel,
     storage,
-    surfaces,
     tanks,
 )
 from nearfar.datasets._shapes import Soup
@@ -29,10 +30,7 @@ from nearfar.datasets._stage import Stage, placements
 
 Point = tuple[float, float, float]
 
-_VIEWS: tuple[tuple[Point, Point], ...] = (
-    ((-5.2, 1.7, 1.6), (-24.0, 2.4, -1.2)),
-    ((27.0, 1.7, 40.8), (-6.0, 3.4, 42.0)),
-)
+_VIEWS = (((-5.2, 1.7, 1.6), (-24.0, 2.4, -1.2)), ((27.0, 1.7, 40.8), (-6.0, 3.4, 42.0)))
 _RACKS = (44.5, 48.2, 51.8, 55.4)
 """The z of the rows of racks."""
 _BAYS = 10
@@ -43,8 +41,8 @@ def factory(seed: int = 0, detail: int = 2, *, instanced: bool = True) -> Scene:
     """Make a factory hall, 160 m by 120 m and 12 m high to the eaves, full of machines, pipes, tanks and racks.
 
     The floor is at y = 0 and the origin in the middle of the hall, where two lanes cross: see `factory_view`. The hall
-    is closed: every ray from inside meets a surface. The same arguments give the same bytes on every run and every
-    platform.
+    is closed: every ray from inside meets a surface. ValueError for numbers out of range; TypeError for an `instanced`
+    that is not a bool.
 
     Parameters
     ----------
@@ -67,13 +65,6 @@ def factory(seed: int = 0, detail: int = 2, *, instanced: bool = True) -> Scene:
         Objects are called "floor", "wall_north", "column_7", "machine_12", "robot_5", "conveyor_30", "tank_3",
         "pipe_40", "branch_9", "rack_3", "lamp_8", "railing_2", "gangway_1", "crane_0" and so on; "forklift_0" to
         "forklift_7" are dynamic.
-
-    Raises
-    ------
-    ValueError
-        Numbers out of range.
-    TypeError
-        An `instanced` that is not a bool.
     """
     seed = check.integer("seed", seed, 0, 2**63 - 1)
     detail = check.integer("detail", detail, 0, 3)
@@ -93,6 +84,8 @@ def factory(seed: int = 0, detail: int = 2, *, instanced: bool = True) -> Scene:
 def factory_view(place: int = 0) -> tuple[Point, Point]:
     """Return a view for pictures of any `factory`.
 
+    ValueError for other numbers.
+
     Parameters
     ----------
     place
@@ -102,11 +95,6 @@ def factory_view(place: int = 0) -> tuple[Point, Point]:
     -------
     tuple
         Eye and target, world metres. Nothing is within 0.8 m of the eye.
-
-    Raises
-    ------
-    ValueError
-        Other numbers.
     """
     return _VIEWS[check.integer("place", place, 0, len(_VIEWS) - 1)]
 
@@ -121,51 +109,45 @@ def _machines(stage: Stage, seed: int, detail: int) -> None:
         ("B", 4, functools.partial(presses.bench, seed), "bench"),
         ("T", 4, tanks.tank, "tank"),
     )
-    first: dict[str, int] = {}
+    counts: Counter[str] = Counter()
     for kind, (letter, variants, make, name) in enumerate(makers):
-        mine = [slot for slot in plan.slots() if slot.kind == letter]
-        where = placements([s.x for s in mine], 0.0, [s.z for s in mine], [s.quarter for s in mine])
-        chosen = Draw(seed, 96, kind).integers(len(mine), variants)
-        stage.mixed(functools.partial(make, detail=detail), chosen, where, name, first.get(name, 0))
-        first[name] = first.get(name, 0) + len(mine)
+        slots = [slot for slot in plan.slots() if slot.kind == letter]
+        transforms = placements([s.x for s in slots], 0.0, [s.z for s in slots], [s.quarter for s in slots])
+        variant = Draw(seed, 96, kind).integers(len(slots), variants)
+        stage.mixed(functools.partial(make, detail=detail), variant, transforms, name, counts[name])
+        counts[name] += len(slots)
 
 
 def _robots(stage: Stage, seed: int, detail: int) -> None:
     """Add robots with their conveyors, the cartons on these, and fences in front."""
     draw = Draw(seed, 97)
-    mine = [slot for slot in plan.slots() if slot.kind == "R"]
-    sides = [1.0 if slot.z > slot.column else -1.0 for slot in mine]
-    where = placements([s.x for s in mine], 0.0, [s.z - 0.8 * side for s, side in zip(mine, sides, strict=True)],
-                       [s.quarter for s in mine])  # fmt: skip
-    stage.mixed(functools.partial(robots.robot, detail=detail), draw.integers(len(mine), 4), where, "robot")
+    slots = [slot for slot in plan.slots() if slot.kind == "R"]
+    x, z, quarters = np.array([(slot.x, slot.z, slot.quarter) for slot in slots]).T
+    front = np.where(quarters == 0.0, 1.0, -1.0)
+    robot = functools.partial(robots.robot, detail=detail)
+    stage.mixed(robot, draw.integers(len(slots), 4), placements(x, 0.0, z - 0.8 * front, quarters), "robot")
     # Five slots share a conveyor, which is as long as their block.
-    lines = [(slot.x, slot.z, side) for slot, side in zip(mine[2::5], sides[2::5], strict=True)]
     starts = np.arange(-14.0, 14.0, 2.0)
-    x = np.concatenate([middle + starts for middle, _, _ in lines])
-    belt, mesh = (
-        np.concatenate([np.full(len(starts), z + away * side) for _, z, side in lines]) for away in (0.8, 2.2)
-    )
-    stage.many(robots.conveyor(detail), placements(x, 0.0, belt), "conveyor")
+    x, z, front = (x[2::5, None] + starts).ravel(), np.repeat(z[2::5], len(starts)), np.repeat(front[2::5], len(starts))
+    belt_z = z + 0.8 * front
+    stage.many(robots.conveyor(detail), placements(x, 0.0, belt_z), "conveyor")
     if detail == 0:
         return
-    stage.many(robots.fence(detail), placements(x, 0.0, mesh), "fence")
-    along = x + draw.uniform(len(x), 0.5, 1.5)
-    across = belt + draw.uniform(len(x), -0.08, 0.08)
-    boxes = placements(along, robots.DECK, across, draw.uniform(len(x), -0.03, 0.03))
-    chosen = np.where(draw.uniform(len(x)) < 0.75, draw.integers(len(x), 4), -1)
-    stage.mixed(functools.partial(robots.carton, detail=detail), chosen, boxes, "carton")
+    stage.many(robots.fence(detail), placements(x, 0.0, z + 2.2 * front), "fence")
+    x, z = x + draw.uniform(len(x), 0.5, 1.5), belt_z + draw.uniform(len(x), -0.08, 0.08)
+    transforms = placements(x, robots.DECK, z, draw.uniform(len(x), -0.03, 0.03))
+    variant = np.where(draw.uniform(len(x)) < 0.75, draw.integers(len(x), 4), -1)
+    stage.mixed(functools.partial(robots.carton, detail=detail), variant, transforms, "carton")
 
 
 def _racks(stage: Stage, seed: int, detail: int) -> None:
     """Add the rows of racks on the south side of the hall."""
-    starts = [(middle + storage.WIDE * (k - 0.5 * _BAYS), z) for z in _RACKS for middle in plan.BLOCKS
-              for k in range(_BAYS)]  # fmt: skip
-    x, z = np.array(starts).T
-    chosen = Draw(seed, 98).integers(len(x), 10)
-    stage.mixed(functools.partial(storage.rack, seed, detail=detail), chosen, placements(x, 0.0, z), "rack")
-    ends = [(middle + 0.5 * storage.WIDE * _BAYS, z) for z in _RACKS for middle in plan.BLOCKS]
-    x, z = np.array(ends).T
-    stage.many(storage.rack_end(detail), placements(x, 0.0, z), "rack_end")
+    z, middle, bay = (axis.ravel() for axis in np.meshgrid(_RACKS, plan.BLOCKS, np.arange(_BAYS), indexing="ij"))
+    starts = placements(middle + storage.WIDE * (bay - 0.5 * _BAYS), 0.0, z)
+    variant = Draw(seed, 98).integers(len(z), 10)
+    stage.mixed(functools.partial(storage.rack, seed, detail=detail), variant, starts, "rack")
+    ends = placements(middle[::_BAYS] + 0.5 * storage.WIDE * _BAYS, 0.0, z[::_BAYS])
+    stage.many(storage.rack_end(detail), ends, "rack_end")
 
 
 def _floor_pallets(stage: Stage, seed: int, detail: int) -> None:
@@ -174,9 +156,9 @@ def _floor_pallets(stage: Stage, seed: int, detail: int) -> None:
     rows = sorted({slot.z for slot in plan.slots() if abs(slot.z) < 40.0})
     x, z = (values.reshape(-1) for values in np.meshgrid([-43.6, -36.2, 36.2, 43.6], rows))
     variants = [storage.pallet(Draw(seed, 100, k), detail) for k in range(6)]
-    chosen = np.where(draw.uniform(len(x)) < 0.8, draw.integers(len(x), len(variants)), -1)
+    variant = np.where(draw.uniform(len(x)) < 0.8, draw.integers(len(x), len(variants)), -1)
     turns = 0.25 + draw.uniform(len(x), -0.01, 0.01)
-    stage.mixed(variants.__getitem__, chosen, placements(x, 0.0, z, turns), "pallet")
-    white = stage.material((1.0, 1.0, 1.0, 1.0), surfaces.board(seed))
+    stage.mixed(variants.__getitem__, variant, placements(x, 0.0, z, turns), "pallet")
+    white = stage.material((1.0, 1.0, 1.0, 1.0), textures.notices(seed))
     boards = placements([-10.0, 10.0, -30.0, 30.0], 0.0, [9.78, -9.78, 29.78, -29.78], [0.5, 0.0, 0.5, 0.0])
     stage.many(storage.notice_board(white), boards, "notice_board")

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import numpy as np
-
+from nearfar.datasets._draw import xyz
 from nearfar.datasets._factory import parts
 from nearfar.datasets._palette import material, materials
 from nearfar.datasets._shapes import Soup, bars, boxes, join, lathe, ring
@@ -40,14 +39,13 @@ def lathe_machine(variant: int, detail: int) -> Soup:
 
 def _chuck(detail: int) -> Soup:
     """A chuck about the x axis, with three jaws."""
-    plate = parts.drum(0.32, -0.04, 0.2, material("metal"), detail, 0.02)
-    soups = [parts.laid_x(plate)]
+    soups = [parts.drum(0.32, -0.04, 0.2, material("metal"), detail, 0.02)]
     if detail >= 1:
         jaw = boxes([0.19, 0.1, -0.05], [0.31, 0.3, 0.05], material("metal_dark"))
-        soups += [parts.laid_x(jaw.rotated(k / 3.0)) for k in range(3)]
+        soups += [jaw.rotated(k / 3.0) for k in range(3)]
     if detail >= 2:
-        soups.append(parts.laid_x(parts.bolt_circle(12, 0.27, 0.014, 0.21, material("metal_dark"))))
-    return join(soups)
+        soups.append(parts.bolt_circle(12, 0.27, 0.014, 0.21, material("metal_dark")))
+    return parts.laid_x(join(soups))
 
 
 def _carriage(paint: int, detail: int) -> Soup:
@@ -73,11 +71,9 @@ def _carriage(paint: int, detail: int) -> Soup:
 def _tailstock(paint: int, detail: int) -> Soup:
     """The tailstock with its centre and handwheel."""
     body = parts.casing([-0.3, 0.06, -0.24], [0.3, 0.6, 0.24], 0.05, paint, detail)
-    sleeve = parts.laid_x(parts.drum(0.09, -0.7, 0.0, material("metal_light"), detail, 0.02)).translate(
-        [0.0, 0.42, 0.0]
-    )
+    sleeve = parts.laid_x(parts.drum(0.09, -0.7, 0.0, material("metal_light"), detail, 0.02))
     wheel = parts.laid_x(parts.handwheel(0.16, material("metal_dark"), detail)).translate([0.38, 0.42, 0.0])
-    return join([body, sleeve, wheel])
+    return join([body, sleeve.translate([0.0, 0.42, 0.0]), wheel])
 
 
 def _lathe_trimmings(detail: int) -> list[Soup]:
@@ -92,11 +88,9 @@ def _lathe_trimmings(detail: int) -> list[Soup]:
     soups.append(lamp.translate([-0.3, 1.95, -0.45]))
     arm = [[-0.3, 1.3, -0.66], [-0.3, 2.07, -0.66], [-0.3, 2.07, -0.42]]
     soups.append(parts.piping(arm, 0.015, 0.08, dark, detail, thin=True))
-    soups.append(parts.grille(0.8, 0.35, detail).translate([-1.75, 0.4, 0.5]))
-    soups.append(parts.grille(0.8, 0.35, detail).translate([1.75, 0.4, 0.45]))
+    soups.append(parts.copies(parts.grille(0.8, 0.35, detail), [[-1.75, 0.4, 0.5], [1.75, 0.4, 0.45]]))
     lever = parts.laid_z(parts.drum(0.05, -0.02, 0.05, dark, detail, 0.01))
-    soups.append(parts.copies(lever, [[-1.3, 1.2, 0.53], [-1.5, 1.15, 0.53], [-1.15, 1.35, 0.53]]))
-    return soups
+    return [*soups, parts.copies(lever, [[-1.3, 1.2, 0.53], [-1.5, 1.15, 0.53], [-1.15, 1.35, 0.53]])]
 
 
 def mill(variant: int, detail: int) -> Soup:
@@ -117,8 +111,7 @@ def mill(variant: int, detail: int) -> Soup:
         boxes([-1.6, -0.01, -1.1], [1.6, 0.13, 0.9], material("metal_dark")),
     ]
     if detail >= 1:
-        soups.append(_magazine(detail).translate([-1.72, 1.55, -0.3]))
-        soups.append(_conveyed(detail).translate([-1.9, 0.0, 0.0]))
+        soups += [_magazine(detail).translate([-1.72, 1.55, -0.3]), _chip_conveyor(detail).translate([-1.9, 0.0, 0.0])]
     if detail >= 2:
         soups += _mill_trimmings(detail)
     return join(soups)
@@ -126,16 +119,14 @@ def mill(variant: int, detail: int) -> Soup:
 
 def _magazine(detail: int) -> Soup:
     """A disc of tools about the x axis, at the left wall."""
-    disc = parts.laid_x(parts.drum(0.5, -0.3, 0.05, material("metal"), detail, 0.03))
-    soups = [disc]
-    tool = lathe([(0.03, -0.44), (0.045, -0.4), (0.045, -0.34), (0.03, -0.3), (0.03, -0.28)], parts.THIN[detail],
-                 material("metal_light"))  # fmt: skip
+    disc = parts.drum(0.5, -0.3, 0.05, material("metal"), detail, 0.03)
+    profile = [(0.03, -0.44), (0.045, -0.4), (0.045, -0.34), (0.03, -0.3), (0.03, -0.28)]
+    tool = lathe(profile, parts.THIN[detail], material("metal_light"))
     x, z = ring((8, 12, 16, 24)[detail], 0.41).T
-    soups.append(parts.laid_x(parts.copies(tool, np.stack([x, np.zeros(len(x)), z], -1))))
-    return join(soups)
+    return parts.laid_x(join([disc, parts.copies(tool, xyz(x, 0.0, z))]))
 
 
-def _conveyed(detail: int) -> Soup:
+def _chip_conveyor(detail: int) -> Soup:
     """The chip conveyor on the left: a trough that rises to a chute over a bin."""
     grey = material("steel_grey")
     trough = parts.pitched(boxes([-0.2, 0.0, -0.12], [0.2, 1.6, 0.12], grey), 0.12).translate([0.0, 0.2, 0.68])
@@ -149,15 +140,14 @@ def _conveyed(detail: int) -> Soup:
 def _mill_trimmings(detail: int) -> list[Soup]:
     """Grilles, hinges, feet, a cabinet's handle, hoses and motors on the roof."""
     dark = material("metal_dark")
-    soups = [parts.grille(0.42, 0.5, detail).rotated(0.25).translate([2.25, 1.45, -0.35])]
-    soups.append(parts.grille(0.42, 0.5, detail).rotated(0.25).translate([2.25, 0.55, -0.35]))
-    soups.append(parts.pitched(parts.grille(1.2, 0.7, detail), 0.5).translate([0.0, 1.3, -1.2]))
-    motor = parts.drum(0.2, 2.95, 3.4, material("machine_blue"), detail, 0.03)
-    soups += [
-        motor.translate([0.35, 0.0, -0.5]),
+    side_grille = parts.grille(0.42, 0.5, detail).rotated(0.25)
+    soups = [
+        parts.copies(side_grille, [[2.25, 1.45, -0.35], [2.25, 0.55, -0.35]]),
+        parts.pitched(parts.grille(1.2, 0.7, detail), 0.5).translate([0.0, 1.3, -1.2]),
+        parts.drum(0.2, 2.95, 3.4, material("machine_blue"), detail, 0.03).translate([0.35, 0.0, -0.5]),
         parts.drum(0.14, 2.95, 3.25, dark, detail, 0.02).translate([-0.4, 0.0, -0.3]),
     ]
-    fins = (10, 10, 12, 16)[detail]
+    fins = 12 if detail == 2 else 16
     fin = boxes([0.18, 2.99, -0.008], [0.225, 3.36, 0.008], material("machine_blue"))
     soups += [fin.rotated(k / fins).translate([0.35, 0.0, -0.5]) for k in range(fins)]
     hose = [[-0.4, 3.2, -0.3], [-0.4, 3.35, -0.3], [-1.5, 3.35, -0.3], [-1.5, 2.3, -0.3]]
@@ -168,6 +158,4 @@ def _mill_trimmings(detail: int) -> list[Soup]:
     soups.append(parts.copies(foot, [[x, 0.0, z] for x in (-1.4, 0.0, 1.4) for z in (-0.95, 0.99)]))
     handle = [[0.3, 1.25, 1.03], [0.3, 1.25, 1.12], [0.3, 1.65, 1.12], [0.3, 1.65, 1.03]]
     soups.append(parts.piping(handle, 0.014, 0.04, material("metal_light"), detail, thin=True))
-    soups.append(parts.gauge(0.07, detail).translate([-1.4, 1.7, 0.99]))
-    soups.append(parts.gauge(0.07, detail).translate([-1.4, 1.5, 0.99]))
-    return soups
+    return [*soups, parts.copies(parts.gauge(0.07, detail), [[-1.4, 1.7, 0.99], [-1.4, 1.5, 0.99]])]

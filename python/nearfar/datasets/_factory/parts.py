@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from nearfar.datasets._draw import turn
+from nearfar.datasets._draw import cross, turn, xyz
 from nearfar.datasets._furnishings import cushion
 from nearfar.datasets._palette import material
-from nearfar.datasets._shapes import Soup, bars, boxes, cross, join, lathe, loft, ring, tube
+from nearfar.datasets._shapes import Soup, bars, boxes, circles, join, lathe, loft, ring, tube
 
 ROUND = (5, 8, 10, 12)
 """Sides of round parts, by detail."""
@@ -72,19 +72,19 @@ def handwheel(radius: float, kind: int, detail: int) -> Soup:
     """A wheel with two spokes across and a hub; a disc at detail 0."""
     if detail == 0:
         return drum(radius, -0.1 * radius, 0.1 * radius, kind, detail)
-    hub = drum(0.2 * radius, -0.3 * radius, 0.2 * radius, material("metal"), min(detail, 2))
-    spokes = [
+    return join([
+        torus(radius, 0.11 * radius, kind, detail),
+        drum(0.2 * radius, -0.3 * radius, 0.2 * radius, material("metal"), min(detail, 2)),
         rod((-radius, 0, 0), (radius, 0, 0), 0.07 * radius, kind, detail),
         rod((0, 0.01 * radius, -radius), (0, 0.01 * radius, radius), 0.07 * radius, kind, detail),
-    ]
-    return join([torus(radius, 0.11 * radius, kind, detail), hub, *spokes])
+    ])  # fmt: skip
 
 
 def bolt_circle(count: int, radius: float, size: float, high: float, kind: int) -> Soup:
     """Hexagonal bolts in a circle, from −high to +high."""
     bolt = lathe([(size, -high), (size, high)], 6, kind)
     x, z = ring(count, radius, 0.5).T
-    return copies(bolt, np.stack([x, np.zeros(count), z], -1))
+    return copies(bolt, xyz(x, 0.0, z))
 
 
 def flange(radius: float, kind: int, detail: int) -> Soup:
@@ -105,45 +105,38 @@ def gauge(radius: float, detail: int) -> Soup:
     if detail >= 1:
         parts.append(laid_z(drum(0.84 * radius, 0.3 * radius, 0.54 * radius, material("paint_white"), detail)))
     if detail >= 2:
-        needle = bars([-0.03 * radius, -0.15 * radius, 0.5 * radius], [0.06 * radius, 0.8 * radius, 0.08 * radius],
-                      material("safety_red"))  # fmt: skip
-        parts.append(needle)
+        low, size = np.array([[-0.03, -0.15, 0.5], [0.06, 0.8, 0.08]]) * radius
+        parts.append(bars(low, size, material("safety_red")))
     return join(parts)
 
 
 def piping(points: ArrayLike, radius: float, bend: float, kind: int, detail: int, *, thin: bool = False) -> Soup:
     """A pipe along axis-parallel segments between points (P, 3), with bends of radius `bend` in metres between them."""
     line = np.asarray(points, np.float64)
-    ways = np.sign(line[1:] - line[:-1])
+    directions = np.sign(line[1:] - line[:-1])
     steps = (1, 2, 3, 6)[detail]
-    cosine, sine = turn(0.25 * np.arange(steps + 1.0) / steps)
-    c, s = cosine[:, None], sine[:, None]
+    c, s = (values[:, None] for values in turn(0.25 * np.arange(steps + 1.0) / steps))
     # The section's frame turns with the pipe and never about it, so that no bend is twisted.
-    side = np.roll(ways[0], 1)
-    places, alongs, sides = [line[:1]], [ways[:1]], [side[None]]
-    for corner, before, after in zip(line[1:-1], ways[:-1], ways[1:], strict=True):
-        across = cross(before[None], after[None])[0]
-        places.append(corner + bend * (after - before) - bend * after * c + bend * before * s)
-        alongs.append(before * c + after * s)
-        sides.append((side * across).sum() * across + (side * after).sum() * (after * c - before * s))
+    side = np.roll(directions[0], 1)
+    middles, tangents, sides = [line[:1]], [directions[:1]], [side[None]]
+    for corner, before, after in zip(line[1:-1], directions[:-1], directions[1:], strict=True):
+        axis = cross(before[None], after[None])[0]
+        middles.append(corner + bend * (after - before) - bend * after * c + bend * before * s)
+        tangents.append(before * c + after * s)
+        sides.append((side * axis).sum() * axis + (side * after).sum() * (after * c - before * s))
         side = sides[-1][-1]
-    places.append(line[-1:])
-    alongs.append(ways[-1:])
-    sides.append(side[None])
-    middle, u = np.concatenate(places), np.concatenate(sides)
-    w = cross(np.concatenate(alongs), u)
-    circle = ring((THIN if thin else ROUND)[detail])
-    sections = middle[:, None] + radius * (u[:, None] * circle[None, :, :1] - w[:, None] * circle[None, :, 1:])
-    return loft(sections, kind)
+    u = np.concatenate([*sides, side[None]])
+    w = cross(np.concatenate([*tangents, directions[-1:]]), u)
+    count = (THIN if thin else ROUND)[detail]
+    return loft(circles(np.concatenate([*middles, line[-1:]]), u, w, radius, count), kind)
 
 
 def i_beam(low: ArrayLike, length: float, high: float, wide: float, kind: int) -> Soup:
     """A rolled section along x from its least corner: two flanges and the web between them."""
     thick = 0.06 * high + 0.008
-    start = np.asarray(low, np.float64)
-    lows = start + np.array([[0.0, 0.0, 0.0], [0.0, high - thick, 0.0], [0.0, 0.5 * thick, 0.5 * wide - 0.4 * thick]])
+    offsets = [[0.0, 0.0, 0.0], [0.0, high - thick, 0.0], [0.0, 0.5 * thick, 0.5 * wide - 0.4 * thick]]
     sizes = [[length, thick, wide], [length, thick, wide], [length, high - thick, 0.8 * thick]]
-    return bars(lows, sizes, kind)
+    return bars(np.add(low, offsets), sizes, kind)
 
 
 def slats(low: ArrayLike, size: ArrayLike, step: ArrayLike, count: int, kind: int) -> Soup:
@@ -159,20 +152,17 @@ def grille(width: float, height: float, detail: int) -> Soup:
         return plate
     count = max(3, round(height / (0.1 if detail == 2 else 0.08)))
     step = (height - 0.03) / count
-    rows = slats(
-        [0.02 - x, 0.02 - y, 0.0], [width - 0.04, 0.5 * step, 0.02], [0.0, step, 0.0], count, material("metal")
-    )
-    return join([plate, rows])
+    low, size = [0.02 - x, 0.02 - y, 0.0], [width - 0.04, 0.5 * step, 0.02]
+    return join([plate, slats(low, size, [0.0, step, 0.0], count, material("metal"))])
 
 
 def panel(detail: int) -> Soup:
     """A control panel that looks towards +z, 0.6 m by 0.5 m, centred on the origin, its back at z = −0.12."""
-    body = casing([-0.3, -0.25, -0.12], [0.3, 0.25, 0.0], 0.025, material("machine_grey"), detail)
-    screen = boxes([-0.25, -0.06, -0.01], [0.1, 0.2, 0.006], material("glass_blue"))
-    parts = [body, screen]
+    parts = [casing([-0.3, -0.25, -0.12], [0.3, 0.25, 0.0], 0.025, material("machine_grey"), detail)]
+    parts.append(boxes([-0.25, -0.06, -0.01], [0.1, 0.2, 0.006], material("glass_blue")))
     if detail >= 1:
-        stop = laid_z(drum(0.035, -0.02, 0.045, material("safety_red"), detail, 0.01)).translate([0.2, 0.15, 0.0])
-        parts.append(stop)
+        stop = laid_z(drum(0.035, -0.02, 0.045, material("safety_red"), detail, 0.01))
+        parts.append(stop.translate([0.2, 0.15, 0.0]))
     if detail >= 2:
         keys = np.array([[-0.24 + 0.05 * i, -0.2 + 0.045 * j, -0.01] for i in range(5) for j in range(3)])
         parts.append(bars(keys, [0.036, 0.032, 0.022], material("metal_dark")))
@@ -185,10 +175,7 @@ def signal_tower(low: float, detail: int) -> Soup:
     """A pole with red, yellow and green lights, from a height; none at detail 0."""
     if detail == 0:
         return join([])
-    pole = rod((0, low, 0), (0, low + 0.3, 0), 0.015, material("metal"), detail)
-    names = ("pipe_green", "safety_yellow", "safety_red")
-    lights = [
-        drum(0.045, low + 0.3 + 0.1 * k, low + 0.395 + 0.1 * k, material(name), detail, 0.008)
-        for k, name in enumerate(names)
-    ]
-    return join([pole, *lights])
+    parts = [rod((0, low, 0), (0, low + 0.3, 0), 0.015, material("metal"), detail)]
+    for k, name in enumerate(("pipe_green", "safety_yellow", "safety_red")):
+        parts.append(drum(0.045, low + 0.3 + 0.1 * k, low + 0.395 + 0.1 * k, material(name), detail, 0.008))
+    return join(parts)

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from nearfar.datasets._draw import xyz
 from nearfar.datasets._factory import parts, plan
+from nearfar.datasets._factory.plan import grid
 from nearfar.datasets._palette import material
 from nearfar.datasets._shapes import Soup, bars, boxes, join, lathe
 from nearfar.datasets._stage import Stage, placements
@@ -16,111 +18,99 @@ _RACK = (
 )  # fmt: skip
 _LENGTH = 10.0
 _ENDS = (-70.0, 70.0)
+_STARTS = np.arange(_ENDS[0], _ENDS[1] - 1.0, _LENGTH)
+"""The x at which the pieces of pipes, ducts and sprinklers begin, metres."""
 _FED = "MLPBC"
 """Letters of machine kinds that a branch of the rack leads to."""
 
 
 def build(stage: Stage, detail: int) -> None:
     """Add all pipes, numbered through."""
-    starts = np.arange(_ENDS[0], _ENDS[1] - 1.0, _LENGTH)
     count = 0
-    for across, low, radius, name in _RACK:
-        insulated = radius > 0.2
-        x, z = (values.reshape(-1) for values in np.meshgrid(starts, plan.COLUMNS_Z + across))
-        pipe = straight(radius, material(name), detail, insulated=insulated)
-        numbers = [f"pipe_{count + k}" for k in range(len(x))]
-        stage.many(pipe, placements(x, low + radius, z), numbers)
-        count += len(x)
+    for offset, low, radius, name in _RACK:
+        pipe = straight(radius, material(name), detail, insulated=radius > 0.2)
         end = riser(low + radius, radius, material(name), detail)
-        ends = np.concatenate([placements(_ENDS[1], low + radius, plan.COLUMNS_Z + across),
-                               placements(_ENDS[0], low + radius, plan.COLUMNS_Z + across, 0.5)])  # fmt: skip
-        stage.many(end, ends, [f"pipe_{count + k}" for k in range(len(ends))])
-        count += len(ends)
+        x, z = grid(_STARTS, plan.COLUMNS_Z + offset)
+        end_x, end_z = grid(_ENDS[::-1], plan.COLUMNS_Z + offset, indexing="ij")
+        pipes, ends = placements(x, low + radius, z), placements(end_x, low + radius, end_z, 0.5 * (end_x < 0.0))
+        for soup, transforms in ((pipe, pipes), (end, ends)):
+            stage.many(soup, transforms, [f"pipe_{count + k}" for k in range(len(transforms))])
+            count += len(transforms)
     if detail == 0:
         return
     _supports(stage, detail)
     fed = [slot for slot in plan.slots() if slot.kind in _FED]
-    where = placements([s.x for s in fed], 0.0, [s.column for s in fed], [s.quarter for s in fed])
-    stage.many(branch(detail), where, [f"branch_{k}" for k in range(len(fed))])
+    transforms = placements([s.x for s in fed], 0.0, [s.column for s in fed], [s.quarter for s in fed])
+    stage.many(branch(detail), transforms, "branch")
     _under_roof(stage, detail)
 
 
 def straight(radius: float, kind: int, detail: int, *, insulated: bool) -> Soup:
     """A pipe of 10 m along x from the origin; a joint at its start, or bands around its insulation."""
-    pipe = parts.laid_x(parts.drum(radius, 0.0, _LENGTH, kind, detail))
-    soups = [pipe]
+    soups = [parts.drum(radius, 0.0, _LENGTH, kind, detail)]
     if insulated and detail >= 1:
         step = (2.0, 5.0, 2.0, 1.0)[detail]
-        band = parts.laid_x(parts.drum(radius + 0.012, -0.025, 0.025, material("metal"), detail))
-        soups.append(parts.copies(band, [[x, 0.0, 0.0] for x in np.arange(0.5 * step, _LENGTH, step).tolist()]))
-    soups.append(parts.laid_x(parts.flange(radius, kind, detail)))
-    return join(soups)
+        band = parts.drum(radius + 0.012, -0.025, 0.025, material("metal"), detail)
+        soups.append(parts.copies(band, xyz(0.0, np.arange(0.5 * step, _LENGTH, step), 0.0)))
+    return parts.laid_x(join([*soups, parts.flange(radius, kind, detail)]))
 
 
 def riser(height: float, radius: float, kind: int, detail: int) -> Soup:
     """The end of a pipe of the rack: a bend down to the floor, with a valve and a joint."""
     out, bend = 0.6 + 2.5 * radius, 2.2 * radius
     line = [[0.0, 0.0, 0.0], [out, 0.0, 0.0], [out, -height - 0.05, 0.0]]
-    soups = [parts.piping(line, radius, bend, kind, detail)]
-    soups.append(parts.laid_x(parts.flange(radius, kind, detail)).translate([0.3, 0.0, 0.0]))
-    soups.append(parts.flange(radius, kind, detail).translate([out, 0.25 - height, 0.0]))
-    soups.append(valve(radius, detail).translate([out, 1.3 - height, 0.0]))
-    return join(soups)
+    joint = parts.flange(radius, kind, detail)
+    soups = [parts.piping(line, radius, bend, kind, detail), parts.laid_x(joint).translate([0.3, 0.0, 0.0])]
+    soups.append(joint.translate([out, 0.25 - height, 0.0]))
+    return join([*soups, valve(radius, detail).translate([out, 1.3 - height, 0.0])])
 
 
 def valve(radius: float, detail: int) -> Soup:
     """A gate valve on an upright pipe, with its handwheel towards +x."""
-    red, body = material("safety_red"), material("steel_grey")
-    reach = 2.2 * radius + 0.12
-    profile = [(1.05 * radius, -1.6 * radius - 0.06), (1.35 * radius + 0.01, -0.6 * radius),
-               (1.35 * radius + 0.01, 0.6 * radius), (1.05 * radius, 1.6 * radius + 0.06)]  # fmt: skip
-    soups = [lathe(profile, parts.ROUND[detail], body)]
+    red, grey, steel = material("safety_red"), material("steel_grey"), material("metal")
+    reach, half = 2.2 * radius + 0.12, 1.6 * radius + 0.06
+    wide = 1.35 * radius + 0.01
+    profile = [(1.05 * radius, -half), (wide, -0.6 * radius), (wide, 0.6 * radius), (1.05 * radius, half)]
+    body = lathe(profile, parts.ROUND[detail], grey)
     if detail == 0:
-        return soups[0]
-    bonnet = parts.laid_x(parts.drum(0.7 * radius + 0.01, 0.0, 0.7 * reach, body, detail, 0.1 * radius))
-    stem = parts.rod(
-        (0.5 * reach, 0.0, 0.0), (reach + 0.06, 0.0, 0.0), 0.12 * radius + 0.006, material("metal"), detail
-    )
+        return body
+    bonnet = parts.laid_x(parts.drum(0.7 * radius + 0.01, 0.0, 0.7 * reach, grey, detail, 0.1 * radius))
+    stem = parts.rod((0.5 * reach, 0.0, 0.0), (reach + 0.06, 0.0, 0.0), 0.12 * radius + 0.006, steel, detail)
     wheel = parts.laid_x(parts.handwheel(1.1 * radius + 0.05, red, detail)).translate([reach, 0.0, 0.0])
-    soups += [bonnet, stem, wheel]
-    joint = parts.flange(radius, body, detail)
-    away = 1.6 * radius + 0.06
-    soups.append(parts.copies(joint, [[0.0, -away, 0.0], [0.0, away, 0.0]]))
-    return join(soups)
+    joints = parts.copies(parts.flange(radius, grey, detail), [[0.0, -half, 0.0], [0.0, half, 0.0]])
+    return join([body, bonnet, stem, wheel, joints])
 
 
 def branch(detail: int) -> Soup:
     """A branch from the rack at z = 0.46 to the supply cabinet of the machine at +z."""
     steel, radius, height = material("machine_blue"), 0.05, 4.35
     line = [[0.0, height, 0.46], [0.0, height + 0.42, 0.46], [0.0, height + 0.42, 1.3], [0.0, 1.05, 1.3]]
-    soups = [parts.piping(line, radius, 0.14, steel, detail)]
-    soups.append(parts.flange(radius, steel, detail).translate([0.0, height + 0.25, 0.46]))
-    soups.append(valve(radius, detail).translate([0.0, 1.75, 1.3]))
-    soups.append(parts.flange(radius, steel, detail).translate([0.0, 3.0, 1.3]))
-    dial = parts.gauge(0.08, detail)
-    neck = parts.rod((0.0, 2.3, 1.3), (0.0, 2.3, 1.4), 0.015, material("metal"), detail)
-    soups += [neck, dial.translate([0.0, 2.3, 1.39])]
-    soups.append(parts.casing([-0.4, 0.05, 1.1], [0.4, 1.1, 1.5], 0.02, material("machine_grey"), detail))
-    soups.append(boxes([-0.38, -0.02, 1.12], [0.38, 0.06, 1.48], material("metal_dark")))
-    cable = [[0.25, 1.0, 1.3], [0.25, 3.9, 1.3]]
-    soups.append(parts.rod(cable[0], cable[1], 0.03, material("rubber"), detail))
-    soups.append(bars([[0.19, 3.9, 0.9]], [[0.12, 0.1, 0.5]], material("metal")))
-    return join(soups)
+    return join([
+        parts.piping(line, radius, 0.14, steel, detail),
+        parts.flange(radius, steel, detail).translate([0.0, height + 0.25, 0.46]),
+        valve(radius, detail).translate([0.0, 1.75, 1.3]),
+        parts.flange(radius, steel, detail).translate([0.0, 3.0, 1.3]),
+        parts.rod((0.0, 2.3, 1.3), (0.0, 2.3, 1.4), 0.015, material("metal"), detail),
+        parts.gauge(0.08, detail).translate([0.0, 2.3, 1.39]),
+        parts.casing([-0.4, 0.05, 1.1], [0.4, 1.1, 1.5], 0.02, material("machine_grey"), detail),
+        boxes([-0.38, -0.02, 1.12], [0.38, 0.06, 1.48], material("metal_dark")),
+        parts.rod([0.25, 1.0, 1.3], [0.25, 3.9, 1.3], 0.03, material("rubber"), detail),
+        bars([[0.19, 3.9, 0.9]], [[0.12, 0.1, 0.5]], material("metal")),
+    ])  # fmt: skip
 
 
 def _supports(stage: Stage, detail: int) -> None:
     """Arms on the columns and posts between them, beside the lanes, which carry the racks."""
-    z, cx = np.repeat(plan.COLUMNS_Z, len(plan.COLUMNS_X)), np.tile(plan.COLUMNS_X, len(plan.COLUMNS_Z))
-    stage.many(_arms(detail), placements(cx, 0.0, z), "pipe_arm")
-    middles = np.array([-60.0, -42.8, -37.2, -20.0, -3.4, 3.4, 20.0, 37.2, 42.8, 60.0])
-    mz, mx = np.repeat(plan.COLUMNS_Z, len(middles)), np.tile(middles, len(plan.COLUMNS_Z))
+    x, z = grid(plan.COLUMNS_X, plan.COLUMNS_Z)
+    stage.many(_arms(detail), placements(x, 0.0, z), "pipe_arm")
+    x, z = grid([-60.0, -42.8, -37.2, -20.0, -3.4, 3.4, 20.0, 37.2, 42.8, 60.0], plan.COLUMNS_Z)
     steel = material("steel_blue")
     post = join([
         boxes([-0.08, 0.02, -0.08], [0.08, 5.3, 0.08], steel),
         boxes([-0.2, -0.02, -0.2], [0.2, 0.03, 0.2], steel),
         _arms(detail),
     ])  # fmt: skip
-    stage.many(post, placements(mx, 0.0, mz), "pipe_post")
+    stage.many(post, placements(x, 0.0, z), "pipe_post")
 
 
 def _arms(detail: int) -> Soup:
@@ -128,49 +118,43 @@ def _arms(detail: int) -> Soup:
     steel = material("steel_blue")
     soups = [bars([[-0.06, 4.08, -1.05], [-0.065, 5.27, -1.0]], [[0.12, 0.115, 2.1], [0.13, 0.125, 2.0]], steel)]
     if detail >= 2:
-        for across, low, radius, _ in _RACK:
+        for offset, low, radius, _ in _RACK:
             clip = parts.laid_x(parts.drum(radius + 0.012, -0.03, 0.03, material("metal_dark"), detail))
-            soups.append(clip.translate([0.0, low + radius, across]))
+            soups.append(clip.translate([0.0, low + radius, offset]))
     return join(soups)
 
 
 def _under_roof(stage: Stage, detail: int) -> None:
     """Air ducts with outlets, and thin sprinkler pipes, all along x."""
-    starts = np.arange(_ENDS[0], _ENDS[1] - 1.0, _LENGTH)
-    x, z = (values.reshape(-1) for values in np.meshgrid(starts, [-45.0, -25.0, -15.0, 15.0, 25.0, 45.0]))
+    x, z = grid(_STARTS, [-45.0, -25.0, -15.0, 15.0, 25.0, 45.0])
     stage.many(duct(detail), placements(x, 8.85, z), "duct")
-    lines = np.array([-55.0, -35.0, -5.0, 5.0, 35.0, 55.0])
-    x, z = (values.reshape(-1) for values in np.meshgrid(starts, lines))
+    x, z = grid(_STARTS, [-55.0, -35.0, -5.0, 5.0, 35.0, 55.0])
     stage.many(sprinkler(detail), placements(x, 9.6, z), "sprinkler")
 
 
 def duct(detail: int) -> Soup:
     """A round duct of 10 m along x, with seams, an outlet below, and rods to the gutter that it hangs from."""
-    tin, radius = material("metal_light"), 0.5
-    soups = [parts.laid_x(parts.drum(radius, 0.0, _LENGTH, tin, detail))]
+    tin, dark, radius = material("metal_light"), material("metal_dark"), 0.5
     step = (5.0, 5.0, 2.5, 2.0)[detail]
-    seam = parts.laid_x(parts.torus(radius + 0.004, 0.02, tin, detail))
-    soups.append(parts.copies(seam, [[x, 0.0, 0.0] for x in np.arange(0.5 * step, _LENGTH, step).tolist()]))
-    soups.append(boxes([4.4, -0.72, -0.35], [5.6, -0.3, 0.35], tin))
-    outlet = parts.grille(1.1, 0.6, detail)
-    soups.append(parts.pitched(outlet, 0.25).translate([5.0, -0.715, 0.0]))
-    dark = material("metal_dark")
-    for side in (-0.54, 0.54):
-        soups.append(parts.rod((0.18, -0.54, side), (0.18, 2.78, side), 0.012, dark, min(detail, 1)))
-    soups.append(boxes([0.14, -0.56, -0.57], [0.22, -0.5, 0.57], dark))
-    return join(soups)
+    seam = parts.torus(radius + 0.004, 0.02, tin, detail)
+    seams = parts.copies(seam, xyz(0.0, np.arange(0.5 * step, _LENGTH, step), 0.0))
+    return join([
+        parts.laid_x(join([parts.drum(radius, 0.0, _LENGTH, tin, detail), seams])),
+        boxes([4.4, -0.72, -0.35], [5.6, -0.3, 0.35], tin),
+        parts.pitched(parts.grille(1.1, 0.6, detail), 0.25).translate([5.0, -0.715, 0.0]),
+        *(parts.rod((0.18, -0.54, z), (0.18, 2.78, z), 0.012, dark, min(detail, 1)) for z in (-0.54, 0.54)),
+        boxes([0.14, -0.56, -0.57], [0.22, -0.5, 0.57], dark),
+    ])  # fmt: skip
 
 
 def sprinkler(detail: int) -> Soup:
     """Ten metres of a thin red pipe along x with heads, and the rod to the gutter that it hangs from."""
-    red = material("safety_red")
-    soups = [parts.rod((0, 0, 0), (_LENGTH, 0, 0), 0.035, red, detail)]
+    steel = material("metal_light")
+    soups = [parts.rod((0, 0, 0), (_LENGTH, 0, 0), 0.035, material("safety_red"), detail)]
     for x in (1.25, 3.75, 6.25, 8.75):
         if detail >= 1:
-            soups.append(parts.rod((x, 0.0, 0.0), (x, -0.16, 0.0), 0.018, material("metal_light"), min(detail, 2)))
+            soups.append(parts.rod((x, 0.0, 0.0), (x, -0.16, 0.0), 0.018, steel, min(detail, 2)))
         if detail >= 2:
-            soups.append(
-                lathe([(0.05, -0.17), (0.05, -0.16)], parts.THIN[detail], material("metal_light")).translate([x, 0, 0])
-            )
+            soups.append(lathe([(0.05, -0.17), (0.05, -0.16)], parts.THIN[detail], steel).translate([x, 0.0, 0.0]))
     soups.append(parts.rod((0.18, 0.0, 0.0), (0.18, 2.02, 0.0), 0.01, material("metal_dark"), min(detail, 1)))
     return join(soups)

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from nearfar.datasets._draw import Floats
 
@@ -51,21 +53,21 @@ class Slot:
 
 def slots() -> list[Slot]:
     """List all slots, row by row."""
-    found = []
+    listed = []
     for z, letters in _ROWS:
         column = z - ASIDE if (z - ASIDE) % 20.0 == 10.0 else z + ASIDE
         for middle, letter in zip(BLOCKS, letters, strict=True):
-            found += [Slot(middle + PITCH * (k - 2), z, letter, column) for k in range(5)]
-    return found
+            listed += [Slot(middle + PITCH * (k - 2), z, letter, column) for k in range(5)]
+    return listed
 
 
-def columns() -> Floats:
-    """Places (K, 2) of the columns, x and z."""
-    x, z = np.meshgrid(COLUMNS_X, COLUMNS_Z)
-    return np.stack([x.reshape(-1), z.reshape(-1)], -1)
+def grid(x: ArrayLike, z: ArrayLike, indexing: Literal["xy", "ij"] = "xy") -> tuple[Floats, Floats]:
+    """All pairs of an x and a z, as two arrays (K,); x changes fastest unless `indexing` is "ij"."""
+    columns, rows = np.meshgrid(np.asarray(x, float), np.asarray(z, float), indexing=indexing)
+    return columns.ravel(), rows.ravel()
 
 
 def breaks(limit: float, lanes: tuple[tuple[float, float], ...], line: float) -> Floats:
-    """Positions across the lanes where the floor changes, the painted lines beside the lanes included."""
-    ends = [at + side * (half + more) for at, half in lanes for side in (-1.0, 1.0) for more in (0.0, line)]
+    """Positions across the lanes where the floor changes, with the painted lines of width `line` beside the lanes."""
+    ends = [middle + side * (half + more) for middle, half in lanes for side in (-1.0, 1.0) for more in (0.0, line)]
     return np.array(sorted({-limit, limit, *ends, *np.arange(-limit + 5.0, limit, 10.0).tolist()}))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from nearfar.datasets._draw import Floats, turn
+from nearfar.datasets._draw import Floats, turn, xyz
 from nearfar.datasets._factory import parts
 from nearfar.datasets._palette import material
 from nearfar.datasets._shapes import Soup, bars, boxes, join, lathe
@@ -46,12 +46,10 @@ def robot(variant: int, detail: int) -> Soup:
 
 def _joint(radius: float, half: float, detail: int) -> Soup:
     """A joint about the x axis with covers on both ends."""
-    body = parts.drum(radius, -half, half, material("robot_orange"), detail, 0.03)
-    covers = [parts.drum(0.72 * radius, side * half - 0.02, side * half + 0.02, material("metal_dark"), detail, 0.008)
-              for side in (-1.0, 1.0)]  # fmt: skip
-    soups = [body, *covers]
-    if detail == 0:
-        return parts.laid_x(body)
+    soups = [parts.drum(radius, -half, half, material("robot_orange"), detail, 0.03)]
+    if detail >= 1:
+        for end in (-half, half):
+            soups.append(parts.drum(0.72 * radius, end - 0.02, end + 0.02, material("metal_dark"), detail, 0.008))
     if detail >= 2:
         soups.append(parts.bolt_circle(6 if detail == 2 else 8, 0.85 * radius, 0.012, half + 0.012, material("metal")))
     return parts.laid_x(join(soups))
@@ -65,16 +63,13 @@ def _arm_end(pitch: float, length: float) -> Floats:
 
 def _arm(length: float, thick: float, detail: int) -> Soup:
     """An arm along y from the origin, with its hose behind."""
-    soups = [
-        parts.casing([-thick, 0.0, -0.9 * thick], [thick, length, 0.9 * thick], 0.5 * thick,
-                     material("robot_orange"), detail)
-    ]  # fmt: skip
-    back = -1.2 * thick
+    orange, back = material("robot_orange"), -1.2 * thick
+    soups = [parts.casing([-thick, 0.0, -0.9 * thick], [thick, length, 0.9 * thick], 0.5 * thick, orange, detail)]
     if detail >= 1:
         soups.append(parts.rod((0.0, 0.1, back), (0.0, length - 0.1, back), 0.028, material("rubber"), detail))
     if detail >= 2:
         clip = parts.torus(0.034, 0.012, material("metal_dark"), 2)
-        soups.append(parts.copies(clip, [[0.0, share * length, back] for share in (0.25, 0.5, 0.75)]))
+        soups.append(parts.copies(clip, [[0.0, fraction * length, back] for fraction in (0.25, 0.5, 0.75)]))
         low, high = [-0.5 * thick, 0.3 * length, 0.88 * thick], [0.5 * thick, 0.7 * length, 0.93 * thick]
         soups.append(boxes(low, high, material("paint_white")))
     return join(soups)
@@ -102,10 +97,8 @@ def fence(detail: int) -> Soup:
     soups = [boxes([-0.03, 0.0, -0.03], [0.03, 2.05, 0.03], yellow)]
     soups.append(bars([[0.02, 0.15, -0.015], [0.02, 1.93, -0.015]], [1.96, 0.03, 0.03], dark))
     step = (1.0, 0.4, 0.2, 0.125)[detail]
-    at = np.arange(step, 1.99, step)
-    soups.append(bars(np.stack([at, np.full_like(at, 0.16), np.full_like(at, -0.004)], -1), [0.008, 1.78, 0.008], dark))
-    up = np.arange(0.15 + step, 1.92, step)
-    soups.append(bars(np.stack([np.full_like(up, 0.02), up, np.full_like(up, 0.002)], -1), [1.96, 0.008, 0.007], dark))
+    soups.append(bars(xyz(np.arange(step, 1.99, step), 0.16, -0.004), [0.008, 1.78, 0.008], dark))
+    soups.append(bars(xyz(0.02, np.arange(0.15 + step, 1.92, step), 0.002), [1.96, 0.008, 0.007], dark))
     return join(soups)
 
 
@@ -122,10 +115,9 @@ def conveyor(detail: int) -> Soup:
     else:
         step = 0.2 if detail == 2 else 0.125
         roller = parts.laid_z(parts.drum(0.045, -0.445, 0.445, steel, 1 if detail == 2 else 2))
-        soups.append(parts.copies(roller, [[x, DECK - 0.045, 0.0] for x in np.arange(0.5 * step, 2.0, step).tolist()]))
-        side = boxes([0.0, DECK + 0.12, 0.46], [2.0, DECK + 0.16, 0.49], material("safety_yellow"))
-        stems = [[x, DECK + 0.02, 0.462] for x in (0.4, 1.56)]
-        soups += [side, bars(stems, [0.04, 0.11, 0.025], blue)]
+        soups.append(parts.copies(roller, xyz(np.arange(0.5 * step, 2.0, step), DECK - 0.045, 0.0)))
+        soups.append(boxes([0.0, DECK + 0.12, 0.46], [2.0, DECK + 0.16, 0.49], material("safety_yellow")))
+        soups.append(bars(xyz([0.4, 1.56], DECK + 0.02, 0.462), [0.04, 0.11, 0.025], blue))
         motor = parts.laid_x(parts.drum(0.1, 0.8, 1.2, material("machine_blue"), detail, 0.02))
         soups.append(motor.translate([0.0, DECK - 0.32, 0.2]))
         foot = parts.drum(0.07, -0.01, 0.02, material("metal_dark"), detail)

@@ -7,9 +7,9 @@ import itertools
 import numpy as np
 from numpy.typing import NDArray
 
-from nearfar.datasets import _facade as facade
-from nearfar.datasets._draw import Floats
-from nearfar.datasets._factory import parts, plan, surfaces
+from nearfar.datasets import _facade as facade, _textures as textures
+from nearfar.datasets._draw import Floats, xyz
+from nearfar.datasets._factory import parts, plan
 from nearfar.datasets._palette import material
 from nearfar.datasets._shapes import Soup, bars, boxes, join, loft, quads, sheet, textured, triangles
 from nearfar.datasets._stage import Stage, placements
@@ -35,28 +35,27 @@ def build(stage: Stage, seed: int, detail: int) -> None:
     _gates(stage, detail)
 
 
-def _in_lanes(at: Floats, lanes: tuple[tuple[float, float], ...], more: float) -> NDArray[np.bool_]:
-    """Flags of positions inside lanes that are widened on both sides."""
-    inside = np.zeros(at.shape, bool)
-    for middle, half in lanes:
-        inside |= np.abs(at - middle) < half + more
+def _in_lanes(middles: Floats, margin: float) -> NDArray[np.bool_]:
+    """Whether points (K, 3) of the floor are inside lanes, which are widened by a margin on both sides."""
+    inside = np.zeros(len(middles), bool)
+    for axis, lanes in ((0, plan.LANES_X), (2, plan.LANES_Z)):
+        for middle, half in lanes:
+            inside |= np.abs(middles[:, axis] - middle) < half + margin
     return inside
 
 
 def _floor(stage: Stage, seed: int) -> None:
     """One sheet in concrete, lanes and their yellow lines."""
     white = (1.0, 1.0, 1.0, 1.0)
-    kinds = [stage.material(white, make(seed)) for make in (surfaces.concrete, surfaces.line, surfaces.lane)]
+    kinds = [stage.material(white, make(seed)) for make in (textures.concrete, textures.lane_line, textures.lane)]
     x = plan.breaks(plan.X + 0.5, plan.LANES_X, _LINE)
     z = plan.breaks(plan.Z + 0.5, plan.LANES_Z, _LINE)
     gx, gz = np.meshgrid(x, z)
     cells = sheet(np.stack([gx, np.zeros_like(gx), gz], -1)).reshape(-1, 4, 3)
-    middle = 0.5 * (cells[:, 0] + cells[:, 2])
-    lane = _in_lanes(middle[:, 0], plan.LANES_X, 0.0) | _in_lanes(middle[:, 2], plan.LANES_Z, 0.0)
-    wide = _in_lanes(middle[:, 0], plan.LANES_X, _LINE) | _in_lanes(middle[:, 2], plan.LANES_Z, _LINE)
-    chosen = np.array(kinds, np.int32)[np.where(lane, 2, np.where(wide, 1, 0))]
+    middles = 0.5 * (cells[:, 0] + cells[:, 2])
+    materials = np.array(kinds, np.int32)[_in_lanes(middles, _LINE).astype(int) + _in_lanes(middles, 0.0)]
     # The texture of concrete shows 10 m by 10 m.
-    stage.once(textured(cells, chosen, cells[..., [0, 2]] * [0.1, -0.1]), "floor")
+    stage.once(textured(cells, materials, cells[..., [0, 2]] * [0.1, -0.1]), "floor")
 
 
 def _cells(half: float) -> Floats:
@@ -66,24 +65,23 @@ def _cells(half: float) -> Floats:
 def _wall(half: float, detail: int) -> Soup:
     """A wall in the plane z = 0 that looks towards +z: plinth, cladding with ribs, posts."""
     u = _cells(half)
-    low = facade.plain(facade.rectangles(u, [_FOOT, 1.2]), material("concrete"))
-    mid = facade.plain(facade.rectangles(u, [1.2, _SILL]), material("panel_white"))
-    top = facade.plain(facade.rectangles(u, [_HEAD, plan.EAVES]), material("panel_white"))
-    soups = [low, mid, top]
+    post_u = u[1:-1]
     # Gates stand at the ends of lanes; the posts there begin above them.
-    feet = [5.7 if abs(at) in (0.0, 20.0, 40.0) else -0.02 for at in u[1:-1].tolist()]
-    low_post = np.stack([u[1:-1] - 0.15, feet, np.full(len(feet), -0.05)], -1)
-    high_post = np.stack([u[1:-1] + 0.15, np.full(len(feet), plan.EAVES - 0.1), np.full(len(feet), 0.27)], -1)
-    soups.append(boxes(low_post, high_post, material("steel_blue")))
-    ledge = boxes([-half, 1.14, -0.05], [half, 1.26, 0.09], material("steel_grey"))
-    soups.append(ledge)
+    feet = np.where(np.isin(np.abs(post_u), (0.0, 20.0, 40.0)), 5.7, -0.02)
+    post_ends = xyz(post_u - 0.15, feet, -0.05), xyz(post_u + 0.15, plan.EAVES - 0.1, 0.27)
+    soups = [
+        facade.plain(facade.rectangles(u, [_FOOT, 1.2]), material("concrete")),
+        facade.plain(facade.rectangles(u, [1.2, _SILL]), material("panel_white")),
+        facade.plain(facade.rectangles(u, [_HEAD, plan.EAVES]), material("panel_white")),
+        boxes(*post_ends, material("steel_blue")),
+        boxes([-half, 1.14, -0.05], [half, 1.26, 0.09], material("steel_grey")),
+    ]
     if detail >= 1:
         step = (1.0, 1.0, 0.5, 0.25)[detail]
-        at = np.arange(-half + step, half - 0.5 * step, step)
-        for low_end, high_end in ((1.25, _SILL - 0.1), (_HEAD + 0.1, plan.EAVES - 0.02)):
-            ends = np.stack([at - 0.06 * step, np.full_like(at, low_end), np.full_like(at, -0.02)], -1)
-            rib = [0.12 * step + 0.03, high_end - low_end, 0.06]
-            soups.append(bars(ends, rib, material("paint_snow"), without="-z -y +y"))
+        rib_u = np.arange(-half + step, half - 0.5 * step, step) - 0.06 * step
+        for low, high in ((1.25, _SILL - 0.1), (_HEAD + 0.1, plan.EAVES - 0.02)):
+            size = [0.12 * step + 0.03, high - low, 0.06]
+            soups.append(bars(xyz(rib_u, low, -0.02), size, material("paint_snow"), without="-z -y +y"))
     return join(soups)
 
 
@@ -96,78 +94,65 @@ def _glazing(half: float, detail: int) -> Soup:
     if detail >= 1:
         soups.append(facade.bars(holes, 0.15, "", steel, frame=True))
         soups.append(boxes([-half, 8.36, -0.17], [half, 8.44, -0.11], steel, without="-x +x -z"))
-        shares = np.linspace(0.0, 1.0, (1, 3, 5, 7)[detail])[1:-1]
-        for share in shares.tolist():
-            u = holes[:, 0] + share * (holes[:, 1] - holes[:, 0])
-            low = np.stack([u - 0.03, holes[:, 2] - 0.02, np.full_like(u, -0.17)], -1)
+        for fraction in np.linspace(0.0, 1.0, (1, 3, 5, 7)[detail])[1:-1].tolist():
+            u = holes[:, 0] + fraction * (holes[:, 1] - holes[:, 0])
+            low = xyz(u - 0.03, holes[:, 2] - 0.02, -0.17)
             soups.append(bars(low, [0.06, _HEAD - _SILL - 0.26, 0.07], steel, without="-z"))
     return join(soups)
 
 
 def _slopes() -> Soup:
     """The slopes of the saw-tooth roof, seen from below."""
-    x, z = _cells(plan.X), _cells(plan.Z)
-    corners = []
-    for x0, x1 in itertools.pairwise(x):
-        corners += [[[x0, plan.RIDGE, z0], [x1, plan.EAVES, z0], [x1, plan.EAVES, z1], [x0, plan.RIDGE, z1]]
-                    for z0, z1 in itertools.pairwise(z)]  # fmt: skip
+    corners = [
+        [[x0, plan.RIDGE, z0], [x1, plan.EAVES, z0], [x1, plan.EAVES, z1], [x0, plan.RIDGE, z1]]
+        for x0, x1 in itertools.pairwise(_cells(plan.X))
+        for z0, z1 in itertools.pairwise(_cells(plan.Z))
+    ]
     return quads(corners, material("daylight"))
 
 
 def _roof_windows(detail: int) -> Soup:
     """The upright glazing of the saw teeth, which looks towards +x inside, with its bars."""
-    x, z = _cells(plan.X)[:-1], _cells(plan.Z)
+    xs, steel = _cells(plan.X)[:-1].tolist(), material("steel_grey")
     panes = [
-        [[at, plan.EAVES, z1], [at, plan.EAVES, z0], [at, plan.RIDGE, z0], [at, plan.RIDGE, z1]]
-        for at in x.tolist()
-        for z0, z1 in itertools.pairwise(z)
+        [[x, plan.EAVES, z1], [x, plan.EAVES, z0], [x, plan.RIDGE, z0], [x, plan.RIDGE, z1]]
+        for x in xs
+        for z0, z1 in itertools.pairwise(_cells(plan.Z))
     ]
     step = (20.0, 10.0, 2.0, 2.0)[detail]
-    posts = [[at - 0.02, plan.EAVES + 0.02, z0] for at in x.tolist() for z0 in np.arange(-60.04, 60.0, step).tolist()]
-    steel = material("steel_grey")
-    rails = [[at - 0.02, height, -plan.Z] for at in x.tolist() for height in (12.0, 12.96, 13.8)]
-    return join(
-        [
-            quads(panes, material("daylight")),
-            bars(posts, [0.08, plan.RIDGE - plan.EAVES - 0.1, 0.08], steel),
-            bars(rails, [0.12, 0.09, 2.0 * plan.Z], steel),
-        ]
-    )
+    posts = [[x - 0.02, plan.EAVES + 0.02, z] for x in xs for z in np.arange(-60.04, 60.0, step).tolist()]
+    rails = [[x - 0.02, height, -plan.Z] for x in xs for height in (12.0, 12.96, 13.8)]
+    frames = bars(posts, [0.08, plan.RIDGE - plan.EAVES - 0.1, 0.08], steel)
+    return join([quads(panes, material("daylight")), frames, bars(rails, [0.12, 0.09, 2.0 * plan.Z], steel)])
 
 
 def _gables() -> Soup:
     """The triangles of wall between the eaves and the saw teeth, on both long sides."""
-    x = _cells(plan.X)
     corners = []
-    for x0, x1 in itertools.pairwise(x):
-        low, far, top = [x0, plan.EAVES, -plan.Z], [x1, plan.EAVES, -plan.Z], [x0, plan.RIDGE, -plan.Z]
-        corners.append([low, far, top])
-        corners.append([[at[0], at[1], plan.Z] for at in (low, top, far)])
+    for x0, x1 in itertools.pairwise(_cells(plan.X)):
+        low, far, top = (x0, plan.EAVES), (x1, plan.EAVES), (x0, plan.RIDGE)
+        corners.append([(*low, -plan.Z), (*far, -plan.Z), (*top, -plan.Z)])
+        corners.append([(*low, plan.Z), (*top, plan.Z), (*far, plan.Z)])
     return triangles(corners, material("panel_white"))
 
 
 def _rafters(detail: int) -> Soup:
     """Bars under the slopes, and the gutters between the saw teeth."""
-    x = _cells(plan.X)
-    gutters = bars([[at - 0.2, 11.6, -plan.Z - 0.05] for at in x[1:-1].tolist()], [0.4, 0.36, 2.0 * plan.Z + 0.1],
-                   material("steel_grey"))  # fmt: skip
-    soups = [gutters]
+    x, grey = _cells(plan.X), material("steel_grey")
+    soups = [bars(xyz(x[1:-1] - 0.2, 11.6, -plan.Z - 0.05), [0.4, 0.36, 2.0 * plan.Z + 0.1], grey)]
     step = (10.0, 5.0, 5.0, 2.5)[detail]
     drop = (plan.RIDGE - plan.EAVES) / plan.BAY
-    high, low = 0.2, plan.BAY - 0.25
-    section = np.array([[high, plan.RIDGE - drop * high], [low, plan.RIDGE - drop * low]])
-    for at in np.arange(-plan.Z + step, plan.Z - 0.1, step).tolist():
-        ends = [
-            [[a, b - 0.02, at - 0.05], [a, b - 0.02, at + 0.05], [a, b - 0.24, at + 0.05], [a, b - 0.24, at - 0.05]]
-            for a, b in section.tolist()
-        ]
-        soups.append(parts.copies(loft(ends, material("steel_blue")), [[a, 0.0, 0.0] for a in x[:-1].tolist()]))
+    ends = [(end, plan.RIDGE - drop * end) for end in (0.2, plan.BAY - 0.25)]
+    corners = ((-0.02, -0.05), (-0.02, 0.05), (-0.24, 0.05), (-0.24, -0.05))
+    for z in np.arange(-plan.Z + step, plan.Z - 0.1, step).tolist():
+        sections = [[[end, y + dy, z + dz] for dy, dz in corners] for end, y in ends]
+        soups.append(parts.copies(loft(sections, material("steel_blue")), xyz(x[:-1], 0.0, 0.0)))
     return join(soups)
 
 
 def _gates(stage: Stage, detail: int) -> None:
     """Roller gates at the ends of lanes, and small doors beside some of them."""
-    stripes = stage.material((1.0, 1.0, 1.0, 1.0), surfaces.stripes())
+    stripes = stage.material((1.0, 1.0, 1.0, 1.0), textures.stripes())
     ends = [(-plan.X, z, 0.25) for z in (-40.0, 0.0, 40.0)] + [(plan.X, z, 0.75) for z in (-20.0, 0.0, 40.0)]
     ends += [(-40.0, plan.Z, 0.5), (0.0, plan.Z, 0.5), (40.0, plan.Z, 0.5)]
     x, z, turns = np.array(ends).T
@@ -185,12 +170,9 @@ def _gate(stripes: int, detail: int) -> Soup:
     back = boxes([-2.28, 0.01, -0.02], [2.28, 5.03, 0.1], material("metal"))
     posts = bars([[-2.55, -0.02, -0.05], [2.25, -0.02, -0.05]], [0.3, 5.1, 0.4], material("metal_dark"))
     hood = parts.casing([-2.7, 5.0, -0.05], [2.7, 5.6, 0.55], 0.08, material("steel_grey"), detail)
-    guards = []
-    for at in (-2.4, 2.4):
-        x0, x1, z = at - 0.16, at + 0.16, 0.36
-        face = [[[x0, 0.0, z], [x1, 0.0, z], [x1, 1.6, z], [x0, 1.6, z]]]
-        guards.append(textured(face, stripes, [[0.0, 0.0], [0.5, 0.0], [0.5, 2.5], [0.0, 2.5]]))
-    return join([leaf, back, posts, hood, *guards])
+    face = [[[-0.16, 0.0, 0.36], [0.16, 0.0, 0.36], [0.16, 1.6, 0.36], [-0.16, 1.6, 0.36]]]
+    guard = textured(face, stripes, [[0.0, 0.0], [0.5, 0.0], [0.5, 2.5], [0.0, 2.5]])
+    return join([leaf, back, posts, hood, parts.copies(guard, [[-2.4, 0.0, 0.0], [2.4, 0.0, 0.0]])])
 
 
 def _door(detail: int) -> Soup:

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from nearfar.datasets._draw import Draw
+from nearfar.datasets._draw import Draw, xyz
 from nearfar.datasets._factory import parts
+from nearfar.datasets._factory.plan import grid
 from nearfar.datasets._palette import material, materials
 from nearfar.datasets._shapes import Soup, bars, boxes, join, lathe, textured
 
@@ -17,22 +18,17 @@ _DEEP = 1.1
 
 def rack(seed: int, variant: int, detail: int) -> Soup:
     """A bay of a pallet rack along x from the origin, with its left upright and two pallets on each of four levels."""
-    draw = Draw(seed, 94, variant)
+    draw, orange = Draw(seed, 94, variant), material("rack_orange")
     soups = [_upright(detail)]
     for level in _LEVELS[1:]:
         if detail == 0:
-            beam = boxes(
-                [0.05, level - 0.13, -0.5 * _DEEP], [WIDE - 0.045, level, 0.5 * _DEEP], material("rack_orange")
-            )
-            soups.append(beam)
+            soups.append(boxes([0.05, level - 0.13, -0.5 * _DEEP], [WIDE - 0.045, level, 0.5 * _DEEP], orange))
             continue
         for z in (-0.5 * _DEEP, 0.5 * _DEEP - 0.05):
-            soups.append(boxes([0.05, level - 0.13, z], [WIDE - 0.05, level, z + 0.05], material("rack_orange")))
+            soups.append(boxes([0.05, level - 0.13, z], [WIDE - 0.05, level, z + 0.05], orange))
         if detail >= 2:
-            ends = [
-                [x, level - 0.16, z] for x in (0.045, WIDE - 0.065) for z in (-0.5 * _DEEP - 0.006, 0.5 * _DEEP - 0.056)
-            ]
-            soups.append(bars(ends, [0.02, 0.2, 0.062], material("rack_orange")))
+            end_x, end_z = grid([0.045, WIDE - 0.065], [-0.5 * _DEEP - 0.006, 0.5 * _DEEP - 0.056], indexing="ij")
+            soups.append(bars(xyz(end_x, level - 0.16, end_z), [0.02, 0.2, 0.062], orange))
     for level in _LEVELS:
         for x in (0.74, 2.06):
             if draw.chance(0.12):
@@ -50,28 +46,24 @@ def _bulk(draw: Draw) -> Soup:
 
 
 def rack_end(detail: int) -> Soup:
-    """The upright that ends a row of bays, with a guard at its foot."""
-    guard = boxes([-0.02, 0.0, -0.62], [0.1, 0.4, -0.56], material("safety_yellow"))
-    other = boxes([-0.02, 0.0, 0.56], [0.1, 0.4, 0.62], material("safety_yellow"))
-    return join([_upright(detail), guard, other])
+    """The upright that ends a row of bays, with guards at its foot."""
+    guards = boxes(xyz(-0.02, 0.0, [-0.62, 0.56]), xyz(0.1, 0.4, [-0.56, 0.62]), material("safety_yellow"))
+    return join([_upright(detail), guards])
 
 
 def _upright(detail: int) -> Soup:
     """A frame of two posts with lacing between them."""
     blue, high = material("rack_blue"), 6.1
-    posts = bars(
-        [[-0.045, -0.01, -0.5 * _DEEP + 0.002], [-0.045, -0.01, 0.5 * _DEEP - 0.082]], [0.09, high, 0.08], blue
-    )
+    soups = [bars(xyz(-0.045, -0.01, [-0.5 * _DEEP + 0.002, 0.5 * _DEEP - 0.082]), [0.09, high, 0.08], blue)]
     if detail == 0:
-        return posts
-    soups = [posts]
+        return soups[0]
     step = (2.0, 2.0, 1.0, 1.0)[detail]
     z = 0.5 * _DEEP - 0.06
     for k, low in enumerate(np.arange(0.2, high - step, step).tolist()):
         ends = ((0.0, low, -z), (0.0, low + step, z)) if k % 2 == 0 else ((0.0, low, z), (0.0, low + step, -z))
         soups.append(parts.rod(*ends, 0.018, blue, min(detail, 1)))
     if detail >= 2:
-        feet = [[-0.08, 0.0, z0] for z0 in (-0.5 * _DEEP - 0.02, 0.5 * _DEEP - 0.1)]
+        feet = xyz(-0.08, 0.0, [-0.5 * _DEEP - 0.02, 0.5 * _DEEP - 0.1])
         soups.append(bars(feet, [0.16, 0.012, 0.12], material("metal_dark")))
     return join(soups)
 
@@ -92,13 +84,12 @@ def _boards(detail: int) -> Soup:
         plate = boxes([-0.6, 0.122, -0.45], [0.6, 0.144, 0.45], wood)
         return join([plate, bars(runners, [1.19, 0.122, 0.1], wood)])
     top = parts.slats([-0.6, 0.122, -0.45], [1.2, 0.022, 0.13], [0.0, 0.0, 0.1925], 5, wood)
-    blocks = bars(
-        [[x, 0.018, z + 0.002] for x in (-0.59, -0.07, 0.45) for _, _, z in runners], [0.14, 0.088, 0.096], wood
-    )
-    if detail <= 2:
+    if detail == 2:
         return join([top, bars(runners, [1.19, 0.122, 0.1], wood)])
-    across = bars([[x - 0.002, 0.104, -0.445] for x in (-0.59, -0.07, 0.45)], [0.144, 0.02, 0.89], wood)
-    return join([top, bars(runners, [1.19, 0.02, 0.1], wood), blocks, across])
+    block_x = (-0.59, -0.07, 0.45)
+    blocks = bars([[x, 0.018, z + 0.002] for x in block_x for _, _, z in runners], [0.14, 0.088, 0.096], wood)
+    stringers = bars([[x - 0.002, 0.104, -0.445] for x in block_x], [0.144, 0.02, 0.89], wood)
+    return join([top, bars(runners, [1.19, 0.02, 0.1], wood), blocks, stringers])
 
 
 def _cartons(draw: Draw, detail: int) -> Soup:
@@ -115,9 +106,9 @@ def _cartons(draw: Draw, detail: int) -> Soup:
         soups.append(bars(low, size, brown))
         if detail >= 3:
             middle = low[2] + 0.5 * size[2]
-            tape = [low[0] - 0.001, low[1] + 0.6 * high, middle - 0.025]
-            end = [low[0] + size[0] + 0.001, low[1] + size[1] + 0.001, middle + 0.025]
-            soups.append(boxes(tape, end, material("paper")))
+            tape_low = [low[0] - 0.001, low[1] + 0.6 * high, middle - 0.025]
+            tape_high = [low[0] + size[0] + 0.001, low[1] + size[1] + 0.001, middle + 0.025]
+            soups.append(boxes(tape_low, tape_high, material("paper")))
     return join(soups)
 
 
@@ -135,22 +126,19 @@ def barrel(kind: int, detail: int) -> Soup:
 
 def _barrels(draw: Draw, detail: int) -> Soup:
     kind = draw.pick(materials("barrel_blue", "barrel_blue", "sign_green", "safety_red", "metal_light"))
-    at = [[-0.3, 0.0, -0.22], [0.3, 0.0, -0.22], [-0.3, 0.0, 0.22], [0.3, 0.0, 0.22]]
+    offsets = [[-0.3, 0.0, -0.22], [0.3, 0.0, -0.22], [-0.3, 0.0, 0.22], [0.3, 0.0, 0.22]]
     # Four drums do not fit a pallet's depth side by side, so these are slimmer.
-    return parts.copies(barrel(kind, detail).scaled([0.74, 1.0, 0.74]), at)
+    return parts.copies(barrel(kind, detail).scaled([0.74, 1.0, 0.74]), offsets)
 
 
 def _sacks(draw: Draw, detail: int) -> Soup:
     """Sacks in layers of alternating direction."""
     cloth = material(draw.pick(("paper", "fabric_sand", "paint_white")))
-    layers = int(3 + draw.integers(1, 4)[0])
     soups = []
-    for layer in range(layers):
+    for layer in range(int(3 + draw.integers(1, 4)[0])):
+        step, size = ((0.38, 0.0), [0.375, 0.16, 0.86]) if layer % 2 == 0 else ((0.0, 0.287), [1.14, 0.16, 0.283])
         for k in range(3):
-            low = [-0.57 + 0.38 * k, 0.15 * layer - 0.005, -0.43]
-            size = [0.375, 0.16, 0.86]
-            if layer % 2:
-                low, size = [-0.57, 0.15 * layer - 0.005, -0.43 + 0.287 * k], [1.14, 0.16, 0.283]
+            low = [-0.57 + step[0] * k, 0.15 * layer - 0.005, -0.43 + step[1] * k]
             soups.append(parts.casing(low, np.add(low, size), 0.065, cloth, 2 if detail == 3 else 1))
     return join(soups)
 
@@ -158,16 +146,13 @@ def _sacks(draw: Draw, detail: int) -> Soup:
 def _crate(draw: Draw, detail: int) -> Soup:
     """A mesh crate with parts in it."""
     steel, kind = material("steel_grey"), draw.pick(materials("machine_blue", "metal", "rack_orange", "machine_green"))
-    posts = bars([[x, 0.0, z] for x in (-0.58, 0.54) for z in (-0.42, 0.38)], [0.04, 0.9, 0.04], steel)
-    soups = [posts, boxes([-0.57, 0.01, -0.41], [0.57, 0.05, 0.41], steel)]
-    count = (2, 2, 5, 6)[detail]
-    heights = np.linspace(0.08, 0.86, count)
-    for z in (-0.41, 0.39):
-        low = np.stack([np.full(count, -0.56), heights, np.full(count, z)], -1)
-        soups.append(bars(low, [1.12, 0.012, 0.012], steel))
-    for x in (-0.57, 0.55):
-        low = np.stack([np.full(count, x), heights, np.full(count, -0.4)], -1)
-        soups.append(bars(low, [0.012, 0.012, 0.8], steel))
+    heights = np.linspace(0.08, 0.86, (2, 2, 5, 6)[detail])
+    soups = [
+        bars([[x, 0.0, z] for x in (-0.58, 0.54) for z in (-0.42, 0.38)], [0.04, 0.9, 0.04], steel),
+        boxes([-0.57, 0.01, -0.41], [0.57, 0.05, 0.41], steel),
+        *(bars(xyz(-0.56, heights, z), [1.12, 0.012, 0.012], steel) for z in (-0.41, 0.39)),
+        *(bars(xyz(x, heights, -0.4), [0.012, 0.012, 0.8], steel) for x in (-0.57, 0.55)),
+    ]
     for k in range(6):
         x, z = -0.38 + 0.38 * (k % 3), -0.2 + 0.4 * (k // 3)
         part = parts.drum(0.16, 0.04, draw.number(0.45, 0.8), kind, detail - 1, 0.03)

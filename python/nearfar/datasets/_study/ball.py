@@ -59,7 +59,8 @@ def sphere_task(seed: int = 0, boxes: int = 7, *, straight: bool = True) -> tupl
     """Make the scene of the third task: a ball flies from near the centre onto one of several far boxes.
 
     The ground is at y = 0 and the centre above the origin. The boxes stand in a row 80 m ahead, 5 m apart, towards −z.
-    The same arguments give the same bytes on every run and every platform.
+    ValueError for numbers out of range; TypeError for values of another type. Source: Popescu, Lee, Choi, Fahmy (2022),
+    user study.
 
     Parameters
     ----------
@@ -76,15 +77,6 @@ def sphere_task(seed: int = 0, boxes: int = 7, *, straight: bool = True) -> tupl
     tuple
         The scene, whose objects are "ground", "box_0" and so on, "crossbar" unless the flight is straight, and the
         dynamic "ball"; and the `SphereTask` with radii, answer, and the ball's pose by time.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Numbers out of range, and values of another type.
-
-    References
-    ----------
-    Popescu, Lee, Choi, Fahmy (2022), user study.
     """
     draw, count, chosen = chosen_of("boxes", seed, boxes, 91)
     is_straight, places = check.flag("straight", straight), in_row(count, _SPACING)

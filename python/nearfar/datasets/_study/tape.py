@@ -59,7 +59,8 @@ def tape_task(seed: int = 0, rectangles: int = 3, *, ends: str = "near") -> tupl
 
     The ground is at y = 0 and the centre above the origin. The rectangles stand upright on a circle about the centre,
     towards −z, and face it. The tape, 0.6 m wide and 0.1 m above the ground, starts 6 m from the centre and runs
-    straight. The same arguments give the same bytes on every run and every platform.
+    straight. ValueError for numbers out of range and unknown `ends`; TypeError for values that are not whole numbers.
+    Source: Popescu, Lee, Choi, Fahmy (2022), user study.
 
     Parameters
     ----------
@@ -77,15 +78,6 @@ def tape_task(seed: int = 0, rectangles: int = 3, *, ends: str = "near") -> tupl
     tuple
         The scene, whose objects are "ground", "tape", and "rectangle_0" and so on, and the `TapeTask` with radii and
         answer.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Numbers out of range, values that are not whole numbers, and unknown `ends`.
-
-    References
-    ----------
-    Popescu, Lee, Choi, Fahmy (2022), user study.
     """
     draw, count, chosen = chosen_of("rectangles", seed, rectangles, 90)
     layout = _ENDS_NEAR if check.choice("ends", ends, ("near", "far")) == "near" else _ENDS_FAR

@@ -8,9 +8,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nearfar.datasets._draw import Floats
+from nearfar.datasets._draw import Floats, step
 from nearfar.datasets._world import streets
-from nearfar.datasets._world.noise import hashed, noise, step
+from nearfar.datasets._world.noise import hashed, noise
 from nearfar.datasets._world.sites import Town
 
 FARMED = 1100.0
@@ -45,13 +45,14 @@ def cover(seed: int, towns: list[Town], x: Floats, z: Floats, height: Floats, sl
     # Each place is farmed from its nearest town only; fields end where another town is nearer.
     nearest = np.full(x.shape, 1.0e9)
     for place in towns:
-        away = place.away(x, z) - place.radius
+        distance = place.away(x, z) - place.radius
         crop, border = _fields(seed, place, x, z)
-        mine = away < nearest
-        nearest = np.minimum(nearest, away)
-        farmed = (away < FARMED * (0.7 + 0.5 * patches)) & (crop > 0) & (slope < 0.3) & (height > 2.5) & (cold < 0.42)
-        field = np.where(mine, np.where(farmed, crop, -1), field)
-        hedge = np.where(mine, farmed & border, hedge)
+        is_nearest = distance < nearest
+        nearest = np.minimum(nearest, distance)
+        in_reach = distance < FARMED * (0.7 + 0.5 * patches)
+        farmed = in_reach & (crop > 0) & (slope < 0.3) & (height > 2.5) & (cold < 0.42)
+        field = np.where(is_nearest, np.where(farmed, crop, -1), field)
+        hedge = np.where(is_nearest, farmed & border, hedge)
         town = np.maximum(town, streets.layout(seed, place).built(x, z))
     # Woods grow on land that is not farmed, up to the tree line, off the shore and not on cliffs.
     forest = np.where(field >= 0, 0.0, wooded)

@@ -2,26 +2,17 @@
 
 from __future__ import annotations
 
+import itertools
+import math
 from dataclasses import dataclass
 
 import numpy as np
 
 from nearfar.datasets._buildings import Kind
-from nearfar.datasets._draw import Floats
+from nearfar.datasets._draw import Floats, length, xyz
 from nearfar.datasets._shapes import Indexed
 from nearfar.datasets._stage import placements
-from nearfar.datasets._world import (
-    forest,
-    houses,
-    lattice,
-    road_shapes,
-    roads,
-    sites,
-    street_shapes,
-    street_things,
-    streets,
-    tiles,
-)
+from nearfar.datasets._world import forest, houses, lattice, road_shapes, roads, sites, street_things, streets, tiles
 from nearfar.datasets._world.parts import Parts
 
 _CROWN = 7.0
@@ -33,14 +24,14 @@ _CARS, _HOUSES = (0.4, 0.8), (1.6, 3.6)
 
 
 @dataclass(frozen=True)
-class Wanted:
-    """A level of the ground, and the error budget in metres for shapes on it."""
+class Accuracy:
+    """A level of the ground, and the error budget in metres for shapes on it, in the world of a seed."""
 
     seed: int
     level: int
     budget: float
 
-    def coarse(self, errors: tuple[float, float], size: float = 1.0) -> int:
+    def coarsest_detail(self, errors: tuple[float, float], size: float = 1.0) -> int:
         """Return the coarsest detail 0 … 2 within the budget; `errors` are for details 1 and 0, at size 1."""
         return 2 - sum(error * size <= self.budget for error in errors)
 
@@ -54,104 +45,91 @@ def box_of(parts: Parts, margin: float) -> tuple[float, float, float, float]:
 def spans(parts: Parts, side: float, margin: float = 0.0) -> tuple[range, range]:
     """Columns i and rows j of squares that touch a query's box, seen from above, and lie in the world."""
     x0, x1, z0, z1 = box_of(parts, margin)
-    least, most = int(np.floor(-parts.half / side)), int(np.ceil(parts.half / side))
+    end = math.ceil(parts.half / side)
     # A closed box that ends at a square's border touches the square beyond.
-    rows = [
-        range(max(least, int(np.ceil(a / side)) - 1), min(most, int(np.floor(b / side)) + 1))
-        for a, b in ((x0, x1), (z0, z1))
-    ]
-    return rows[0], rows[1]
+    columns, rows = (
+        range(max(-end, math.ceil(low / side) - 1), min(end, math.floor(high / side) + 1))
+        for low, high in ((x0, x1), (z0, z1))
+    )
+    return columns, rows
 
 
-def add_ground(parts: Parts, wanted: Wanted) -> None:
+def add_ground(parts: Parts, accuracy: Accuracy) -> None:
     """Add ground and water."""
-    columns, rows = spans(parts, tiles.COUNT * lattice.spacing(wanted.level))
-    for j in rows:
-        for i in columns:
-            parts.tile(tiles.tile(wanted.seed, wanted.level, i, j))
+    columns, rows = spans(parts, tiles.COUNT * lattice.spacing(accuracy.level))
+    for j, i in itertools.product(rows, columns):
+        parts.tile(tiles.tile(accuracy.seed, accuracy.level, i, j))
 
 
-def add_plants(parts: Parts, wanted: Wanted) -> None:
+def add_plants(parts: Parts, accuracy: Accuracy) -> None:
     """Add trees, bushes and rocks that are not too small."""
-    limits = [low + spread for low, spread in forest.SIZES]
-    kept = [k for k, size in enumerate(limits) if forest.REACHES[k] * size > wanted.budget]
-    if not kept:
+    greatest_sizes = [low + spread for low, spread in forest.SIZES]
+    if all(reach * size <= accuracy.budget for reach, size in zip(forest.REACHES, greatest_sizes, strict=True)):
         return
-    found: dict[tuple[int, int], list[tuple[Floats, list[str]]]] = {}
+    by_shape: dict[tuple[int, int], list[tuple[Floats, list[str]]]] = {}
     columns, rows = spans(parts, tiles.COUNT * lattice.SPACING, _CROWN)
-    for j in rows:
-        for i in columns:
-            plants = forest.plants(wanted.seed, i, j)
-            mine = np.flatnonzero(plants.reach > wanted.budget)
-            if not len(mine):
-                continue
-            feet = np.stack([plants.x, tiles.foot(wanted.seed, wanted.level, plants.x, plants.z), plants.z], -1)
-            mine = mine[parts.near(feet[mine], plants.reach[mine])]
-            where = _placements(feet[mine], plants.turn[mine], plants.size[mine])
-            keys = 16 * plants.kind[mine] + plants.variant[mine]
-            for key in np.unique(keys).tolist():
-                chosen = np.flatnonzero(keys == key)
-                name = f"{forest.NAMES[key // 16]}_{i}_{j}_"
-                names = [name + str(number) for number in plants.number[mine[chosen]].tolist()]
-                found.setdefault(divmod(key, 16), []).append((where[chosen], names))
-    for (kind, variant), placed in sorted(found.items(), key=lambda item: item[0]):
-        detail = wanted.coarse(forest.COARSER[kind], limits[kind])
-        shape = forest.shape(wanted.seed, kind, variant, detail)
-        every = [name for _, names in placed for name in names]
-        parts.many((forest.NAMES[kind], variant, detail), shape, np.concatenate([where for where, _ in placed]), every)
+    for j, i in itertools.product(rows, columns):
+        plants = forest.plants(accuracy.seed, i, j)
+        near = np.flatnonzero(plants.reach > accuracy.budget)
+        if not len(near):
+            continue
+        feet = xyz(plants.x, tiles.foot(accuracy.seed, accuracy.level, plants.x, plants.z), plants.z)
+        near = near[parts.near(feet[near], plants.reach[near])]
+        x, y, z = feet[near].T
+        transforms = placements(x, y, z, plants.turn[near], plants.size[near])
+        keys = 16 * plants.kind[near] + plants.variant[near]
+        for key in np.unique(keys).tolist():
+            of_shape = np.flatnonzero(keys == key)
+            kind, variant = divmod(key, 16)
+            names = [f"{forest.NAMES[kind]}_{i}_{j}_{number}" for number in plants.number[near[of_shape]].tolist()]
+            by_shape.setdefault((kind, variant), []).append((transforms[of_shape], names))
+    for (kind, variant), placed in sorted(by_shape.items(), key=lambda item: item[0]):
+        detail = accuracy.coarsest_detail(forest.COARSER[kind], greatest_sizes[kind])
+        shape = forest.shape(accuracy.seed, kind, variant, detail)
+        names = [name for _, part in placed for name in part]
+        parts.many((forest.NAMES[kind], variant, detail), shape, np.concatenate([part for part, _ in placed]), names)
 
 
-def add_towns(parts: Parts, wanted: Wanted) -> None:
+def add_towns(parts: Parts, accuracy: Accuracy) -> None:
     """Add streets and houses, and along the streets cars, lamps and trees."""
-    for town in sites.near(wanted.seed, box_of(parts, 0.0), sites.EDGE):
-        if wanted.budget < _NO_STREETS:
-            parts.once(street_shapes.shape(wanted.seed, town), town.x, town.z, f"streets_{town.name}")
-        plan = streets.layout(wanted.seed, town)
+    for town in sites.near(accuracy.seed, box_of(parts, 0.0), sites.EDGE):
+        if accuracy.budget < _NO_STREETS:
+            parts.once(road_shapes.street_shape(accuracy.seed, town), town.x, town.z, f"streets_{town.name}")
+        plan = streets.layout(accuracy.seed, town)
         placed: dict[tuple[str, object], list[tuple[int, float, float, float, float]]] = {}
         for number, house in enumerate(plan.houses):
             name = "church" if house.kind.form == houses.CHURCH else "house"
             placed.setdefault((name, house.kind), []).append((number, house.x, house.z, house.turn, 1.0))
-        for number, thing in enumerate(street_things.things(wanted.seed, town)):
+        for number, thing in enumerate(street_things.things(accuracy.seed, town)):
             row = (number, thing.x, thing.z, thing.turn, thing.size)
             placed.setdefault((thing.kind, thing.variant), []).append(row)
         for (name, variant), rows in placed.items():
-            shape, detail = _shape(wanted, name, variant)
+            shape, detail = _shape(accuracy, name, variant)
             number, x, z, turn, size = np.array(rows).T
-            reach = _reach(shape) * size
-            feet = np.stack([x, np.full(len(x), town.height), z], -1)
-            mine = np.flatnonzero(parts.near(feet, reach) & (reach > wanted.budget))
-            where = _placements(feet[mine], turn[mine], size[mine])
-            names = [f"{name}_{town.name}_{k}" for k in number[mine].astype(int).tolist()]
-            parts.many((name, variant, detail), shape, where, names)
+            reach = float(length(shape.positions.astype(np.float64)).max()) * size
+            near = np.flatnonzero(parts.near(xyz(x, town.height, z), reach) & (reach > accuracy.budget))
+            names = [f"{name}_{town.name}_{k}" for k in number[near].astype(int).tolist()]
+            transforms = placements(x[near], town.height, z[near], turn[near], size[near])
+            parts.many((name, variant, detail), shape, transforms, names)
 
 
-def _shape(wanted: Wanted, name: str, variant: object) -> tuple[Indexed, int]:
+def _shape(accuracy: Accuracy, name: str, variant: object) -> tuple[Indexed, int]:
     """Shape of a house or of a street object, and its detail."""
     if isinstance(variant, Kind):
-        detail = wanted.coarse(_HOUSES)
-        return houses.shape(wanted.seed, variant, detail), detail
+        detail = accuracy.coarsest_detail(_HOUSES)
+        return houses.shape(accuracy.seed, variant, detail), detail
     assert isinstance(variant, int)
     if name == street_things.TREE:
-        detail = wanted.coarse(forest.COARSER[forest.OAK])
-        return forest.shape(wanted.seed, forest.OAK, variant, detail), detail
-    detail = wanted.coarse(_CARS)
+        detail = accuracy.coarsest_detail(forest.COARSER[forest.OAK])
+        return forest.shape(accuracy.seed, forest.OAK, variant, detail), detail
+    detail = accuracy.coarsest_detail(_CARS)
     return street_things.shape(name, variant, detail), detail
 
 
-def _placements(feet: Floats, turn: Floats, size: Floats) -> Floats:
-    return placements(feet[:, 0], feet[:, 1], feet[:, 2], turn, size)
-
-
-def _reach(shape: Indexed) -> float:
-    """Greatest distance of a shape from its foot, metres."""
-    points = shape.positions.astype(np.float64)
-    return float(np.sqrt((points * points).sum(1).max()))
-
-
-def add_roads(parts: Parts, wanted: Wanted) -> None:
+def add_roads(parts: Parts, accuracy: Accuracy) -> None:
     """Add roads; above coarse ground they are raised by a quarter of its error, so that less of them is buried."""
-    if wanted.budget < _NO_ROADS:
-        lift = 0.25 * lattice.error(wanted.level)
-        for road in roads.near(wanted.seed, box_of(parts, roads.HALF + 1.0), 0.0):
-            shape, x, z = road_shapes.shape(road, lift)
+    if accuracy.budget < _NO_ROADS:
+        lift = 0.25 * lattice.error(accuracy.level)
+        for road in roads.near(accuracy.seed, box_of(parts, roads.HALF + 1.0), 0.0):
+            shape, x, z = road_shapes.road_shape(road, lift)
             parts.once(shape, x, z, f"road_{road.name}")

@@ -17,10 +17,10 @@ from nearfar.datasets._world.sites import near
 
 _ROWS = 40
 """Places along each side of a finest tile: one per 6.25 m."""
-_SPRUCES, _OAKS, _BUSHES, _ROCKS = 4, 5, 2, 3
 SPRUCE, OAK, BUSH, ROCK = 0, 1, 2, 3
 NAMES = ("spruce", "oak", "bush", "rock")
-_VARIANTS = np.array([_SPRUCES, _OAKS, _BUSHES, _ROCKS])
+_VARIANTS = np.array([4, 5, 2, 3])
+"""For each kind: number of its shapes."""
 _CLEAR = 3.2
 """Least distance of a trunk from roads, streets and houses, metres."""
 
@@ -72,10 +72,9 @@ def plants(seed: int, i: int, j: int) -> Plants:
     variant = np.minimum((draws[5] * _VARIANTS[kind]).astype(np.int64), _VARIANTS[kind] - 1)
     keep = (is_tree | is_bush | is_rock) & (on.road[b, a] > 3.5 + _CLEAR + 2.8)
     box = (i * side, (i + 1) * side, j * side, (j + 1) * side)
-    for place in near(seed, box, 10.0):
-        chosen = np.flatnonzero(keep)
-        keep[chosen] = streets.layout(seed, place).free(x[chosen], z[chosen], _CLEAR)
     rows = np.flatnonzero(keep)
+    for town in near(seed, box, 10.0):
+        rows = rows[streets.layout(seed, town).free(x[rows], z[rows], _CLEAR)]
     kind, size = kind[rows], size[rows]
     reach = np.array(REACHES)[kind] * size
     return Plants(rows, x[rows], z[rows], kind, variant[rows], size, draws[6][rows], reach)

@@ -11,9 +11,9 @@ from nearfar.datasets import _roofs as roofs
 from nearfar.datasets._buildings import Kind
 from nearfar.datasets._draw import Draw
 from nearfar.datasets._palette import material, materials
-from nearfar.datasets._shapes import Indexed, Soup, boxes, join, loft, weld
+from nearfar.datasets._shapes import Indexed, Soup, bars, boxes, join, loft, weld
 from nearfar.datasets._styles import BRICK, STONE, STUCCO
-from nearfar.datasets._walls import Paint, Plan, wall
+from nearfar.datasets._walls import Paint, walls
 
 COTTAGE, CHURCH = 0, 9
 """`Kind.form` of a house and of a church."""
@@ -31,12 +31,7 @@ _STYLES = (
 @functools.lru_cache(maxsize=512)
 def shape(seed: int, kind: Kind, detail: int) -> Indexed:
     """The shape of a kind at detail 0 … 2, on the ground y = 0 around the y axis, its front towards +z."""
-    return weld(soup(seed, kind, detail))
-
-
-def soup(seed: int, kind: Kind, detail: int) -> Soup:
-    """`shape` as triangles without shared corners."""
-    return cottage(seed, kind, detail) if kind.form == COTTAGE else church(detail)
+    return weld(cottage(seed, kind, detail) if kind.form == COTTAGE else church(detail))
 
 
 def cottage(seed: int, kind: Kind, detail: int) -> Soup:
@@ -44,24 +39,15 @@ def cottage(seed: int, kind: Kind, detail: int) -> Soup:
     draw = Draw(seed, 220, kind.width, kind.depth, kind.variant)
     style = draw.pick(_STYLES)
     paint = Paint.random(style, draw)
-    storeys = 1 if draw.chance(0.35) else 2
-    storeys += int(kind.width >= 140)
-    across, deep = 0.1 * kind.width, 0.1 * kind.depth
-    turned = deep > across
+    storeys = (1 if draw.chance(0.35) else 2) + int(kind.width >= 140)
+    width, depth = 0.1 * kind.width, 0.1 * kind.depth
+    turned = depth > width
     # Drawn before the walls, whose number of draws depends on the detail.
     tiles, pitch, gabled = draw.pick(_TILES), draw.number(0.75, 1.05), draw.chance(0.75)
     rows = np.concatenate([[-_FOOT], 3.1 + style.storey * np.arange(storeys), [3.45 + style.storey * (storeys - 1)]])
-    if detail == 0:
-        x, z = 0.5 * across, 0.5 * deep
-        parts = [boxes([-x, -_FOOT, -z], [x, rows[-1], z], paint.wall, without="-y +y")]
-    else:
-        parts = []
-        for quarter in range(4):
-            wide, away = (across, 0.5 * deep) if quarter % 2 == 0 else (deep, 0.5 * across)
-            plan = Plan(wide, rows, "street" if quarter in (0, 2) else "yard", False, True)
-            side = wall(plan, style, paint, draw, detail)
-            parts.append(side.translate([0.0, 0.0, away]).rotated(0.25 * quarter))
-    wide, narrow = (deep, across) if turned else (across, deep)
+    faces = ("street", "yard", "street", "yard"), False, True
+    parts = walls((width, depth), rows, faces, style, paint, draw, detail)
+    wide, narrow = (depth, width) if turned else (width, depth)
     top = float(rows[-1])
     if gabled:
         roof = roofs.gabled(wide, narrow, top, pitch, tiles, paint.trim, paint.wall)
@@ -82,18 +68,14 @@ def church(detail: int) -> Soup:
         boxes([-3.1, -_FOOT, 7.0], [3.1, 21.0, 13.2], stone, without="-y +y"),
         boxes([-3.4, 20.6, 6.7], [3.4, 21.3, 13.5], trim),
     ]
-    square = np.array([[1.0, 1.0], [1.0, -1.0], [-1.0, -1.0], [-1.0, 1.0]])
-    sections = np.zeros((3, 4, 3))
-    for row, (half, up) in enumerate(((3.2, 21.3), (1.9, 25.5), (0.0, 35.5))):
-        sections[row, :, 0], sections[row, :, 1], sections[row, :, 2] = square[:, 0] * half, up, square[:, 1] * half
-    parts.append(loft(sections, slate, bottom=False, top=False).translate([0.0, 0.0, 10.1]))
+    spire = [roofs.rectangle(2.0 * half, 2.0 * half, y) for half, y in ((3.2, 21.3), (1.9, 25.5), (0.0, 35.5))]
+    parts.append(loft(spire, slate, bottom=False, top=False).translate([0.0, 0.0, 10.1]))
     if detail >= 1:
-        z = np.arange(-13.0, 6.0, 4.2)
-        panes = [[side * 5.5 - 0.06, 2.2, at] for side in (-1.0, 1.0) for at in z.tolist()]
-        parts.append(boxes(panes, np.add(panes, [0.12, 4.6, 1.3]), glass))
-        parts.append(boxes([-1.0, -0.1, 13.1], [1.0, 3.0, 13.28], material("door_wood"), without="-y"))
-        front = [[-0.7, at, 13.1] for at in (8.0, 15.5)]
-        parts.append(boxes(front, np.add(front, [1.4, 2.6, 0.17]), glass))
-        slits = [[x - 0.06, 15.5, 9.4] for x in (-3.1, 3.1)]
-        parts.append(boxes(slits, np.add(slits, [0.12, 2.6, 1.4]), glass))
+        panes = [[x - 0.06, 2.2, z] for x in (-5.5, 5.5) for z in np.arange(-13.0, 6.0, 4.2).tolist()]
+        parts += [
+            bars(panes, [0.12, 4.6, 1.3], glass),
+            boxes([-1.0, -0.1, 13.1], [1.0, 3.0, 13.28], material("door_wood"), without="-y"),
+            bars([[-0.7, 8.0, 13.1], [-0.7, 15.5, 13.1]], [1.4, 2.6, 0.17], glass),
+            bars([[x - 0.06, 15.5, 9.4] for x in (-3.1, 3.1)], [0.12, 2.6, 1.4], glass),
+        ]
     return join(parts)

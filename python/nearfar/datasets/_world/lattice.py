@@ -12,6 +12,7 @@ import functools
 import numpy as np
 
 from nearfar.datasets._draw import Floats
+from nearfar.datasets._world.noise import assembled
 from nearfar.datasets._world.relief import natural
 
 SPACING = 3.90625
@@ -25,6 +26,7 @@ BUILT = 40.0
 UNIT = 1.0 / 64.0
 """Quantum of heights, metres."""
 _BLOCK = 16
+"""Number of vertices along each side of a cached block."""
 
 
 def error(level: int) -> float:
@@ -43,50 +45,36 @@ def rounded(heights: Floats) -> Floats:
     return np.floor(heights / UNIT + 0.5) * UNIT
 
 
-def refined(coarse: Floats, wanted: Floats, level: int) -> Floats:
-    """Heights (2R − 1, 2C − 1) of a level from the next coarser one's (R, C), as close to `wanted` as allowed."""
+def refined(coarse: Floats, target: Floats, level: int) -> Floats:
+    """Heights (2R − 1, 2C − 1) of a level from the next coarser one's (R, C), as close to `target` as allowed."""
     middle = np.empty((2 * coarse.shape[0] - 1, 2 * coarse.shape[1] - 1))
     middle[::2, ::2] = coarse
     middle[1::2, ::2] = 0.5 * (coarse[:-1] + coarse[1:])
     middle[::2, 1::2] = 0.5 * (coarse[:, :-1] + coarse[:, 1:])
     middle[1::2, 1::2] = 0.5 * (coarse[:-1, :-1] + coarse[1:, 1:])
-    moved = rounded(middle + np.clip(wanted - middle, -STEPS[level], STEPS[level]))
-    moved[::2, ::2] = coarse
-    return moved
-
-
-def places(level: int, i0: int, i1: int, j0: int, j1: int) -> tuple[Floats, Floats]:
-    """Positions x and z (rows j, columns i) of a level's vertices i0 … i1 and j0 … j1, metres."""
-    z, x = np.meshgrid(spacing(level) * np.arange(j0, j1 + 1), spacing(level) * np.arange(i0, i1 + 1), indexing="ij")
-    return x, z
+    fine = rounded(middle + np.clip(target - middle, -STEPS[level], STEPS[level]))
+    fine[::2, ::2] = coarse
+    return fine
 
 
 def untouched(seed: int, level: int, i0: int, i1: int, j0: int, j1: int) -> Floats:
-    """Heights of vertices of a level from `SHARED` up, without towns and roads."""
-    x, z = places(level, i0, i1, j0, j1)
-    wanted = natural(seed, x.reshape(-1), z.reshape(-1)).reshape(x.shape)
+    """Heights (rows j, columns i) of vertices i0 … i1, j0 … j1 of a level from `SHARED` up, without towns and roads."""
+    z, x = np.meshgrid(spacing(level) * np.arange(j0, j1 + 1), spacing(level) * np.arange(i0, i1 + 1), indexing="ij")
+    target = natural(seed, x.reshape(-1), z.reshape(-1)).reshape(x.shape)
     if level == TOP:
-        return rounded(wanted)
+        return rounded(target)
     a, b, c, d = i0 >> 1, (i1 + 1) >> 1, j0 >> 1, (j1 + 1) >> 1
     wide = np.zeros((2 * (d - c) + 1, 2 * (b - a) + 1))
     rows, columns = slice(j0 - 2 * c, j1 - 2 * c + 1), slice(i0 - 2 * a, i1 - 2 * a + 1)
-    wide[rows, columns] = wanted
+    wide[rows, columns] = target
     return refined(untouched(seed, level + 1, a, b, c, d), wide, level)[rows, columns]
 
 
 def shared(seed: int, i0: int, i1: int, j0: int, j1: int) -> Floats:
     """`untouched` for the level `SHARED`, from cached blocks."""
-    heights = np.empty((j1 - j0 + 1, i1 - i0 + 1))
-    for bj in range(j0 // _BLOCK, j1 // _BLOCK + 1):
-        for bi in range(i0 // _BLOCK, i1 // _BLOCK + 1):
-            block = _cached_block(seed, bi, bj)
-            a, b = max(i0, bi * _BLOCK), min(i1, (bi + 1) * _BLOCK - 1)
-            c, d = max(j0, bj * _BLOCK), min(j1, (bj + 1) * _BLOCK - 1)
-            part = block[c - bj * _BLOCK : d - bj * _BLOCK + 1, a - bi * _BLOCK : b - bi * _BLOCK + 1]
-            heights[c - j0 : d - j0 + 1, a - i0 : b - i0 + 1] = part
-    return heights
+    return assembled(functools.partial(_cached_block, seed), _BLOCK, (j0, j1), (i0, i1))
 
 
 @functools.lru_cache(maxsize=512)
-def _cached_block(seed: int, i: int, j: int) -> Floats:
+def _cached_block(seed: int, j: int, i: int) -> Floats:
     return untouched(seed, SHARED, i * _BLOCK, (i + 1) * _BLOCK - 1, j * _BLOCK, (j + 1) * _BLOCK - 1)

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import functools
+from collections.abc import Callable
+from typing import TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,13 +12,14 @@ from numpy.typing import NDArray
 from nearfar import _core
 from nearfar.datasets._draw import Floats, turn
 
+Number = TypeVar("Number", bound=np.generic)
+
 # K. Perlin, An image synthesizer (1985), and Improving noise (2002): gradients on a lattice, joined by a quintic.
 _GRADIENTS = np.stack(turn((np.arange(64.0) + 0.5) / 64.0))
 _SCALE = 1.4142135623730951
-"""Largest value of unscaled noise is 1/√2."""
-
-
+"""Factor of the noise, whose greatest unscaled value is 1/√2."""
 _BLOCK = 32
+"""Number of lattice points along each side of a cached block."""
 
 
 def hashed(seed: int, channel: int, i: NDArray[np.int64], j: NDArray[np.int64], draw: int = 0) -> Floats:
@@ -27,11 +30,7 @@ def hashed(seed: int, channel: int, i: NDArray[np.int64], j: NDArray[np.int64], 
 
 def noise(seed: int, channel: int, x: Floats, z: Floats, length: float) -> Floats:
     """Gradient noise of −1 to 1, mostly within ±0.7, with a feature size of `length` metres."""
-    u, v, gx, gz = _corners(seed, channel, x, z, length)
-    a = gx[0] * u + gz[0] * v
-    b = gx[1] * (u - 1.0) + gz[1] * v
-    c = gx[2] * u + gz[2] * (v - 1.0)
-    d = gx[3] * (u - 1.0) + gz[3] * (v - 1.0)
+    u, v, _, _, (a, b, c, d) = _corners(seed, channel, x, z, length)
     s, t = _fade(u), _fade(v)
     low = a + s * (b - a)
     return _SCALE * (low + t * (c + s * (d - c) - low))
@@ -39,19 +38,15 @@ def noise(seed: int, channel: int, x: Floats, z: Floats, length: float) -> Float
 
 def sloped(seed: int, channel: int, x: Floats, z: Floats, length: float) -> tuple[Floats, Floats, Floats]:
     """`noise` and its derivatives with respect to x / length and z / length."""
-    u, v, gx, gz = _corners(seed, channel, x, z, length)
-    a = gx[0] * u + gz[0] * v
-    b = gx[1] * (u - 1.0) + gz[1] * v
-    c = gx[2] * u + gz[2] * (v - 1.0)
-    d = gx[3] * (u - 1.0) + gz[3] * (v - 1.0)
+    u, v, gx, gz, (a, b, c, d) = _corners(seed, channel, x, z, length)
     s, t = _fade(u), _fade(v)
     ds, dt = 30.0 * u * u * (u - 1.0) * (u - 1.0), 30.0 * v * v * (v - 1.0) * (v - 1.0)
     low, high = a + s * (b - a), c + s * (d - c)
-    mixed = (gx[0] + s * (gx[1] - gx[0]), gx[2] + s * (gx[3] - gx[2]))
-    across = mixed[0] + t * (mixed[1] - mixed[0]) + ds * (b - a + t * (d - c - b + a))
-    mixed = (gz[0] + s * (gz[1] - gz[0]), gz[2] + s * (gz[3] - gz[2]))
-    along = mixed[0] + t * (mixed[1] - mixed[0]) + dt * (high - low)
-    return _SCALE * (low + t * (high - low)), _SCALE * across, _SCALE * along
+    # The gradients, interpolated along x at both sides of the cell and then along z.
+    (x0, x1), (z0, z1) = ((g[0] + s * (g[1] - g[0]), g[2] + s * (g[3] - g[2])) for g in (gx, gz))
+    slope_x = x0 + t * (x1 - x0) + ds * (b - a + t * (d - c - b + a))
+    slope_z = z0 + t * (z1 - z0) + dt * (high - low)
+    return _SCALE * (low + t * (high - low)), _SCALE * slope_x, _SCALE * slope_z
 
 
 def _fade(t: Floats) -> Floats:
@@ -60,21 +55,24 @@ def _fade(t: Floats) -> Floats:
 
 def _corners(
     seed: int, channel: int, x: Floats, z: Floats, length: float
-) -> tuple[Floats, Floats, list[Floats], list[Floats]]:
-    """Position within the lattice's cell, and the gradients of its four corners."""
+) -> tuple[Floats, Floats, list[Floats], list[Floats], list[Floats]]:
+    """Position in the lattice's cell, and for each of its corners x and z of the gradient, and the gradient's value."""
     u, v = x / length, z / length
     fi, fj = np.floor(u), np.floor(v)
-    i, j = fi.astype(np.int64), fj.astype(np.int64)
+    i, j, u, v = fi.astype(np.int64), fj.astype(np.int64), u - fi, v - fj
     offsets = ((0, 0), (1, 0), (0, 1), (1, 1))
     i0, j0 = (int(i.min()), int(j.min())) if i.size else (0, 0)
     rows, columns = (int(i.max()) - i0 + 2, int(j.max()) - j0 + 2) if i.size else (2, 2)
     if rows * columns <= 4 * i.size + 64:
-        table = _lattice(seed, channel, i0, j0, rows, columns).reshape(-1)
+        # Blocks are cached: neighbouring tiles share them.
+        cached = functools.partial(_block, seed, channel)
+        table = assembled(cached, _BLOCK, (i0, i0 + rows - 1), (j0, j0 + columns - 1)).reshape(-1)
         first = (i - i0) * columns + (j - j0)
-        kinds = [table[first + (a * columns + b)] for a, b in offsets]
+        indices = [table[first + (a * columns + b)] for a, b in offsets]
     else:
-        kinds = [_gradient_indices(seed, channel, i + a, j + b) for a, b in offsets]
-    return u - fi, v - fj, [_GRADIENTS[0][k] for k in kinds], [_GRADIENTS[1][k] for k in kinds]
+        indices = [_gradient_indices(seed, channel, i + a, j + b) for a, b in offsets]
+    gx, gz = ([axis[index] for index in indices] for axis in _GRADIENTS)
+    return u, v, gx, gz, [gx[k] * (u - a) + gz[k] * (v - b) for k, (a, b) in enumerate(offsets)]
 
 
 def _gradient_indices(seed: int, channel: int, i: NDArray[np.int64], j: NDArray[np.int64]) -> NDArray[np.uint8]:
@@ -82,16 +80,13 @@ def _gradient_indices(seed: int, channel: int, i: NDArray[np.int64], j: NDArray[
     return (64.0 * hashed(seed, channel, i, j)).astype(np.uint8)
 
 
-def _lattice(seed: int, channel: int, i0: int, j0: int, rows: int, columns: int) -> NDArray[np.uint8]:
-    """`_drawn` for a rectangle of lattice points, from cached blocks: neighbouring tiles share them."""
-    table = np.empty((rows, columns), np.uint8)
-    for bi in range(i0 // _BLOCK, (i0 + rows - 1) // _BLOCK + 1):
-        for bj in range(j0 // _BLOCK, (j0 + columns - 1) // _BLOCK + 1):
-            a, b = max(i0, bi * _BLOCK), min(i0 + rows, (bi + 1) * _BLOCK)
-            c, d = max(j0, bj * _BLOCK), min(j0 + columns, (bj + 1) * _BLOCK)
-            part = _block(seed, channel, bi, bj)[a - bi * _BLOCK : b - bi * _BLOCK, c - bj * _BLOCK : d - bj * _BLOCK]
-            table[a - i0 : b - i0, c - j0 : d - j0] = part
-    return table
+def assembled(
+    block: Callable[[int, int], NDArray[Number]], side: int, rows: tuple[int, int], columns: tuple[int, int]
+) -> NDArray[Number]:
+    """A rectangle of an endless table, from square blocks; `rows` and `columns` are the first and last that it has."""
+    (r0, r1), (c0, c1) = ([end // side for end in ends] for ends in (rows, columns))
+    whole = np.concatenate([np.concatenate([block(r, c) for c in range(c0, c1 + 1)], 1) for r in range(r0, r1 + 1)])
+    return whole[rows[0] - r0 * side : rows[1] - r0 * side + 1, columns[0] - c0 * side : columns[1] - c0 * side + 1]
 
 
 @functools.lru_cache(maxsize=16_384)
@@ -99,9 +94,3 @@ def _block(seed: int, channel: int, bi: int, bj: int) -> NDArray[np.uint8]:
     line = np.arange(_BLOCK)
     i, j = np.meshgrid(bi * _BLOCK + line, bj * _BLOCK + line, indexing="ij")
     return _gradient_indices(seed, channel, i, j)
-
-
-def step(low: float, high: float, value: Floats) -> Floats:
-    """A smooth step: 0 up to `low`, 1 from `high` on, a cubic in between."""
-    share = np.clip((value - low) / (high - low), 0.0, 1.0)
-    return share * share * (3.0 - 2.0 * share)

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from nearfar.datasets._draw import Floats
-from nearfar.datasets._world.noise import noise, sloped, step
+from nearfar.datasets._draw import Floats, step
+from nearfar.datasets._world.noise import noise, sloped
 
 SEA_BED, SUMMIT = -180.0, 2600.0
 """Bounds of all heights, metres; the water's surface is at 0."""

@@ -8,9 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from nearfar.datasets._draw import Floats
+from nearfar.datasets._draw import Floats, step
 from nearfar.datasets._world import sites
-from nearfar.datasets._world.noise import step
 from nearfar.datasets._world.relief import natural
 from nearfar.datasets._world.sites import Town, town
 
@@ -39,6 +38,11 @@ class Road:
     """Whether each point is over water (N,)."""
     box: tuple[float, float, float, float]
 
+    def touches(self, x0: float, x1: float, z0: float, z1: float) -> bool:
+        """Whether its bounds, seen from above, touch others."""
+        a, b, c, d = self.box
+        return a <= x1 and b >= x0 and c <= z1 and d >= z0
+
     def sides(self) -> tuple[Floats, Floats]:
         """Unit vectors across the road at its points: x and z, to the right of its direction."""
         x, z = self.line[:, 0], self.line[:, 2]
@@ -56,25 +60,18 @@ def near(seed: int, box: tuple[float, float, float, float], reach: float) -> lis
     wide = 0.5 * sites.CELL + _LANE * _LANES
     i0, i1 = (int(np.floor(v / sites.CELL + 0.5)) for v in (x0 - wide, x1 + wide))
     j0, j1 = (int(np.floor(v / sites.CELL + 0.5)) for v in (z0 - wide, z1 + wide))
-    found = []
-    for j in range(j0 - 1, j1 + 1):
-        for i in range(i0 - 1, i1 + 1):
-            for road in _starting(seed, i, j):
-                a, b, c, d = road.box
-                if a <= x1 and b >= x0 and c <= z1 and d >= z0:
-                    found.append(road)
-    return found
+    roads = [road for j in range(j0 - 1, j1 + 1) for i in range(i0 - 1, i1 + 1) for road in _starting(seed, i, j)]
+    return [road for road in roads if road.touches(x0, x1, z0, z1)]
 
 
 @functools.lru_cache(maxsize=4096)
 def _starting(seed: int, i: int, j: int) -> tuple[Road, ...]:
     """Roads from the square (i, j) to later ones: to its neighbours along x and z, and across a missing one."""
-    east, south, diagonal = town(seed, i + 1, j), town(seed, i, j + 1), town(seed, i + 1, j + 1)
-    here = town(seed, i, j)
-    pairs = [(here, east), (here, south)]
+    start, east, south, diagonal = (town(seed, i + a, j + b) for a, b in ((0, 0), (1, 0), (0, 1), (1, 1)))
+    pairs = [(start, east), (start, south)]
     if east is None or south is None:
-        pairs.append((here, diagonal))
-    if here is None or diagonal is None:
+        pairs.append((start, diagonal))
+    if start is None or diagonal is None:
         pairs.append((east, south))
     roads = [_road(seed, a, b) for a, b in pairs if a is not None and b is not None]
     return tuple(road for road in roads if road is not None)
@@ -82,15 +79,14 @@ def _starting(seed: int, i: int, j: int) -> tuple[Road, ...]:
 
 def _gate(start: Town, end: Town) -> tuple[Floats, Floats]:
     """Start of a road at a town: the end (2,) of the main street that points best to the other town; its direction."""
-    way = np.array([end.x - start.x, end.z - start.z])
-    axes = [start.axis(quarter) for quarter in range(4)]
-    axis = max(axes, key=lambda a: float(a[0] * way[0] + a[1] * way[1]))
+    dx, dz = end.x - start.x, end.z - start.z
+    axis = max((start.axis(quarter) for quarter in range(4)), key=lambda a: float(a[0] * dx + a[1] * dz))
     return np.array([start.x, start.z]) + start.radius * axis, axis
 
 
 def _road(seed: int, a: Town, b: Town) -> Road | None:
     (from_gate, from_axis), (to_gate, to_axis) = _gate(a, b), _gate(b, a)
-    middle = _way(seed, from_gate + _STRAIGHT * from_axis, to_gate + _STRAIGHT * to_axis)
+    middle = _path(seed, from_gate + _STRAIGHT * from_axis, to_gate + _STRAIGHT * to_axis)
     if middle is None:
         return None
     ends = np.array([0.0, 0.5 * _STRAIGHT])
@@ -104,7 +100,7 @@ def _road(seed: int, a: Town, b: Town) -> Road | None:
     return Road(f"{a.name}_to_{b.name}", line, bridge, box)
 
 
-def _way(seed: int, start: Floats, end: Floats) -> Floats | None:
+def _path(seed: int, start: Floats, end: Floats) -> Floats | None:
     """Least-cost path (S, 2) by stations along the straight line and lanes beside it; None if it crosses much water."""
     step_x, step_z = float(end[0] - start[0]), float(end[1] - start[1])
     length = float(np.sqrt(step_x * step_x + step_z * step_z))
@@ -162,8 +158,7 @@ def _even(points: Floats) -> Floats:
     wanted = along[-1] * (np.arange(count + 1) / count)
     k = np.clip(np.searchsorted(along, wanted, side="right") - 1, 0, len(steps) - 1)
     share = (wanted - along[k]) / np.maximum(along[k + 1] - along[k], 1.0e-9)
-    even: Floats = points[k] + share[:, None] * steps[k]
-    return even
+    return np.asarray(points[k] + share[:, None] * steps[k])
 
 
 def _profile(seed: int, x: Floats, z: Floats, a: Town, b: Town) -> tuple[Floats, NDArray[np.bool_]]:
@@ -178,9 +173,9 @@ def _profile(seed: int, x: Floats, z: Floats, a: Town, b: Town) -> tuple[Floats,
             total = total + padded[k : k + len(heights)]
         heights = total / (2 * width + 1)
     heights = np.maximum(heights, CLEARANCE)
-    away = _PIECE * np.arange(float(len(x)))
-    for place, distance in ((a, away), (b, away[::-1])):
-        weight = 1.0 - step(_STRAIGHT + 10.0, _STRAIGHT + 260.0, distance)
+    distances = _PIECE * np.arange(float(len(x)))
+    for place, from_place in ((a, distances), (b, distances[::-1])):
+        weight = 1.0 - step(_STRAIGHT + 10.0, _STRAIGHT + 260.0, from_place)
         heights = heights + weight * (place.height - heights)
     heights = np.clip(heights, ground - 22.0, np.maximum(ground, 0.0) + 22.0)
     line = np.floor(np.stack([x, heights, z], -1) * 256.0 + 0.5) / 256.0
@@ -189,7 +184,7 @@ def _profile(seed: int, x: Floats, z: Floats, a: Town, b: Town) -> tuple[Floats,
 
 def levelled(roads: list[Road], x: Floats, z: Floats, heights: Floats, spacing: float) -> tuple[Floats, Floats]:
     """Level the ground (R, C) of a grid below roads; also return the distance to the nearest road, at most 1 km."""
-    away, level = np.full(x.shape, 1000.0), np.zeros_like(heights)
+    nearest, level = np.full(x.shape, 1000.0), np.zeros_like(heights)
     x0, z0 = float(x[0, 0]), float(z[0, 0])
     for road in roads:
         for first in range(0, len(road.line) - 1, 8):
@@ -197,13 +192,13 @@ def levelled(roads: list[Road], x: Floats, z: Floats, heights: Floats, spacing: 
             (a, _, c), (b, _, d) = part.min(0) - REACH, part.max(0) + REACH
             rows = slice(max(0, int((c - z0) // spacing)), max(0, int((d - z0) // spacing) + 2))
             columns = slice(max(0, int((a - x0) // spacing)), max(0, int((b - x0) // spacing) + 2))
-            if away[rows, columns].size:
-                found, height = _nearest(part, x[rows, columns], z[rows, columns])
-                closer = found < away[rows, columns]
-                away[rows, columns] = np.where(closer, found, away[rows, columns])
-                level[rows, columns] = np.where(closer, height, level[rows, columns])
-    weight = (1.0 - step(SHOULDER, REACH, away)) * step(-0.2, 1.2, heights)
-    return heights + weight * (level - BED - heights), away
+            if nearest[rows, columns].size:
+                distance, height = _nearest(part, x[rows, columns], z[rows, columns])
+                is_closer = distance < nearest[rows, columns]
+                nearest[rows, columns] = np.where(is_closer, distance, nearest[rows, columns])
+                level[rows, columns] = np.where(is_closer, height, level[rows, columns])
+    weight = (1.0 - step(SHOULDER, REACH, nearest)) * step(-0.2, 1.2, heights)
+    return heights + weight * (level - BED - heights), nearest
 
 
 def _nearest(part: Floats, x: Floats, z: Floats) -> tuple[Floats, Floats]:

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import functools
+import itertools
 from dataclasses import dataclass
 
 import numpy as np
 
-from nearfar.datasets._draw import Draw, Floats, turn
-from nearfar.datasets._world.noise import step
+from nearfar.datasets._draw import Draw, Floats, step, turn
 from nearfar.datasets._world.relief import natural
 
 CELL = 3072.0
@@ -63,14 +63,14 @@ def town(seed: int, i: int, j: int) -> Town | None:
     home = i == 0 and j == 0
     if not home and draw.chance(0.15):
         return None
-    heading, wish = draw.number(), draw.number()
+    heading, growth = draw.number(), draw.number()
     reach = 120.0 if home else 0.3 * CELL
     x, z = i * CELL + draw.uniform(_TRIES, -reach, reach), j * CELL + draw.uniform(_TRIES, -reach, reach)
     lines = np.linspace(-1.0, 1.0, 9)
     a, b = (line.reshape(-1) for line in np.meshgrid(lines, lines))
     inside = a * a + b * b <= 1.05
     a, b = a[inside], b[inside]
-    radius = 520.0 if home else 170.0 + 330.0 * wish * wish
+    radius = 520.0 if home else 170.0 + 330.0 * growth * growth
     for shrunk in (1.0, 0.62) if radius > 260.0 else (1.0,):
         size = radius * shrunk
         px, pz = x[:, None] + size * 1.1 * a, z[:, None] + size * 1.1 * b
@@ -92,21 +92,19 @@ def near(seed: int, box: tuple[float, float, float, float], reach: float) -> lis
     far = reach + 520.0 - 0.2 * CELL
     i0, i1 = (int(np.floor(v / CELL + 0.5)) for v in (x0 - far, x1 + far))
     j0, j1 = (int(np.floor(v / CELL + 0.5)) for v in (z0 - far, z1 + far))
-    found = []
-    for j in range(j0, j1 + 1):
-        for i in range(i0, i1 + 1):
-            place = town(seed, i, j)
-            if place is not None:
-                dx, dz = max(x0 - place.x, place.x - x1, 0.0), max(z0 - place.z, place.z - z1, 0.0)
-                if dx * dx + dz * dz <= (reach + place.radius) ** 2:
-                    found.append(place)
-    return found
+    towns = []
+    for j, i in itertools.product(range(j0, j1 + 1), range(i0, i1 + 1)):
+        if (place := town(seed, i, j)) is not None:
+            dx, dz = max(x0 - place.x, place.x - x1, 0.0), max(z0 - place.z, place.z - z1, 0.0)
+            if dx * dx + dz * dz <= (reach + place.radius) ** 2:
+                towns.append(place)
+    return towns
 
 
 def levelled(towns: list[Town], x: Floats, z: Floats, heights: Floats) -> Floats:
     """Heights of the natural ground, levelled in and around towns; rivers stay."""
     for place in towns:
-        away = place.away(x, z)
-        weight = (1.0 - step(place.radius + EDGE, place.radius + EDGE + SLOPE, away)) * step(0.2, 2.0, heights)
+        edge = place.radius + EDGE
+        weight = (1.0 - step(edge, edge + SLOPE, place.away(x, z))) * step(0.2, 2.0, heights)
         heights = heights + weight * (place.height - heights)
     return heights

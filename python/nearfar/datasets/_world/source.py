@@ -10,14 +10,14 @@ from numpy.typing import ArrayLike, NDArray
 from nearfar._base import check
 from nearfar._scene.scene import Scene
 from nearfar.datasets._world import contents, lattice, tiles
-from nearfar.datasets._world.contents import Wanted
+from nearfar.datasets._world.contents import Accuracy
 from nearfar.datasets._world.parts import Parts
 from nearfar.datasets._world.relief import SEA_BED, SUMMIT
 
 _MAX_TILES = 8_192
 _MAX_KM = 10_000
 _SEEDS = 2**63
-_OVER = 100.0
+_MARGIN = 100.0
 """Greatest height of objects above the ground, and of the ground above the natural relief, metres."""
 
 
@@ -38,7 +38,7 @@ class World:
     def bounds(self) -> NDArray[np.float64]:
         """Least and greatest corner (2, 3), metres, y up: a box that contains the world, not the smallest one."""
         half = 500.0 * self._km
-        return np.array([[-half, SEA_BED - _OVER, -half], [half, SUMMIT + _OVER, half]])
+        return np.array([[-half, SEA_BED - _MARGIN, -half], [half, SUMMIT + _MARGIN, half]])
 
     def query(self, aabb: ArrayLike, detail: SupportsFloat = 0.0) -> Scene:
         """Make the part of the world that touches a box.
@@ -73,25 +73,22 @@ class World:
         parts = Parts(low, high, self.bounds[1][0])
         if (low > high).any():
             return parts.scene()
-        wanted = Wanted(self._seed, self._level(detail), 0.5 * detail)
-        columns, rows = contents.spans(parts, tiles.COUNT * lattice.spacing(wanted.level))
-        if len(columns) * len(rows) > _MAX_TILES:
+        accuracy = Accuracy(self._seed, self._level(detail), 0.5 * detail)
+        columns, rows = contents.spans(parts, tiles.COUNT * lattice.spacing(accuracy.level))
+        if (count := len(columns) * len(rows)) > _MAX_TILES:
             raise ValueError(
                 f"aabb: expected at most {_MAX_TILES:,} tiles of the world at detail {detail:g}, "
-                f"got {len(columns) * len(rows):,}; take a smaller box or a larger detail"
+                f"got {count:,}; take a smaller box or a larger detail"
             )
         for add in (contents.add_ground, contents.add_plants, contents.add_towns, contents.add_roads):
-            add(parts, wanted)
+            add(parts, accuracy)
         return parts.scene().query(corners)
 
     def _level(self, detail: float) -> int:
         """Coarsest level of the ground within an error in metres whose grid ends at the world's border."""
         # A grid of 500 m fits every world, one of 1 km those of an even number of kilometres, and so on.
-        most = min(lattice.TOP, 7 + (self._km & -self._km).bit_length() - 1)
-        level = 0
-        while level < most and lattice.error(level + 1) <= 0.5 * detail:
-            level += 1
-        return level
+        coarsest = min(lattice.TOP, 7 + (self._km & -self._km).bit_length() - 1)
+        return max(level for level in range(coarsest + 1) if level == 0 or lattice.error(level) <= 0.5 * detail)
 
 
 def world(km: int = 10, seed: int = 0) -> World:
@@ -99,8 +96,7 @@ def world(km: int = 10, seed: int = 0) -> World:
 
     Continents, mountains, valleys with rivers, coasts; forests by climate, slope and water; a town in most squares of
     3 km, with fields around it and roads to its neighbours. A town lies at the origin. Water is at y = 0. Parts are
-    generated on demand, and are the same in every query. The same arguments give the same bytes on every run and every
-    platform.
+    generated on demand, and are the same in every query. ValueError for numbers out of range.
 
     Parameters
     ----------
@@ -114,10 +110,5 @@ def world(km: int = 10, seed: int = 0) -> World:
     -------
     World
         A source with `bounds` and `query(aabb, detail)`.
-
-    Raises
-    ------
-    ValueError
-        Numbers out of range.
     """
     return World(km, seed)

@@ -31,12 +31,12 @@ class Thing:
 def things(seed: int, town: Town) -> tuple[Thing, ...]:
     """List the objects along the streets of a town."""
     plan, draw = layout(seed, town), Draw(seed, 230, town.i, town.j)
-    found: list[Thing] = []
+    listed: list[Thing] = []
+    cosine, sine = town.axis(0)
 
     def put(kind: str, variant: int, u: float, v: float, turn: float, size: float = 1.0) -> None:
-        a = town.axis(0)
-        x, z = town.x + u * a[0] - v * a[1], town.z + u * a[1] + v * a[0]
-        found.append(Thing(kind, variant, int(x * 64.0) / 64.0, int(z * 64.0) / 64.0, turn - town.heading, size))
+        x, z = town.x + u * cosine - v * sine, town.z + u * sine + v * cosine
+        listed.append(Thing(kind, variant, int(x * 64.0) / 64.0, int(z * 64.0) / 64.0, turn - town.heading, size))
 
     for axis, pieces in enumerate((plan.along, plan.across)):
         for a, b, main in pieces.tolist():
@@ -66,10 +66,9 @@ def things(seed: int, town: Town) -> tuple[Thing, ...]:
         u, v, wide, deep = SQUARE
         for k in range(9):
             for side in (-1.0, 1.0):
-                put(
-                    TREE, k % 5, u + wide * (k - 4) / 4.4, v + side * (deep - 3.0), draw.number(), draw.number(0.8, 1.0)
-                )
-    return tuple(found)
+                place = u + wide * (k - 4) / 4.4, v + side * (deep - 3.0)
+                put(TREE, k % 5, *place, draw.number(), draw.number(0.8, 1.0))
+    return tuple(listed)
 
 
 @functools.lru_cache(maxsize=64)

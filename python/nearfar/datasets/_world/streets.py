@@ -9,11 +9,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nearfar.datasets._buildings import Kind
-from nearfar.datasets._draw import Draw, Floats
+from nearfar.datasets._draw import Draw, Floats, step
 from nearfar.datasets._world import roads
 from nearfar.datasets._world.houses import CHURCH, COTTAGE
 from nearfar.datasets._world.lattice import BUILT
-from nearfar.datasets._world.noise import hashed, step
+from nearfar.datasets._world.noise import hashed
 from nearfar.datasets._world.relief import natural
 from nearfar.datasets._world.sites import Town
 
@@ -94,36 +94,24 @@ def layout(seed: int, town: Town) -> Layout:
     """Plan a town."""
     draw = Draw(seed, 210, town.i, town.j)
     inside = _in_town(seed, town)
-    along, across = [], []
-    n = _NODES
-    for a in range(-n, n + 1):
-        for b in range(-n, n + 1):
-            if a < n and inside[a + n, b + n] and inside[a + 1 + n, b + n]:
-                along.append((a, b, int(b == 0)))
-            if b < n and inside[a + n, b + n] and inside[a + n, b + 1 + n]:
-                across.append((a, b, int(a == 0)))
-    used = {(a + k, b) for a, b, _ in along for k in (0, 1)} | {(a, b + k) for a, b, _ in across for k in (0, 1)}
-    nodes = np.array(sorted(used) or [(0, 0)], np.int64).reshape(-1, 2)
-    pieces = np.array(along, np.int64).reshape(-1, 3), np.array(across, np.int64).reshape(-1, 3)
-    lines = _roads(seed, town)
-    houses, taken = _houses(seed, town, pieces, lines, draw)
-    rectangles = np.array(taken, np.float64).reshape(-1, 4)
-    return Layout(town, *pieces, nodes, tuple(houses), rectangles, inside, _gates(town, lines))
+    a, b = np.nonzero(inside[:-1] & inside[1:])
+    along = np.stack([a - _NODES, b - _NODES, b == _NODES], -1)
+    a, b = np.nonzero(inside[:, :-1] & inside[:, 1:])
+    across = np.stack([a - _NODES, b - _NODES, a == _NODES], -1)
+    ends = [along[:, :2], along[:, :2] + [1, 0], across[:, :2], across[:, :2] + [0, 1]]
+    nodes = np.unique(np.concatenate(ends), axis=0)
+    nodes = nodes if len(nodes) else np.zeros((1, 2), np.int64)
+    near = roads.near(seed, (town.x, town.x, town.z, town.z), town.radius + 60.0)
+    houses, rectangles = _houses(seed, town, (along, across), near, draw)
+    return Layout(
+        town, along, across, nodes, tuple(houses), np.reshape(rectangles, (-1, 4)), inside, _gates(town, near)
+    )
 
 
-def _roads(seed: int, town: Town) -> list[roads.Road]:
-    reach = town.radius + 60.0
-    return roads.near(seed, (town.x - reach, town.x + reach, town.z - reach, town.z + reach), 0.0)
-
-
-def _gates(town: Town, lines: list[roads.Road]) -> tuple[int, ...]:
-    ends = [(float(end[0]), float(end[2])) for road in lines for end in (road.line[0], road.line[-1])]
-    gates = []
-    for quarter in range(4):
-        x, z = (float(c) for c in np.array([town.x, town.z]) + town.radius * town.axis(quarter))
-        if any(abs(x - a) + abs(z - b) < 1.0 for a, b in ends):
-            gates.append(quarter)
-    return tuple(gates)
+def _gates(town: Town, near: list[roads.Road]) -> tuple[int, ...]:
+    ends = np.array([road.line[row, [0, 2]] for road in near for row in (0, -1)]).reshape(-1, 2)
+    centers = [np.array([town.x, town.z]) + town.radius * town.axis(quarter) for quarter in range(4)]
+    return tuple(quarter for quarter in range(4) if (np.abs(ends - centers[quarter]).sum(1) < 1.0).any())
 
 
 def _in_town(seed: int, town: Town) -> NDArray[np.bool_]:

@@ -8,15 +8,19 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from nearfar.datasets._draw import Floats
+from nearfar.datasets._draw import Floats, step, xyz
+from nearfar.datasets._textures import image
 from nearfar.datasets._world import climate, lattice, roads, sites
 from nearfar.datasets._world.climate import Cover
+from nearfar.datasets._world.noise import hashed
 from nearfar.datasets._world.relief import natural
 
 COUNT = 64
 """Number of cells along a tile's side."""
 TEXTURE = 31.25
 """Side of the tileable ground texture, metres."""
+_PIXELS = 256
+"""Width and height of that texture."""
 
 
 @dataclass(frozen=True)
@@ -63,63 +67,56 @@ class Ground:
     @classmethod
     def generate(cls, seed: int, level: int, i: int, j: int) -> Ground:
         """Make the ground of tile (i, j) of a level."""
-        fine, line = lattice.spacing(level), np.arange(-1, COUNT + 2)
-        z, x = np.meshgrid(fine * (j * COUNT + line), fine * (i * COUNT + line), indexing="ij")
+        spacing, line = lattice.spacing(level), np.arange(-1, COUNT + 2)
+        z, x = np.meshgrid(spacing * (j * COUNT + line), spacing * (i * COUNT + line), indexing="ij")
         box = (float(x[0, 0]), float(x[0, -1]), float(z[0, 0]), float(z[-1, 0]))
-        height = natural(seed, x.reshape(-1), z.reshape(-1)).reshape(x.shape)
+        height = raw = natural(seed, x.reshape(-1), z.reshape(-1)).reshape(x.shape)
         road = np.full(x.shape, 1000.0)
         towns: list[sites.Town] = []
         if level <= lattice.SHARED:
             towns = sites.near(seed, box, climate.FARMED * 1.3)
-            raw = height
             height = sites.levelled(towns, x, z, height)
-            height, road = roads.levelled(roads.near(seed, box, roads.REACH), x, z, height, fine)
+            height, road = roads.levelled(roads.near(seed, box, roads.REACH), x, z, height, spacing)
             height = np.clip(height, raw - lattice.BUILT, raw + lattice.BUILT)
         dx, dz = np.zeros_like(height), np.zeros_like(height)
-        dx[:, 1:-1] = (height[:, 2:] - height[:, :-2]) / (2.0 * fine)
-        dz[1:-1] = (height[2:] - height[:-2]) / (2.0 * fine)
+        dx[:, 1:-1] = (height[:, 2:] - height[:, :-2]) / (2.0 * spacing)
+        dz[1:-1] = (height[2:] - height[:-2]) / (2.0 * spacing)
         slope = np.sqrt(dx * dx + dz * dz)
         length = np.sqrt(1.0 + slope * slope)
-        normal = np.stack([-dx / length, 1.0 / length, -dz / length], -1)
+        normal = xyz(-dx / length, 1.0 / length, -dz / length)
         return cls(x, z, height, slope, normal, road, climate.cover(seed, towns, x, z, height, slope))
 
 
 @functools.lru_cache(maxsize=48)
 def ground(seed: int, level: int, i: int, j: int) -> Ground:
-    """`Ground.of`, cached for the last tiles."""
+    """`Ground.generate`, cached for the last tiles."""
     return Ground.generate(seed, level, i, j)
 
 
 @functools.lru_cache(maxsize=48)
 def tile(seed: int, level: int, i: int, j: int) -> Tile:
     """Make tile (i, j) of a level."""
-    on = ground(seed, level, i, j)
-    inner = slice(1, -1)
-    x, z, raw = on.x[inner, inner], on.z[inner, inner], on.height[inner, inner]
+    land, inner = ground(seed, level, i, j), np.s_[1:-1, 1:-1]
     if level > lattice.SHARED:
         height = lattice.untouched(seed, level, i * COUNT, (i + 1) * COUNT, j * COUNT, (j + 1) * COUNT)
     else:
-        height = _fitted(seed, level, i, j, raw)
-    rgb = climate.colors(seed, on.cover, on.x, on.z, on.height, on.slope, on.road)[inner, inner]
-    water = _bytes(climate.water_colors(seed, x, z, -height)) if height.min() < 0.0 else None
-    return Tile(level, i, j, height, on.normal[inner, inner], _bytes(rgb), water)
+        height = _fitted(seed, level, i, j, land.height[inner])
+    rgb = climate.colors(seed, land.cover, land.x, land.z, land.height, land.slope, land.road)[inner]
+    wet = height.min() < 0.0
+    water = image(climate.water_colors(seed, land.x[inner], land.z[inner], -height)) if wet else None
+    return Tile(level, i, j, height, land.normal[inner], image(rgb), water)
 
 
-def _bytes(rgb: Floats) -> NDArray[np.uint8]:
-    rgba = np.full((*rgb.shape[:2], 4), 255, np.uint8)
-    rgba[..., :3] = np.floor(np.clip(rgb, 0.0, 255.0) + 0.5)
-    return rgba
-
-
-def _fitted(seed: int, level: int, i: int, j: int, raw: Floats) -> Floats:
-    """Heights of a tile in the nested grids, as close to `raw` as each level allows."""
-    across = 2**level
-    top = lattice.shared(seed, i * across, (i + 1) * across, j * across, (j + 1) * across)
-    stride = COUNT // across
-    height = lattice.rounded(top + np.clip(raw[::stride, ::stride] - top, -lattice.BUILT, lattice.BUILT))
+def _fitted(seed: int, level: int, i: int, j: int, target: Floats) -> Floats:
+    """Heights of a tile in the nested grids, as close to `target` as each level allows."""
+    count = 2**level
+    coarsest = lattice.shared(seed, i * count, (i + 1) * count, j * count, (j + 1) * count)
+    stride = COUNT // count
+    change = np.clip(target[::stride, ::stride] - coarsest, -lattice.BUILT, lattice.BUILT)
+    height = lattice.rounded(coarsest + change)
     for finer in range(lattice.SHARED - 1, level - 1, -1):
         stride //= 2
-        height = lattice.refined(height, raw[::stride, ::stride], finer)
+        height = lattice.refined(height, target[::stride, ::stride], finer)
     return height
 
 
@@ -137,5 +134,25 @@ def foot(seed: int, level: int, x: Floats, z: Floats) -> Floats:
     right, left = height[b, a + 1], height[b + 1, a]
     lower = first + u * (right - first) + v * (last - right)
     upper = first + v * (left - first) + u * (last - left)
-    found: Floats = np.where(u >= v, lower, upper)
-    return found
+    return np.asarray(np.where(u >= v, lower, upper))
+
+
+@functools.cache
+def grain() -> NDArray[np.uint8]:
+    """Make a tileable grey texture (256, 256, 4), sRGB, that multiplies colours of the ground: blades and clods."""
+    total = np.zeros((_PIXELS, _PIXELS))
+    for octave, (cells, strength) in enumerate(((8, 8.0), (32, 11.0), (96, 14.0), (256, 15.0))):
+        total = total + strength * (_tileable_noise(octave, cells) - 0.5)
+    return image((236.0 + total)[..., None])
+
+
+def _tileable_noise(channel: int, cells: int) -> Floats:
+    """Tileable value noise (256, 256) in 0 … 1."""
+    position = (np.arange(_PIXELS) + 0.5) * (cells / _PIXELS) - 0.5
+    low = np.floor(position)
+    weight = step(0.0, 1.0, position - low)
+    first, second = low.astype(np.int64) % cells, (low.astype(np.int64) + 1) % cells
+    j, i = np.meshgrid(np.arange(cells), np.arange(cells), indexing="ij")
+    value = hashed(0, 90 + channel, i, j)
+    rows = value[first] + weight[:, None] * (value[second] - value[first])
+    return np.asarray(rows[:, first] + weight * (rows[:, second] - rows[:, first]))
